@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # Installs what fdebench needs from Debian's packages and npm: setup.sh for the solver, its sweep and its page; with --tests
 # also what the tests need, with --lint what .ci/lint needs, with --clang what the presets clang and fuzz need. Does nothing, in
 # about a second, when nothing is missing.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <clang/AST/ASTConsumer.h>
 #include <clang/AST/ASTContext.h>
 #include <clang/Frontend/FrontendPluginRegistry.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Highway, as PkgConfig::HWY.
 find_package(PkgConfig QUIET)
 if(PKG_CONFIG_FOUND)

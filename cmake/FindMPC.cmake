@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # GNU MPC as MPC::MPC, with the MPFR that it computes with.
 find_package(MPFR QUIET)
 find_library(MPC_LIBRARY mpc)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # GNU MPFR as PkgConfig::MPFR.
 find_package(PkgConfig QUIET)
 if(PKG_CONFIG_FOUND)

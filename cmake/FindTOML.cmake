@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # toml++, as PkgConfig::TOML.
 find_package(PkgConfig QUIET)
 if(PKG_CONFIG_FOUND)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The first Python that has these packages, in the variable `found`; not set where none has.
 function(find_python_with packages found)
   list(JOIN packages ", " names)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The libraries for other projects, as the component `library`: docs/library.md shows how they are taken.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)

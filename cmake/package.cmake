@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # A Debian package of what has been built of the program, the libraries and the Python module:
 # cpack --config BUILD/CPackConfig.cmake
 set(CPACK_GENERATOR DEB)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -6,7 +7,7 @@
 
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // A reference solution at one time: one value per component, and a bound (or, where the function says so, an
 // estimate) of the absolute error of each.
@@ -33,4 +34,4 @@ struct Reference {
   Evidence evidence = Evidence::closed_form;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

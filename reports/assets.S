@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The files of the page as bytes in the program, so that `fdebench report` needs no installed data. Paths are relative to
 // this folder, which the build puts on the include path. Files of one asset follow each other.
 

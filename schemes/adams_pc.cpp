@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/stepping/predict_and_correct.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
@@ -7,11 +8,8 @@ Scheme adams_pc() {
   return {.id = "adams_pc",
           .title = "Fractional Adams predictor-corrector",
           .source = "Diethelm, Ford & Freed, Nonlinear Dynamics 29 (2002); Numerical Algorithms 36 (2004)",
-          .needs = {.checkpoints = true},
-          .expected_rate =
-              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return rate(predictor_corrector_theory, problem, smoothness, grading, norm);
-              },
+          .capabilities = {.checkpoints = true},
+          .expected_rate = expected_rate(predictor_corrector_theory),
           .solve = on_grid(predict_and_correct),
           .symbol = predictor_corrector_symbol};
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/stepping/order_splitting.hpp"
 #include "fdebench/schemes/stepping/predict_and_correct.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
@@ -9,23 +10,19 @@ namespace fde {
 // the paper is at most 1. For a chain with orders up to 1 the formulas are those of adams_pc with one
 // correction.
 Scheme decoupled_multi_order() {
-  return {.id = "decoupled_multi_order",
-          .title = "Decoupled multi-order chain, predictor-corrector",
-          .source = "Yin, Liu & Anh, J. Algorithms Comput. Technol. 1 (2007), eqs 3.8-3.11",
-          .needs = {.checkpoints = true},
-          .expected_rate =
-              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return split_rate(predictor_corrector_theory, problem, smoothness,
-                                  splitting_up_to_one(problem), grading, norm);
-              },
-          .solve = with_split_orders(splitting_up_to_one, on_grid(predict_and_correct)),
-          .symbol =
-              [](const Problem& problem, double length) {
-                return predictor_corrector_symbol(split(problem, splitting_up_to_one(problem)), length);
-              },
-          .theorem = Theorem{.name = "Theorem 4.3 of Yin, Liu & Anh 2007",
-                             .hypothesis = "D^γ u in C²",
-                             .rate = "1 + min γ"}};
+  return {
+      .id = "decoupled_multi_order",
+      .title = "Decoupled multi-order chain, predictor-corrector",
+      .source = "Yin, Liu & Anh, J. Algorithms Comput. Technol. 1 (2007), eqs 3.8-3.11",
+      .capabilities = {.checkpoints = true},
+      .expected_rate = expected_rate(predictor_corrector_theory, splitting_up_to_one),
+      .solve = with_split_orders(splitting_up_to_one, on_grid(predict_and_correct)),
+      .symbol =
+          [](const Problem& problem, double length) {
+            return predictor_corrector_symbol(split_orders(problem, splitting_up_to_one(problem)), length);
+          },
+      .theorem = Theorem{
+          .name = "Theorem 4.3 of Yin, Liu & Anh 2007", .hypothesis = "D^γ u in C²", .rate = "1 + min γ"}};
 }
 
 }  // namespace fde

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
+#include "fdebench/schemes/rules/implicit/rule_rates.hpp"
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
-#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 
@@ -12,15 +13,12 @@ Scheme grunwald_letnikov() {
       .id = "grunwald_letnikov",
       .title = "Implicit Grunwald-Letnikov",
       .source = "Lubich, SIAM J. Math. Anal. 17 (1986): backward Euler convolution quadrature",
-      .needs = {.uniform_grid = true,
-                .implicit = true,
-                .algebraic_rows = true,
-                .is_two_sided = true,
-                .checkpoints = true},
-      .expected_rate =
-          [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-            return rate(grunwald_letnikov_theory, problem, smoothness, grading, norm);
-          },
+      .capabilities = {.uniform_grid = true,
+                       .implicit = true,
+                       .algebraic_rows = true,
+                       .is_two_sided = true,
+                       .checkpoints = true},
+      .expected_rate = expected_rate(grunwald_letnikov_theory),
       .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
         if (is_two_sided(problem)) return solve_globally(problem, grid, options, families::grunwald_letnikov);
         return solve_implicit(problem, grid, options, integral_rule(problem, families::grunwald_letnikov));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/stepping/order_splitting.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
@@ -10,11 +11,15 @@ namespace {
 Trajectory solve_l1(const Problem& problem, const Grid& grid, const Options& options) {
   return solve_implicit(
       problem, grid, options,
-      {.tables = tables(problem, families::l1),
-       .past = [](double /*t*/, In convolved, In previous, In /*kappa*/,
-                  Out past) { past = previous - convolved; },
+      {.tables = weight_tables(problem, families::l1),
+       .known = [](double /*t*/, In convolved, In previous, In /*kappa*/,
+                   Out known) { known = previous - convolved; },
        .sample = [](Run& /*run*/, double /*t*/, In y, In previous, Out sample) { sample = y - previous; }});
 }
+
+// Piecewise linear interpolation of y: h^(2-g).
+const RateTheory l1_rates{[](double g) { return 2 - g; }, end_rate_of_interpolated_y,
+                          first_step_rate_of_interpolated_y};
 
 }  // namespace
 
@@ -24,17 +29,12 @@ Scheme l1() {
           .source =
               "Oldham & Spanier 1974; Langlands & Henry, J. Comput. Phys. 205 (2005); orders above 1 through "
               "y' = v",
-          .needs = {.implicit = true, .algebraic_rows = true, .checkpoints = true},
-          .expected_rate =
-              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return split_rate(l1_theory, problem, smoothness, splitting_up_to_one(problem), grading,
-                                  norm);
-              },
+          .capabilities = {.implicit = true, .algebraic_rows = true, .checkpoints = true},
+          .expected_rate = expected_rate(l1_rates, splitting_up_to_one),
           .solve = with_split_orders(splitting_up_to_one, on_grid(solve_l1)),
-          .symbol =
-              [](const Problem& problem, double length) {
-                return implicit_symbol(split(problem, splitting_up_to_one(problem)), families::l1, length);
-              }};
+          .symbol = [](const Problem& problem, double length) {
+            return implicit_symbol(split_orders(problem, splitting_up_to_one(problem)), families::l1, length);
+          }};
 }
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <cmath>
 
 #include "fdebench/schemes/rules/interpolants/parabolas.hpp"
@@ -24,6 +25,11 @@ Trajectory solve_l1_2(const Problem& problem, const Grid& grid, const Options& o
   return solve_with_interpolant(parabolas, problem, grid, options);
 }
 
+// Piecewise quadratic interpolation of y: h^(3-g); powers as for L1, because the first step interpolates
+// linearly.
+const RateTheory l1_2_rates{[](double g) { return 3 - g; }, end_rate_of_interpolated_y,
+                            first_step_rate_of_interpolated_y};
+
 }  // namespace
 
 // The Caputo derivative at t_n of the parabolas through y_(n-2), y_(n-1), y_n equals f(t_n, y_n), orders g in
@@ -32,17 +38,12 @@ Scheme l1_2() {
   return {.id = "l1_2",
           .title = "L1-2",
           .source = "Gao, Sun & Zhang, J. Comput. Phys. 259 (2014); orders above 1 through y' = v",
-          .needs = {.implicit = true, .checkpoints = true},
-          .expected_rate =
-              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return split_rate(l1_2_theory, problem, smoothness, splitting_up_to_one(problem), grading,
-                                  norm);
-              },
+          .capabilities = {.implicit = true, .checkpoints = true},
+          .expected_rate = expected_rate(l1_2_rates, splitting_up_to_one),
           .solve = with_split_orders(splitting_up_to_one, on_grid(solve_l1_2)),
-          .symbol =
-              [](const Problem& problem, double length) {
-                return implicit_symbol(split(problem, splitting_up_to_one(problem)), kernel_of, length);
-              }};
+          .symbol = [](const Problem& problem, double length) {
+            return implicit_symbol(split_orders(problem, splitting_up_to_one(problem)), kernel_of, length);
+          }};
 }
 
 }  // namespace fde

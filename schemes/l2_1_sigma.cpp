@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <cmath>
 
 #include "fdebench/schemes/history/symbols/lerch.hpp"
@@ -25,6 +26,13 @@ Trajectory solve_l2_1_sigma(const Problem& problem, const Grid& grid, const Opti
   return solve_with_interpolant(parabolas, problem, grid, options);
 }
 
+// Exact at t* = t_(n-1) + sigma h for t^2 too, with y at t* from linear interpolation: h^2; t^2 has the error
+// h^(2+g) at the first step, other powers are as for L1. f is evaluated at t*, inside the step.
+const RateTheory l2_1_sigma_rates{
+    [](double) { return 2.0; }, end_rate_of_interpolated_y,
+    [](double g, double p) { return same_order(p, 2.0) ? 2 + g : first_step_rate_of_interpolated_y(g, p); },
+    true};
+
 }  // namespace
 
 // The Caputo derivative at t_(n-1) + sigma h, sigma = 1 - g/2, of the parabolas through y_(n-1), y_n, y_(n+1)
@@ -36,17 +44,12 @@ Scheme l2_1_sigma() {
           .source =
               "Alikhanov, J. Comput. Phys. 280 (2015); graded: Chen & Stynes, J. Sci. Comput. 79 (2019); "
               "orders above 1 through y' = v",
-          .needs = {.implicit = true, .checkpoints = true},
-          .expected_rate =
-              [](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
-                return split_rate(l2_1_sigma_theory, problem, smoothness, splitting_up_to_one(problem),
-                                  grading, norm);
-              },
+          .capabilities = {.implicit = true, .checkpoints = true},
+          .expected_rate = expected_rate(l2_1_sigma_rates, splitting_up_to_one),
           .solve = with_split_orders(splitting_up_to_one, on_grid(solve_l2_1_sigma)),
-          .symbol =
-              [](const Problem& problem, double length) {
-                return implicit_symbol(split(problem, splitting_up_to_one(problem)), kernel_of, length);
-              }};
+          .symbol = [](const Problem& problem, double length) {
+            return implicit_symbol(split_orders(problem, splitting_up_to_one(problem)), kernel_of, length);
+          }};
 }
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/multi_term/integrated_equations.hpp"
 #include "fdebench/schemes/rules/multi_term/multi_term_rates.hpp"
 #include "fdebench/schemes/rules/multi_term/multi_term_solvers.hpp"
@@ -10,10 +11,10 @@ Scheme multi_term_pc() {
   return {.id = "multi_term_pc",
           .title = "Direct multi-term predictor-corrector",
           .source = "Diethelm & Ford, Appl. Math. Comput. 154 (2004); Garrappa, Mathematics 6(2) 16 (2018)",
-          .needs = {.discretises_equations = true, .checkpoints = true},
+          .capabilities = {.discretises_equations = true, .checkpoints = true},
           .expected_rate = multi_term_trapezoidal_rate,
           .solve = on_grid(predict_and_correct_equations),
-          .refuses = unsupported_equations_reason,
+          .unsupported_problem_reason = unsupported_equations_reason,
           .symbol = predicted_multi_term_symbol};
 }
 

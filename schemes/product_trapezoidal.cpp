@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/piecewise_constant_multipliers.hpp"
+#include "fdebench/schemes/rules/implicit/rule_rates.hpp"
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
-#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 
@@ -12,16 +13,16 @@ Scheme product_trapezoidal() {
       .id = "product_trapezoidal",
       .title = "Product trapezoidal rule",
       .source = "Young, Proc. R. Soc. A 224 (1954); weights as in Yin, Liu & Anh 2007, eq. 3.7",
-      .needs = {.implicit = true, .algebraic_rows = true, .is_two_sided = true, .checkpoints = true},
-      .expected_rate = [](const Problem& problem, const Smoothness& smoothness, double grading,
-                          Norm norm) { return rate(trapezoidal_theory, problem, smoothness, grading, norm); },
+      .capabilities = {.implicit = true, .algebraic_rows = true, .is_two_sided = true, .checkpoints = true},
+      .expected_rate = expected_rate(trapezoidal_theory),
       .solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
         if (is_two_sided(problem)) return solve_globally(problem, grid, options, families::trapezoid);
         return solve_product_trapezoidal(problem, grid, options);
       }),
-      .refuses = unsupported_multipliers_reason,
-      .symbol = [](const Problem& problem,
-                   double length) { return implicit_symbol(problem, families::trapezoid, length); }};
+      .unsupported_problem_reason = unsupported_multipliers_reason,
+      .symbol = [](const Problem& problem, double length) {
+        return implicit_symbol(problem, families::trapezoid, length);
+      }};
 }
 
 }  // namespace fde

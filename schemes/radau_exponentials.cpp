@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/adaptive_solver.hpp"
 #include "fdebench/schemes/rules/adaptive/radau_stepper.hpp"
 #include "fdebench/schemes/stepping/order_splitting.hpp"
@@ -5,9 +6,9 @@
 namespace fde {
 namespace {
 
-Trajectory solve_adaptively(const Problem& problem, const Resolution& resolution, const Options& options) {
+Trajectory solve_by_radau(const Problem& problem, const Resolution& resolution, const Options& options) {
   const auto accuracy = std::get<Tolerance>(resolution);
-  return march_adaptively(problem, accuracy, options, [&](Run& run, double shortest) {
+  return solve_adaptively(problem, accuracy, options, [&](Run& run, double shortest) {
     return std::make_unique<RadauStepper>(problem, accuracy, options, run, shortest);
   });
 }
@@ -21,12 +22,11 @@ Scheme radau_exponentials() {
           .source =
               "Hairer & Wanner, Solving Ordinary Differential Equations II (1996), section IV.8; memory as "
               "Guglielmi & Hairer, arXiv 2506.04188 (2025)",
-          .needs = {.solves_on_grid = false,
-                    .takes_accuracy = true,
-                    .implicit = true,
-                    .algebraic_rows = true,
-                    .checkpoints = true},
-          .solve = with_split_orders(splitting_up_to_one, solve_adaptively)};
+          .capabilities = {.resolution = ResolutionKind::tolerance,
+                           .implicit = true,
+                           .algebraic_rows = true,
+                           .checkpoints = true},
+          .solve = with_split_orders(splitting_up_to_one, solve_by_radau)};
 }
 
 }  // namespace fde

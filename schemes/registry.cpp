@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,17 +11,18 @@
 namespace fde {
 namespace {
 
-// Why the needs exclude component i. open: the problem has conditions, so initial values may be missing.
-std::optional<std::string> refusal(const Capabilities& needs, const Component& component, std::size_t i,
-                                   bool open) {
+// Why these capabilities exclude component i, as part of a sentence. open: the problem has conditions, so
+// initial values may be missing.
+std::optional<std::string> unsupported_reason(const Capabilities& capabilities, const Component& component,
+                                              std::size_t i, bool open) {
   const double order = component.order;
-  if (algebraic(component) && !needs.algebraic_rows) {
+  if (is_algebraic(component) && !capabilities.algebraic_rows) {
     return fmt::format("{}: component {} is an algebraic row (order 0)",
-                       needs.implicit ? "takes no algebraic rows" : "steps explicitly", i);
+                       capabilities.implicit ? "takes no algebraic rows" : "steps explicitly", i);
   }
-  if (!(algebraic(component) || (order > 0.0 && order <= needs.max_order))) {
-    return fmt::format("takes orders in {}0, {}], component {} has {}", needs.algebraic_rows ? '[' : '(',
-                       needs.max_order, i, order);
+  if (!(is_algebraic(component) || (order > 0.0 && order <= capabilities.max_order))) {
+    return fmt::format("takes orders in {}0, {}], component {} has {}",
+                       capabilities.algebraic_rows ? '[' : '(', capabilities.max_order, i, order);
   }
   const auto count = initial_count(order), given = component.initial.size();
   if (given == count || (open && given < count)) return std::nullopt;
@@ -32,14 +34,15 @@ std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem
   if (!is_two_sided(problem)) return std::nullopt;
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
     const bool right = problem.components[i].side == Side::right;
-    if (right && !scheme.needs.is_two_sided) {
+    if (right && !scheme.capabilities.is_two_sided) {
       return fmt::format("steps from the left: component {} has a right derivative", i);
     }
     if (right && grid != nullptr && !grid->uniform()) {
       return fmt::format("needs a uniform grid for the right derivative of component {}", i);
     }
   }
-  if (!scheme.needs.is_two_sided) return "steps from the left: the problem has conditions at both ends";
+  if (!scheme.capabilities.is_two_sided)
+    return "steps from the left: the problem has conditions at both ends";
   if (problem.conditions && unknown_count(problem) == 0) {
     return "needs an unknown initial value for each condition, none is unknown";
   }
@@ -49,9 +52,10 @@ std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem
   return std::nullopt;
 }
 
-std::optional<std::string> refusal(const Capabilities& needs, const Problem& problem, const Grid& grid) {
-  if (!needs.solves_on_grid) return "takes an accuracy, not a grid";
-  if (needs.uniform_grid && !grid.uniform()) {
+std::optional<std::string> unsupported_reason(const Capabilities& capabilities, const Problem& problem,
+                                              const Grid& grid) {
+  if (capabilities.is_adaptive()) return "takes an accuracy, not a grid";
+  if (capabilities.uniform_grid && !grid.uniform()) {
     return fmt::format("needs a uniform grid, not one graded with {}", grid.grading);
   }
   double max_order = 1.0;
@@ -61,8 +65,8 @@ std::optional<std::string> refusal(const Capabilities& needs, const Problem& pro
   return fmt::format("needs a first step above {:.3g}, not {}", shortest, grid.step(1));
 }
 
-std::optional<std::string> refusal(const Capabilities& needs, const Tolerance& accuracy) {
-  if (!needs.takes_accuracy) return "takes a grid, not an accuracy";
+std::optional<std::string> unsupported_reason(const Capabilities& capabilities, const Tolerance& accuracy) {
+  if (!capabilities.is_adaptive()) return "takes a grid, not an accuracy";
   const auto& [relative, absolute] = accuracy;
   if (relative >= 0.0 && absolute >= 0.0 && std::max(relative, absolute) > 0.0) return std::nullopt;
   return fmt::format("needs an accuracy above 0, not {} relative and {} absolute", relative, absolute);
@@ -70,8 +74,8 @@ std::optional<std::string> refusal(const Capabilities& needs, const Tolerance& a
 
 }  // namespace
 
-std::optional<std::string> refusal_of_checkpoints(const Scheme& scheme, const Problem& problem) {
-  if (!scheme.needs.checkpoints) return "keeps no checkpoints";
+std::optional<std::string> unsupported_checkpoints_reason(const Scheme& scheme, const Problem& problem) {
+  if (!scheme.capabilities.checkpoints) return "keeps no checkpoints";
   if (is_two_sided(problem)) return "keeps no checkpoints of a problem that it solves at all times at once";
   return std::nullopt;
 }
@@ -104,23 +108,25 @@ Solve on_grid(GridSolve solve) {
   };
 }
 
-std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
-                                   const Resolution& resolution) {
+std::optional<std::string> unsupported_reason(const Scheme& scheme, const Problem& problem,
+                                              const Resolution& resolution) {
   const auto* grid = std::get_if<Grid>(&resolution);
-  auto of_resolution = grid != nullptr ? refusal(scheme.needs, problem, *grid)
-                                       : refusal(scheme.needs, std::get<Tolerance>(resolution));
+  auto of_resolution = grid != nullptr
+                           ? unsupported_reason(scheme.capabilities, problem, *grid)
+                           : unsupported_reason(scheme.capabilities, std::get<Tolerance>(resolution));
   if (of_resolution) return of_resolution;
-  if (scheme.needs.discretises_equations && problem.equations.empty())
-    return "discretises multi-term equations, and the problem is not told as one";
-  if (sparse(problem) && std::ranges::any_of(problem.components, algebraic)) {
+  if (scheme.capabilities.discretises_equations && problem.equations.empty())
+    return "discretises multi-term equations, and the problem is not given in multi-term form";
+  if (has_sparse_jacobian(problem) && std::ranges::any_of(problem.components, is_algebraic)) {
     return "takes algebraic rows with a dense Jacobian only";
   }
   for (std::size_t i = 0; i < problem.components.size(); ++i) {
-    if (auto reason = refusal(scheme.needs, problem.components[i], i, bool(problem.conditions)))
+    if (auto reason =
+            unsupported_reason(scheme.capabilities, problem.components[i], i, bool(problem.conditions)))
       return reason;
   }
   if (auto reason = two_sided_refusal(scheme, problem, grid)) return reason;
-  return scheme.refuses ? scheme.refuses(problem) : std::nullopt;
+  return scheme.unsupported_problem_reason ? scheme.unsupported_problem_reason(problem) : std::nullopt;
 }
 
 }  // namespace fde

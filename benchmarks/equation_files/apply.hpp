@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/equation_files/expressions.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Functions without an implementation in the standard library for every Real.
 template <class Real>
@@ -20,7 +21,8 @@ struct SpecialFunctions {
     const bool known = alpha > 0 && alpha <= max_order && std::abs(beta) <= largest_parameter &&
                        std::isfinite(static_cast<double>(z));
     if (!known) return std::numeric_limits<Real>::quiet_NaN();
-    return fde::mittag_leffler(static_cast<double>(alpha), static_cast<double>(beta), static_cast<double>(z));
+    return fde::reference::mittag_leffler(static_cast<double>(alpha), static_cast<double>(beta),
+                                          static_cast<double>(z));
   }
 };
 
@@ -92,4 +94,4 @@ Real apply(Operation operation, const Real& a, const Real& b, const Real& c) {
   return Real(0);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/deep_keys.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Index after the string that begins at `begin`, in one quote or three; the end of the line if a single quote
@@ -54,4 +55,4 @@ std::optional<TextPosition> find_deep_key(std::string_view toml) {
   return std::nullopt;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

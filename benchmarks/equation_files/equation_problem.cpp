@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/equation_files/program.hpp"
 #include "fdebench/schemes/problem/multipliers.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Entry {
@@ -21,16 +22,16 @@ struct Entry {
 // The nonzero entries of df_i/dy_j, row by row.
 std::vector<Entry> derivatives_of(const EquationSystem& system, FileFormulas& formulas) {
   std::vector<Entry> entries;
-  auto& all = formulas.all();
-  const auto zero = all.number(0);
+  auto& pool = formulas.pool();
+  const auto zero = pool.number(0);
   for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
     const auto& unknown = system.unknowns[u];
     for (Eigen::Index i = unknown.first; i < unknown.first + unknown.size(); ++i) {
       const auto row = system.rows[static_cast<std::size_t>(i)];
-      for (const int variable : all.variables_in(row)) {
+      for (const int variable : pool.variables_in(row)) {
         if (variable == 0) continue;
         try {
-          const auto value = all.derivative(row, variable);
+          const auto value = pool.derivative(row, variable);
           if (value != zero) entries.push_back({i, variable - 1, value});
         } catch (const std::invalid_argument& none) {
           formulas.reject(formulas.text().unknowns[u].rhs, none.what());
@@ -42,52 +43,52 @@ std::vector<Entry> derivatives_of(const EquationSystem& system, FileFormulas& fo
 }
 
 // The arguments of sign and step in the rows that depend on unknowns.
-std::vector<Expression> switches_of(const EquationSystem& system, const ExpressionPool& all) {
+std::vector<Expression> switches_of(const EquationSystem& system, const ExpressionPool& pool) {
   std::vector<Expression> found;
-  for (const auto argument : all.arguments(system.rows, {Operation::sign, Operation::step}))
-    if (all.depends_on_unknowns(argument)) found.push_back(argument);
+  for (const auto argument : pool.arguments(system.rows, {Operation::sign, Operation::step}))
+    if (pool.depends_on_unknowns(argument)) found.push_back(argument);
   return found;
 }
 
 // Whether a row has a kink or a jump in the unknowns; its derivative may be constant elsewhere.
-bool piecewise(const EquationSystem& system, const ExpressionPool& all) {
-  const auto arguments = all.arguments(
+bool piecewise(const EquationSystem& system, const ExpressionPool& pool) {
+  const auto arguments = pool.arguments(
       system.rows, {Operation::abs, Operation::sign, Operation::step, Operation::min, Operation::max});
-  return std::ranges::any_of(arguments, [&](Expression e) { return all.depends_on_unknowns(e); });
+  return std::ranges::any_of(arguments, [&](Expression e) { return pool.depends_on_unknowns(e); });
 }
 
 // The value of an expression if it is constant, either as written or because its derivatives vanish: (y +
 // 1)^2 - y^2 has a constant derivative.
-std::optional<double> constant_of(Expression value, Eigen::Index size, ExpressionPool& all) {
+std::optional<double> constant_of(Expression value, Eigen::Index size, ExpressionPool& pool) {
   constexpr Eigen::Index few = 12;
-  if (const auto known = all.value(value)) return static_cast<double>(*known);
-  const auto zero = all.number(0);
+  if (const auto known = pool.value(value)) return static_cast<double>(*known);
+  const auto zero = pool.number(0);
   // sign and step have derivative 0 but are not constant
-  const bool jumps = !all.arguments({value}, {Operation::sign, Operation::step}).empty();
+  const bool jumps = !pool.arguments({value}, {Operation::sign, Operation::step}).empty();
   if (size > few || jumps) return std::nullopt;
   for (int variable = 0; variable <= size; ++variable) {
-    const auto slope = all.derivative(value, variable);
-    if (slope != zero && all.value(slope) != 0.0L) return std::nullopt;
+    const auto slope = pool.derivative(value, variable);
+    if (slope != zero && pool.value(slope) != 0.0L) return std::nullopt;
   }
-  const auto at_zero = all.value(all.without_variables(value, 0));
+  const auto at_zero = pool.value(pool.without_variables(value, 0));
   if (!at_zero || !std::isfinite(static_cast<double>(*at_zero))) return std::nullopt;
   return static_cast<double>(*at_zero);
 }
 
-std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index size, ExpressionPool& all) {
+std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index size, ExpressionPool& pool) {
   Matrix matrix = Matrix::Zero(size, size);
   for (const auto& [row, column, value] : entries) {
-    const auto known = constant_of(value, size, all);
+    const auto known = constant_of(value, size, pool);
     if (!known || !std::isfinite(*known)) return std::nullopt;
     matrix(row, column) = *known;
   }
   return matrix;
 }
 
-DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, const ExpressionPool& all) {
+DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, const ExpressionPool& pool) {
   std::vector<Expression> values;
   for (const auto& entry : entries) values.push_back(entry.value);
-  return {[entries, program = Program(all, values, size)](double t, In y, OutMatrix jacobian) {
+  return {[entries, program = Program(pool, values, size)](double t, In y, OutMatrix jacobian) {
     std::vector<double> at(entries.size());
     program.evaluate(t, y, at);
     jacobian.setZero();
@@ -112,31 +113,31 @@ void require_start_on_constraints(const EquationSystem& system, const Problem& p
 
 Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
   const auto size = system.size();
-  auto& all = formulas.all();
+  auto& pool = formulas.pool();
   Problem problem{.components = system.components, .end = system.end};
-  problem.rhs = [program = Program(all, system.rows, size)](double t, In y, Out f) {
+  problem.rhs = [program = Program(pool, system.rows, size)](double t, In y, Out f) {
     program.evaluate(t, y, {f.data(), static_cast<std::size_t>(f.size())});
   };
-  for (const auto value : switches_of(system, all))
-    problem.switches.emplace_back(Program(all, {value}, size));
+  for (const auto value : switches_of(system, pool))
+    problem.switching_functions.emplace_back(Program(pool, {value}, size));
   const auto entries = derivatives_of(system, formulas);
-  auto matrix = piecewise(system, all) ? std::nullopt : matrix_of(entries, size, all);
+  auto matrix = piecewise(system, pool) ? std::nullopt : matrix_of(entries, size, pool);
   if (matrix) {
     problem.derivatives = DenseLinearPart{std::move(*matrix)};
   } else {
-    problem.derivatives = jacobian_of(entries, size, all);
+    problem.derivatives = jacobian_of(entries, size, pool);
   }
   require_start_on_constraints(system, problem, formulas);
   for (const auto& unknown : system.unknowns) {
     if (!unknown.chain || unknown.chain->size() == 1) continue;
     const auto& chain = *unknown.chain;
-    problem.equations.push_back({.first = chain.first(),
+    problem.equations.push_back({.first_row = chain.first_row(),
                                  .leading = chain.leading(),
                                  .terms = chain.terms(),
-                                 .force = Program(all, {*unknown.rhs}, size),
+                                 .force = Program(pool, {*unknown.rhs}, size),
                                  .factor = [](double, In) { return 1.0; }});
   }
   return problem;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The components themselves if they are the columns.
@@ -33,17 +34,17 @@ Outputs outputs_of(const std::vector<SystemColumn>& columns) {
     names.push_back(column.name);
     rows.push_back(column.row);
   }
-  return same ? Outputs{names} : picked(names, rows);
+  return same ? Outputs{names} : select_components(names, rows);
 }
 
 Energy energy_of(const EnergyText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
-  auto& all = formulas.all();
+  auto& pool = formulas.pool();
   const auto size = std::ssize(columns);
-  const auto value = formulas.read(text.value, variables_of(columns, all, false));
-  Energy energy{.value = [program = Program(all, {value}, size)](In c) { return program(0.0, c); }};
+  const auto value = formulas.read(text.value, variables_of(columns, pool, false));
+  Energy energy{.value = [program = Program(pool, {value}, size)](In c) { return program(0.0, c); }};
   if (text.power) {
-    const auto power = formulas.read(*text.power, variables_of(columns, all, true));
-    energy.power = Program(all, {power}, size);
+    const auto power = formulas.read(*text.power, variables_of(columns, pool, true));
+    energy.power = Program(pool, {power}, size);
   }
   return energy;
 }
@@ -52,16 +53,16 @@ Constraint constraint_of(const std::vector<FormulaText>& texts, const std::vecto
                          FileFormulas& formulas) {
   std::vector<Expression> values;
   for (const auto& text : texts)
-    values.push_back(formulas.read(text, variables_of(columns, formulas.all(), true)));
+    values.push_back(formulas.read(text, variables_of(columns, formulas.pool(), true)));
   return {.size = std::ssize(values),
-          .value = [program = Program(formulas.all(), values, std::ssize(columns))](double t, In c, Out f) {
+          .value = [program = Program(formulas.pool(), values, std::ssize(columns))](double t, In c, Out f) {
             program.evaluate(t, c, {f.data(), static_cast<std::size_t>(f.size())});
           }};
 }
 
 SceneEvent event_of(const EventText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
-  const auto value = formulas.read(text.zero, variables_of(columns, formulas.all(), true));
-  return {text.name, Program(formulas.all(), {value}, std::ssize(columns)), text.crossing, text.ends};
+  const auto value = formulas.read(text.zero, variables_of(columns, formulas.pool(), true));
+  return {text.name, Program(formulas.pool(), {value}, std::ssize(columns)), text.crossing, text.terminal};
 }
 
 // Rejects an exact column whose value at t = 0 differs from the initial value. A value that is not finite at
@@ -75,26 +76,26 @@ void require_exact_start(const EquationText& text, const std::vector<SystemColum
     const double at_start = value[static_cast<Eigen::Index>(c)];
     if (initial.empty() || !std::isfinite(at_start)) continue;
     if (std::abs(at_start - initial.front()) <= rounding * (1.0 + std::abs(initial.front()))) continue;
-    reject_at(text.file, text.exact.front().place,
+    reject_at(text.file, text.exact.front().position,
               fmt::format("exact: {} is {:.6g} at t = 0: must be {:.6g}, its initial value", columns[c].name,
                           at_start, initial.front()));
   }
 }
 
 Scene scene_of(const EquationText& text, const Parameters& parameters) {
-  FileFormulas formulas(text, parameters, NumberStorage::folded);
+  FileFormulas formulas(text, parameters, NumberStorage::values);
   const auto system = read_system(formulas);
   const auto columns = columns_of(system);
   Scene scene{.problem = problem_of(system, formulas),
-              .smoothness = starting_powers(system, formulas.all()),
+              .smoothness = starting_powers(system, formulas.pool()),
               .outputs = outputs_of(columns),
               .from_file = true};
-  scene.jumps_until = time_jumps(system, formulas.all());
+  scene.jumps_until = time_jumps(system, formulas.pool());
   set_end(scene, system.end);
   if (!text.exact.empty()) {
     scene.reference = exact_columns(text, parameters, columns);
     require_exact_start(text, columns, scene);
-  } else if (auto motion = linear_file_reference(system, scene.problem, formulas.all())) {
+  } else if (auto motion = linear_file_reference(system, scene.problem, formulas.pool())) {
     scene.reference = std::move(*motion);
   }
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
@@ -106,7 +107,7 @@ Scene scene_of(const EquationText& text, const Parameters& parameters) {
 std::optional<SceneFactory> scene_of_file(std::string_view name) {
   if (!name.ends_with(equation_file_extension)) return std::nullopt;
   const std::string file(name);
-  if (!prints(file)) reject_text("scene", file, "a file whose name is UTF-8 that prints");
+  if (!is_printable(file)) reject_text("scene", file, "a file whose name is UTF-8 that prints");
   return equation_scene(read_equation_text(file));
 }
 
@@ -135,6 +136,6 @@ SceneFactory equation_scene(EquationText text) {
   return maker;
 }
 
-Scenes with_equation_files(const Scenes& scenes) { return {scenes, scene_of_file}; }
+SceneRegistry with_equation_files(const SceneRegistry& scenes) { return {scenes, scene_of_file}; }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/equation_system.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr Range any_order{.low = 0.0, .high = 2.0};
@@ -21,7 +22,7 @@ std::vector<double> initial_values(const UnknownText& unknown, double order, Fil
   const std::size_t needed = initial_count(order);
   if (unknown.initial.size() != needed) {
     reject_at(
-        formulas.text().file, unknown.place,
+        formulas.text().file, unknown.position,
         fmt::format("unknown {}: has {} initial value{}: must have {}, as its order is {}", unknown.name,
                     unknown.initial.size(), unknown.initial.size() == 1 ? "" : "s", needed, order));
   }
@@ -68,35 +69,36 @@ std::vector<double> jumps_of(FileFormulas& formulas) {
 }
 
 // Maps D^order of an unknown to the variable of that node of its chain.
-FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& all) {
+FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool) {
   const auto row = [&](std::size_t of, double order) {
     const auto& unknown = system.unknowns[of];
     const auto nodes = unknown.chain ? unknown.chain->nodes() : std::vector{0.0};
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (same_order(nodes[i], order)) return all.variable(static_cast<int>(unknown.first + i) + 1);
+      if (same_order(nodes[i], order)) return pool.variable(static_cast<int>(unknown.first + i) + 1);
     throw std::invalid_argument(fmt::format("D({}, {}): must be of an order of its chain, {}", unknown.name,
                                             order, fmt::join(nodes, ", ")));
   };
-  return {.time = true, .unknown = row};
+  return {.time = true, .resolve_unknown = row};
 }
 
 // f_i = y_{i+1}; in the last row of a chain (rhs - sum_k c_k D^(a_k) u) / c.
-void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& all, std::vector<Expression>& rows) {
+void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& pool, std::vector<Expression>& rows) {
   if (!unknown.chain) {
     rows.push_back(*unknown.rhs);
     return;
   }
   const auto& chain = *unknown.chain;
-  const auto row = [&](Eigen::Index i) { return all.variable(static_cast<int>(unknown.first + i) + 1); };
-  auto sum = all.number(0);
+  const auto row = [&](Eigen::Index i) { return pool.variable(static_cast<int>(unknown.first + i) + 1); };
+  auto sum = pool.number(0);
   for (Eigen::Index i = 0; i < chain.size(); ++i) {
-    const auto weight = all.number(fmt::format("{}", chain.coefficients()[i]));
-    sum = all.make(Operation::add, sum, all.make(Operation::multiply, weight, row(i)));
+    const auto weight = pool.number(fmt::format("{}", chain.coefficients()[i]));
+    sum =
+        pool.make_expression(Operation::add, sum, pool.make_expression(Operation::multiply, weight, row(i)));
     if (i > 0) rows.push_back(row(i));
   }
-  const auto rest = all.make(Operation::subtract, *unknown.rhs, sum);
-  rows.push_back(
-      all.make(Operation::divide, rest, all.number(fmt::format("{}", chain.leading().coefficient))));
+  const auto rest = pool.make_expression(Operation::subtract, *unknown.rhs, sum);
+  rows.push_back(pool.make_expression(Operation::divide, rest,
+                                      pool.number(fmt::format("{}", chain.leading().coefficient))));
 }
 
 }  // namespace
@@ -110,7 +112,7 @@ EquationSystem read_system(FileFormulas& formulas) {
     system.unknowns.push_back(unknown_of(unknown, first, formulas));
     first += system.unknowns.back().size();
   }
-  const auto variables = variables_of(system, formulas.all());
+  const auto variables = variables_of(system, formulas.pool());
   for (std::size_t u = 0; u < text.unknowns.size(); ++u) {
     auto& unknown = system.unknowns[u];
     unknown.rhs = formulas.read(text.unknowns[u].rhs, variables);
@@ -119,7 +121,7 @@ EquationSystem read_system(FileFormulas& formulas) {
     } else {
       system.components.push_back({0.0, initial_values(text.unknowns[u], 0.0, formulas)});
     }
-    add_rows(unknown, formulas.all(), system.rows);
+    add_rows(unknown, formulas.pool(), system.rows);
   }
   return system;
 }
@@ -138,16 +140,16 @@ std::vector<SystemColumn> columns_of(const EquationSystem& system) {
   return columns;
 }
 
-FormulaVariables variables_of(const std::vector<SystemColumn>& columns, ExpressionPool& all, bool time) {
+FormulaVariables variables_of(const std::vector<SystemColumn>& columns, ExpressionPool& pool, bool time) {
   const auto column = [&](std::size_t unknown, double order) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (columns[c].unknown == unknown && same_order(columns[c].order, order))
-        return all.variable(static_cast<int>(c) + 1);
+        return pool.variable(static_cast<int>(c) + 1);
     }
     throw std::invalid_argument(
         fmt::format("D({}, {}): must be a column of the scene", columns[unknown].name, order));
   };
-  return {.time = time, .unknown = column};
+  return {.time = time, .resolve_unknown = column};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -8,7 +9,7 @@
 #include "fdebench/schemes/problem/chain.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The equations of a file for given values of its parameters: the rows of a problem, with right-hand sides as
 // expressions of t (variable 0) and y_i (variable i + 1).
@@ -42,10 +43,10 @@ struct SystemColumn {
 std::vector<SystemColumn> columns_of(const EquationSystem& system);
 
 // Variables for formulas in the columns: column c is variable c + 1; `time`: whether t is allowed.
-FormulaVariables variables_of(const std::vector<SystemColumn>& columns, ExpressionPool& all, bool time);
+FormulaVariables variables_of(const std::vector<SystemColumn>& columns, ExpressionPool& pool, bool time);
 
 // The problem: f, its derivatives and its multi-term equations. Throws as read_system does if a derivative is
 // not available or an algebraic row does not hold at t = 0.
 Problem problem_of(const EquationSystem& system, FileFormulas& formulas);
 
-}  // namespace fde
+}  // namespace fde::bench

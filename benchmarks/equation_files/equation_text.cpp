@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 
 #include "fdebench/benchmarks/equation_files/deep_keys.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 void reject_at(const std::string& file, const TextPosition& place, std::string_view what) {
   constexpr std::size_t longest = 600;
@@ -28,8 +29,8 @@ void reject_at(const std::string& file, const TextPosition& place, std::string_v
 
 void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte, std::string_view what) {
   if (!formula.maps_bytes_to_columns && byte > 0)
-    reject_at(file, formula.place, fmt::format("byte {} of the text: {}", byte + 1, what));
-  reject_at(file, {formula.place.line, formula.place.column + static_cast<int>(byte)}, what);
+    reject_at(file, formula.position, fmt::format("byte {} of the text: {}", byte + 1, what));
+  reject_at(file, {formula.position.line, formula.position.column + static_cast<int>(byte)}, what);
 }
 
 EquationText read_equation_text(const std::filesystem::path& file) {
@@ -52,4 +53,4 @@ EquationText read_equation_text(const std::filesystem::path& file) {
   return parse_equation_text(file.string(), text);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

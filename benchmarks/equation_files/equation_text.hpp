@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
@@ -8,7 +9,7 @@
 
 #include "fdebench/schemes/stepping/events.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A position in a file: line and column, from 1.
 struct TextPosition {
@@ -18,8 +19,8 @@ struct TextPosition {
 // A formula as written in an equation file, or a number as its shortest decimal.
 struct FormulaText {
   std::string text{};
-  TextPosition place{};                // of its first byte, or of the enclosing string
-  bool maps_bytes_to_columns = false;  // whether byte b of the text is at column place.column + b
+  TextPosition position{};             // of its first byte, or of the enclosing string
+  bool maps_bytes_to_columns = false;  // whether byte b of the text is at column position.column + b
 };
 
 struct TermText {
@@ -29,7 +30,7 @@ struct TermText {
 // The equation of an unknown: sum of the terms = rhs.
 struct UnknownText {
   std::string name{};
-  TextPosition place{};
+  TextPosition position{};
   std::vector<TermText> terms{};
   bool may_be_algebraic = false;  // given by the key `order`, for which 0 means 0 = rhs
   FormulaText rhs{};
@@ -38,7 +39,7 @@ struct UnknownText {
 
 struct NamedFormula {
   std::string name{};
-  TextPosition place{};
+  TextPosition position{};
   FormulaText formula{};
 };
 
@@ -57,7 +58,7 @@ struct EventText {
   std::string name{};
   FormulaText zero{};
   Crossing crossing = Crossing::either;
-  bool ends = false;
+  bool terminal = false;
 };
 
 // The contents of an equation file with unparsed formulas: docs/equation_files.md.
@@ -88,4 +89,4 @@ EquationText parse_equation_text(const std::string& file, std::string_view text)
 [[noreturn]] void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte,
                             std::string_view what);
 
-}  // namespace fde
+}  // namespace fde::bench

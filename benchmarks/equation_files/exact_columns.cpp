@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/exact_columns.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "fdebench/benchmarks/equation_files/time_terms.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 namespace {
 
@@ -32,12 +33,12 @@ void require_columns(const EquationText& text, const std::vector<SystemColumn>& 
   for (const auto& column : columns) names.push_back(column.name);
   for (const auto& one : text.exact) {
     if (std::ranges::find(names, without_blanks(one.name)) != names.end()) continue;
-    reject_at(text.file, one.place,
+    reject_at(text.file, one.position,
               fmt::format("exact {}: no such column; there are {}", one.name, fmt::join(names, ", ")));
   }
   for (const auto& column : columns) {
     if (column.order == 0.0 && given(text, column.name) == nullptr) {
-      reject_at(text.file, text.exact.front().place,
+      reject_at(text.file, text.exact.front().position,
                 fmt::format("exact: has no {}, it must have every unknown", column.name));
     }
   }
@@ -45,35 +46,36 @@ void require_columns(const EquationText& text, const std::vector<SystemColumn>& 
 
 Expression column_of(const SystemColumn& column, const std::vector<SystemColumn>& columns,
                      FileFormulas& formulas) {
-  auto& all = formulas.all();
+  auto& pool = formulas.pool();
   if (const auto* known = given(formulas.text(), column.name)) return formulas.read(known->formula, {});
   const auto* unknown = given(formulas.text(), columns[column.unknown].name);
   auto value = formulas.read(unknown->formula, {});
-  if (const auto terms = time_terms(value, all)) {
-    if (const auto derivative = caputo_derivative(*terms, column.order, all)) return *derivative;
+  if (const auto terms = time_terms(value, pool)) {
+    if (const auto derivative = caputo_derivative(*terms, column.order, pool)) return *derivative;
   }
   if (column.order == 1.0) {
     try {
-      return all.derivative(value, 0);
+      return pool.derivative(value, 0);
     } catch (const std::invalid_argument& none) {
       formulas.reject(unknown->formula, none.what());
     }
   }
-  reject_at(formulas.text().file, unknown->place,
+  reject_at(formulas.text().file, unknown->position,
             fmt::format("exact: has no \"{}\", it must have this column too, {} being no sum of powers of t",
                         column.name, unknown->name));
 }
 
 }  // namespace
 
-Reference exact_columns(const EquationText& text, const Parameters& parameters,
-                        const std::vector<SystemColumn>& columns) {
+reference::Reference exact_columns(const EquationText& text, const Parameters& parameters,
+                                   const std::vector<SystemColumn>& columns) {
   require_columns(text, columns);
-  FileFormulas formulas(text, parameters, NumberStorage::written);
+  FileFormulas formulas(text, parameters, NumberStorage::decimals);
   std::vector<Expression> values;
   for (const auto& column : columns) values.push_back(column_of(column, columns, formulas));
-  const auto all = std::make_shared<const ExpressionPool>(std::move(formulas.all()));
-  return closed_form([all, values](const auto& time) { return rounded_values(*all, values, time); });
+  const auto pool = std::make_shared<const ExpressionPool>(std::move(formulas.pool()));
+  return reference::closed_form(
+      [pool, values](const auto& time) { return rounded_values(*pool, values, time); });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

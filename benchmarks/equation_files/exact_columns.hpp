@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/benchmarks/equation_files/equation_system.hpp"
 #include "fdebench/reference/reference.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The columns given in [exact], with a bound of the rounding errors. A derivative of an unknown that is not
 // given is derived from the unknown if its order is 1 or if the unknown is a sum of powers of t. Throws
 // std::invalid_argument naming file, line and column of a formula that is not one of t, and of a column that
 // is missing.
-Reference exact_columns(const EquationText& text, const Parameters& parameters,
-                        const std::vector<SystemColumn>& columns);
+reference::Reference exact_columns(const EquationText& text, const Parameters& parameters,
+                                   const std::vector<SystemColumn>& columns);
 
-}  // namespace fde
+}  // namespace fde::bench

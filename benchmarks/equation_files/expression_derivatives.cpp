@@ -1,33 +1,34 @@
+// SPDX-License-Identifier: MIT
 #include <stdexcept>
 
 #include "fdebench/benchmarks/equation_files/expressions.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // f'(a) for a differentiable function of one argument, with f = f(a); nullopt otherwise.
-std::optional<Expression> slope(ExpressionPool& all, Operation operation, Expression a, Expression f) {
+std::optional<Expression> slope(ExpressionPool& pool, Operation operation, Expression a, Expression f) {
   const auto make = [&](Operation how, Expression x, Expression y = ExpressionPool::none) {
-    return all.make(how, x, y);
+    return pool.make_expression(how, x, y);
   };
   const auto square = [&](Expression x) { return make(Operation::multiply, x, x); };
-  const auto one_minus = [&](Expression x) { return make(Operation::subtract, all.number(1), x); };
-  const auto one_over = [&](Expression x) { return make(Operation::divide, all.number(1), x); };
+  const auto one_minus = [&](Expression x) { return make(Operation::subtract, pool.number(1), x); };
+  const auto one_over = [&](Expression x) { return make(Operation::divide, pool.number(1), x); };
   switch (operation) {
     case Operation::negate:
-      return all.number(-1);
+      return pool.number(-1);
     case Operation::sin:
       return make(Operation::cos, a);
     case Operation::cos:
       return make(Operation::negate, make(Operation::sin, a));
     case Operation::tan:
-      return make(Operation::add, all.number(1), square(f));
+      return make(Operation::add, pool.number(1), square(f));
     case Operation::asin:
       return one_over(make(Operation::sqrt, one_minus(square(a))));
     case Operation::acos:
       return make(Operation::negate, one_over(make(Operation::sqrt, one_minus(square(a)))));
     case Operation::atan:
-      return one_over(make(Operation::add, all.number(1), square(a)));
+      return one_over(make(Operation::add, pool.number(1), square(a)));
     case Operation::sinh:
       return make(Operation::cosh, a);
     case Operation::cosh:
@@ -39,12 +40,12 @@ std::optional<Expression> slope(ExpressionPool& all, Operation operation, Expres
     case Operation::log:
       return one_over(a);
     case Operation::sqrt:
-      return make(Operation::divide, all.number("0.5"), f);
+      return make(Operation::divide, pool.number("0.5"), f);
     case Operation::abs:
       return make(Operation::sign, a);
     case Operation::sign:
     case Operation::step:
-      return all.number(0);
+      return pool.number(0);
     default:
       return std::nullopt;
   }
@@ -53,18 +54,18 @@ std::optional<Expression> slope(ExpressionPool& all, Operation operation, Expres
 }  // namespace
 
 // Chain rule; `derivatives` are those of the parts of the entry.
-Expression ExpressionPool::derivative_of(const Entry& entry, const std::vector<Expression>& derivatives) {
-  const auto [a, b, c] = entry.of;
+Expression ExpressionPool::derivative_of(const Node& entry, const std::vector<Expression>& derivatives) {
+  const auto [a, b, c] = entry.arguments;
   const auto of = [&](Expression e) {
     return e == none ? number(0) : derivatives[static_cast<std::size_t>(e)];
   };
   const Expression da = of(a), db = of(b), dc = of(c);
   if (is(da, 0) && is(db, 0) && is(dc, 0)) return number(0);
-  const Expression self = make(entry.operation, a, b, c);
-  const auto times = [&](Expression x, Expression y) { return make(Operation::multiply, x, y); };
-  const auto plus = [&](Expression x, Expression y) { return make(Operation::add, x, y); };
-  const auto minus = [&](Expression x, Expression y) { return make(Operation::subtract, x, y); };
-  const auto over = [&](Expression x, Expression y) { return make(Operation::divide, x, y); };
+  const Expression self = make_expression(entry.operation, a, b, c);
+  const auto times = [&](Expression x, Expression y) { return make_expression(Operation::multiply, x, y); };
+  const auto plus = [&](Expression x, Expression y) { return make_expression(Operation::add, x, y); };
+  const auto minus = [&](Expression x, Expression y) { return make_expression(Operation::subtract, x, y); };
+  const auto over = [&](Expression x, Expression y) { return make_expression(Operation::divide, x, y); };
   switch (entry.operation) {
     case Operation::add:
       return plus(da, db);
@@ -75,22 +76,22 @@ Expression ExpressionPool::derivative_of(const Entry& entry, const std::vector<E
     case Operation::divide:
       return is(db, 0) ? over(da, b) : over(minus(da, times(self, db)), b);
     case Operation::power:
-      if (is(db, 0)) return times(times(b, make(Operation::power, a, minus(b, number(1)))), da);
-      return times(self, plus(times(db, make(Operation::log, a)), over(times(b, da), a)));
+      if (is(db, 0)) return times(times(b, make_expression(Operation::power, a, minus(b, number(1)))), da);
+      return times(self, plus(times(db, make_expression(Operation::log, a)), over(times(b, da), a)));
     case Operation::atan2:
       return over(minus(times(da, b), times(a, db)), plus(times(a, a), times(b, b)));
     case Operation::min:
-      return plus(times(da, make(Operation::step, minus(b, a))),
-                  times(db, make(Operation::step, minus(a, b))));
+      return plus(times(da, make_expression(Operation::step, minus(b, a))),
+                  times(db, make_expression(Operation::step, minus(a, b))));
     case Operation::max:
-      return plus(times(da, make(Operation::step, minus(a, b))),
-                  times(db, make(Operation::step, minus(b, a))));
+      return plus(times(da, make_expression(Operation::step, minus(a, b))),
+                  times(db, make_expression(Operation::step, minus(b, a))));
     case Operation::mittag_leffler:
       // E'_(a,b) = (E_(a,a+b-1) - (b-1) E_(a,a+b)) / a, from k = ((ak + b - 1) - (b - 1)) / a in its series
       if (is(da, 0) && is(db, 0)) {
         const auto higher = plus(a, b), lowered = minus(b, number(1));
-        const auto first = make(Operation::mittag_leffler, a, minus(higher, number(1)), c);
-        const auto second = times(lowered, make(Operation::mittag_leffler, a, higher, c));
+        const auto first = make_expression(Operation::mittag_leffler, a, minus(higher, number(1)), c);
+        const auto second = times(lowered, make_expression(Operation::mittag_leffler, a, higher, c));
         return times(over(minus(first, second), a), dc);
       }
       throw std::invalid_argument("mittag_leffler: its first two arguments must be without unknowns");
@@ -104,11 +105,11 @@ Expression ExpressionPool::derivative_of(const Entry& entry, const std::vector<E
 
 Expression ExpressionPool::derivative(Expression of, int variable) {
   if (!depends_on(of, variable)) return number(0);
-  const auto used = parts(of);
+  const auto used = subexpressions(of);
   std::vector<Expression> derivatives(used.size(), none);
   for (Expression e = 0; e <= of; ++e) {
     if (!used[static_cast<std::size_t>(e)]) continue;
-    const Entry entry = (*this)[e];
+    const Node entry = (*this)[e];
     auto& made = derivatives[static_cast<std::size_t>(e)];
     if (entry.operation == Operation::variable) {
       made = number(entry.variable == variable ? 1 : 0);
@@ -119,4 +120,4 @@ Expression ExpressionPool::derivative(Expression of, int variable) {
   return derivatives.back();
 }
 
-}  // namespace fde
+}  // namespace fde::bench

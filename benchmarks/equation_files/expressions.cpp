@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/expressions.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 
 #include "fdebench/benchmarks/equation_files/apply.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int largest_whole_power = 64;  // evaluated by multiplication
@@ -41,7 +42,7 @@ constexpr std::array functions{FunctionSignature{"sin", Operation::sin, 1},
 
 std::span<const FunctionSignature> function_table() { return functions; }
 
-Expression ExpressionPool::add(Entry entry) {
+Expression ExpressionPool::add(Node entry) {
   if (entries_.size() >= most_expressions) {
     throw std::invalid_argument(
         fmt::format("its expressions have more than {} different parts", most_expressions));
@@ -58,7 +59,7 @@ Expression ExpressionPool::number(const std::string& decimal) {
   std::from_chars(decimal.data(), end, nearest);
   if (static_cast<double>(value) != nearest)
     value = nearest;  // avoids double rounding, which could give a neighbour of the nearest double
-  const std::pair key{value, numbers_ == NumberStorage::written ? decimal : ""};
+  const std::pair key{value, numbers_ == NumberStorage::decimals ? decimal : ""};
   const auto found = known_numbers_.find(key);
   if (found != known_numbers_.end()) return found->second;
   const auto made = add({.operation = Operation::number, .value = value, .text = key.second});
@@ -75,8 +76,8 @@ Expression ExpressionPool::folded(long double value) {
 }
 
 Expression ExpressionPool::pi() {
-  return numbers_ == NumberStorage::folded ? folded(std::numbers::pi_v<long double>)
-                                           : make(Operation::pi, none, none, none);
+  return numbers_ == NumberStorage::values ? folded(std::numbers::pi_v<long double>)
+                                           : make_expression(Operation::pi, none, none, none);
 }
 
 Expression ExpressionPool::variable(int index) {
@@ -92,12 +93,12 @@ bool ExpressionPool::is(Expression e, int whole) const {
 
 // By repeated squaring.
 Expression ExpressionPool::integer_power(Expression base, int exponent) {
-  if (exponent < 0) return make(Operation::divide, number(1), integer_power(base, -exponent));
+  if (exponent < 0) return make_expression(Operation::divide, number(1), integer_power(base, -exponent));
   if (exponent == 0) return number(1);
   if (exponent == 1) return base;
   const auto half = integer_power(base, exponent / 2);
-  const auto square = make(Operation::multiply, half, half);
-  return exponent % 2 == 0 ? square : make(Operation::multiply, square, base);
+  const auto square = make_expression(Operation::multiply, half, half);
+  return exponent % 2 == 0 ? square : make_expression(Operation::multiply, square, base);
 }
 
 // The simplified form of an operation with 0 or 1, a double negation or an integer power; nullopt: none.
@@ -109,7 +110,7 @@ std::optional<Expression> ExpressionPool::simplified(Operation operation, Expres
       break;
     case Operation::subtract:
       if (is(b, 0)) return a;
-      if (is(a, 0)) return make(Operation::negate, b);
+      if (is(a, 0)) return make_expression(Operation::negate, b);
       break;
     case Operation::multiply:
       if (is(a, 0) || is(b, 1)) return a;
@@ -120,7 +121,7 @@ std::optional<Expression> ExpressionPool::simplified(Operation operation, Expres
       break;
     case Operation::negate:
       if (is(a, 0)) return a;
-      if ((*this)[a].operation == Operation::negate) return (*this)[a].of[0];
+      if ((*this)[a].operation == Operation::negate) return (*this)[a].arguments[0];
       break;
     case Operation::power:
       if ((*this)[b].operation == Operation::number && (*this)[b].value == std::rint((*this)[b].value) &&
@@ -133,9 +134,9 @@ std::optional<Expression> ExpressionPool::simplified(Operation operation, Expres
   return std::nullopt;
 }
 
-Expression ExpressionPool::make(Operation operation, Expression a, Expression b, Expression c) {
+Expression ExpressionPool::make_expression(Operation operation, Expression a, Expression b, Expression c) {
   const std::array of{a, b, c};
-  bool numbers = numbers_ == NumberStorage::folded && a != none;
+  bool numbers = numbers_ == NumberStorage::values && a != none;
   std::array<long double, 3> values{};
   for (std::size_t i = 0; i < of.size() && of[i] != none; ++i) {
     numbers = numbers && (*this)[of[i]].operation == Operation::number;
@@ -151,30 +152,33 @@ Expression ExpressionPool::make(Operation operation, Expression a, Expression b,
   const Key key{operation, a, b, c};
   const auto found = known_.find(key);
   if (found != known_.end()) return found->second;
-  return known_[key] = add({.operation = operation, .of = of});
+  return known_[key] = add({.operation = operation, .arguments = of});
 }
 
-std::vector<bool> ExpressionPool::parts(const std::vector<Expression>& of) const {
+std::vector<bool> ExpressionPool::subexpressions(const std::vector<Expression>& of) const {
   const Expression last = of.empty() ? none : std::ranges::max(of);
   std::vector<bool> used(static_cast<std::size_t>(last + 1), false);
   for (const auto e : of) used[static_cast<std::size_t>(e)] = true;
   for (Expression e = last; e >= 0; --e) {
     if (!used[static_cast<std::size_t>(e)]) continue;
-    for (const auto part : (*this)[e].of)
+    for (const auto part : (*this)[e].arguments)
       if (part != none) used[static_cast<std::size_t>(part)] = true;
   }
   return used;
 }
 
-std::vector<bool> ExpressionPool::parts(Expression of) const { return parts(std::vector{of}); }
+std::vector<bool> ExpressionPool::subexpressions(Expression of) const {
+  return subexpressions(std::vector{of});
+}
 
 bool ExpressionPool::depends_on(Expression of, int variable) const {
   const auto found = known_.find(Key{Operation::variable, variable, none, none});
-  return found != known_.end() && found->second <= of && parts(of)[static_cast<std::size_t>(found->second)];
+  return found != known_.end() && found->second <= of &&
+         subexpressions(of)[static_cast<std::size_t>(found->second)];
 }
 
 std::set<int> ExpressionPool::variables_in(Expression of) const {
-  const auto used = parts(of);
+  const auto used = subexpressions(of);
   std::set<int> found;
   for (Expression e = 0; e <= of; ++e) {
     const auto& entry = (*this)[e];
@@ -191,12 +195,12 @@ bool ExpressionPool::depends_on_unknowns(Expression of) const {
 
 std::vector<Expression> ExpressionPool::arguments(const std::vector<Expression>& in,
                                                   const std::set<Operation>& operations) const {
-  const auto used = parts(in);
+  const auto used = subexpressions(in);
   std::set<Expression> found;
   for (std::size_t e = 0; e < used.size(); ++e) {
     const auto& part = (*this)[static_cast<Expression>(e)];
     if (!used[e] || !operations.contains(part.operation)) continue;
-    for (const auto argument : part.of)
+    for (const auto argument : part.arguments)
       if (argument != none) found.insert(argument);
   }
   return {found.begin(), found.end()};
@@ -204,14 +208,14 @@ std::vector<Expression> ExpressionPool::arguments(const std::vector<Expression>&
 
 std::optional<long double> ExpressionPool::value(Expression of) const {
   if ((*this)[of].operation == Operation::number) return (*this)[of].value;
-  const auto used = parts(of);
+  const auto used = subexpressions(of);
   std::vector<long double> values(used.size());
   for (Expression e = 0; e <= of; ++e) {
     const auto& entry = (*this)[e];
     if (!used[static_cast<std::size_t>(e)]) continue;
     if (entry.operation == Operation::variable) return std::nullopt;
     const auto at = [&](std::size_t i) {
-      return entry.of[i] == none ? 0.0L : values[static_cast<std::size_t>(entry.of[i])];
+      return entry.arguments[i] == none ? 0.0L : values[static_cast<std::size_t>(entry.arguments[i])];
     };
     values[static_cast<std::size_t>(e)] =
         entry.operation == Operation::number ? entry.value : apply(entry.operation, at(0), at(1), at(2));
@@ -220,24 +224,24 @@ std::optional<long double> ExpressionPool::value(Expression of) const {
 }
 
 Expression ExpressionPool::without_variables(Expression of, int first) {
-  const auto used = parts(of);
+  const auto used = subexpressions(of);
   std::vector<Expression> made(used.size(), none);
   for (Expression e = 0; e <= of; ++e) {
     if (!used[static_cast<std::size_t>(e)]) continue;
-    const Entry entry = (*this)[e];
+    const Node entry = (*this)[e];
     auto& replaced = made[static_cast<std::size_t>(e)];
     if (entry.operation == Operation::variable) {
       replaced = entry.variable >= first ? number(0) : e;
-    } else if (entry.of[0] == none) {
+    } else if (entry.arguments[0] == none) {
       replaced = e;
     } else {
       std::array<Expression, 3> from{none, none, none};
       for (std::size_t i = 0; i < from.size(); ++i)
-        if (entry.of[i] != none) from[i] = made[static_cast<std::size_t>(entry.of[i])];
-      replaced = make(entry.operation, from[0], from[1], from[2]);
+        if (entry.arguments[i] != none) from[i] = made[static_cast<std::size_t>(entry.arguments[i])];
+      replaced = make_expression(entry.operation, from[0], from[1], from[2]);
     }
   }
   return made.back();
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 
 enum class Operation : unsigned char {
   number,
@@ -53,12 +54,12 @@ struct FunctionSignature {
 };
 std::span<const FunctionSignature> function_table();
 
-// Index into Expressions. The parts of an expression have smaller indices.
+// An expression: the index of its node in an ExpressionPool. Its subexpressions have smaller indices.
 using Expression = int;
 
 // How numbers are stored: as long double values, with constant folding, or as the decimals that were written,
 // for evaluation to any number of digits.
-enum class NumberStorage { folded, written };
+enum class NumberStorage { values, decimals };
 
 // Expressions of numbers and variables. Equal expressions are stored once, so that a program evaluates them
 // once and their number is a small multiple of the length of the formula. Sums with 0 and products with 0 and
@@ -67,9 +68,9 @@ class ExpressionPool {
  public:
   explicit ExpressionPool(NumberStorage numbers) : numbers_(numbers) {}
 
-  struct Entry {
+  struct Node {
     Operation operation;
-    std::array<Expression, 3> of{none, none, none};
+    std::array<Expression, 3> arguments{none, none, none};
     long double value = 0.0L;  // of a number
     std::string text{};        // of a number stored as written
     int variable = 0;
@@ -82,7 +83,7 @@ class ExpressionPool {
   Expression pi();
   Expression variable(int index);
   // Throws std::invalid_argument if there are more than most_expressions expressions.
-  Expression make(Operation operation, Expression a, Expression b = none, Expression c = none);
+  Expression make_expression(Operation operation, Expression a, Expression b = none, Expression c = none);
 
   // d/dx for x the variable; 0 for abs and step at their kink or jump. Throws std::invalid_argument if x
   // occurs in the argument of gamma or in one of the first two arguments of mittag_leffler.
@@ -90,7 +91,7 @@ class ExpressionPool {
   // The expression with the variables from index `first` on replaced by 0.
   Expression without_variables(Expression of, int first);
 
-  [[nodiscard]] const Entry& operator[](Expression e) const { return entries_[static_cast<std::size_t>(e)]; }
+  [[nodiscard]] const Node& operator[](Expression e) const { return entries_[static_cast<std::size_t>(e)]; }
   [[nodiscard]] bool depends_on(Expression of, int variable) const;
   [[nodiscard]] std::set<int> variables_in(Expression of) const;
   // Whether it depends on a variable other than t, variable 0.
@@ -100,26 +101,26 @@ class ExpressionPool {
                                                   const std::set<Operation>& operations) const;
   // The value, if the expression contains no variable.
   [[nodiscard]] std::optional<long double> value(Expression of) const;
-  // Element e, up to the largest index of `of`: whether expression e is part of one of these.
-  [[nodiscard]] std::vector<bool> parts(const std::vector<Expression>& of) const;
-  [[nodiscard]] std::vector<bool> parts(Expression of) const;
+  // Element e, up to the largest index in `of`: whether expression e is a subexpression of one of these.
+  [[nodiscard]] std::vector<bool> subexpressions(const std::vector<Expression>& of) const;
+  [[nodiscard]] std::vector<bool> subexpressions(Expression of) const;
 
   static constexpr std::size_t most_expressions = 200'000;
 
  private:
   using Key = std::tuple<Operation, Expression, Expression, Expression>;
 
-  Expression add(Entry entry);
+  Expression add(Node entry);
   Expression folded(long double value);
   Expression integer_power(Expression base, int exponent);
   std::optional<Expression> simplified(Operation operation, Expression a, Expression b);
-  Expression derivative_of(const Entry& entry, const std::vector<Expression>& derivatives);
+  Expression derivative_of(const Node& entry, const std::vector<Expression>& derivatives);
   [[nodiscard]] bool is(Expression e, int whole) const;
 
   NumberStorage numbers_;
-  std::vector<Entry> entries_{};
+  std::vector<Node> entries_{};
   std::map<Key, Expression> known_{};
   std::map<std::pair<long double, std::string>, Expression> known_numbers_{};
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/formula.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/text/entry_named.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class FormulaParser {
@@ -33,8 +34,8 @@ class FormulaParser {
     explicit DepthGuard(FormulaParser& reader) : reader_(reader) {
       // The whole formula counts as one level.
       if (++reader_.depth_ > max_nesting_depth + 1) {
-        fault(fmt::format("brackets, signs and powers stand more than {} deep", max_nesting_depth),
-              reader_.token_.place);
+        fault(fmt::format("brackets, signs and powers are nested more than {} deep", max_nesting_depth),
+              reader_.token_.byte_offset);
       }
     }
     ~DepthGuard() { --reader_.depth_; }
@@ -51,10 +52,10 @@ class FormulaParser {
   [[noreturn]] void expected(std::string_view allowed) const {
     fault(token_.text.empty() ? fmt::format("the formula ends, there must be {}", allowed)
                               : fmt::format("'{}': must be {}", token_.text, allowed),
-          token_.place);
+          token_.byte_offset);
   }
 
-  void advance() { token_ = next_token(text_, token_.place + token_.text.size()); }
+  void advance() { token_ = next_token(text_, token_.byte_offset + token_.text.size()); }
 
   bool take(std::string_view symbol) {
     if (token_.text != symbol) return false;
@@ -67,7 +68,7 @@ class FormulaParser {
 
   Expression made(Operation operation, Expression a, Expression b = ExpressionPool::none,
                   Expression c = ExpressionPool::none) {
-    return into_.make(operation, a, b, c);
+    return into_.make_expression(operation, a, b, c);
   }
 
   Expression sum() {
@@ -87,7 +88,7 @@ class FormulaParser {
     auto value = signed_power();
     while (true) {
       if (take("*")) {
-        if (token_.text == "*") fault("'**': must be '^' for a power", token_.place);
+        if (token_.text == "*") fault("'**': must be '^' for a power", token_.byte_offset);
         value = made(Operation::multiply, value, signed_power());
       } else if (take("/")) {
         value = made(Operation::divide, value, signed_power());
@@ -124,7 +125,7 @@ class FormulaParser {
     const std::string text(token.text);
     if (!try_parse_number(text)) {
       fault(fmt::format("{}: {}must be {}", text, double_range_message(text), any_number.text()),
-            token.place);
+            token.byte_offset);
     }
     return into_.number(text);
   }
@@ -133,24 +134,24 @@ class FormulaParser {
     if (token.text == "D") return derivative(token);
     const auto function = std::ranges::find(function_table(), token.text, &FunctionSignature::name);
     const bool named_alike =
-        token_.text != "(" && names_.of && names_.of(token.text);  // e.g. gamma as an order
+        token_.text != "(" && names_.resolve && names_.resolve(token.text);  // e.g. gamma as an order
     if (function != function_table().end() && !named_alike) return call(*function);
     if (token.text == "pi") return into_.pi();
-    if (names_.of) {
-      if (const auto known = names_.of(token.text)) return *known;
+    if (names_.resolve) {
+      if (const auto known = names_.resolve(token.text)) return *known;
     }
     unknown_name(token);
   }
 
   [[noreturn]] void unknown_name(const FormulaToken& token) const {
-    if (token.text == "e") fault("e: no such name here; e^x is exp(x)", token.place);
-    auto known = names_.known;
+    if (token.text == "e") fault("e: no such name here; e^x is exp(x)", token.byte_offset);
+    auto known = names_.accepted_names;
     known.emplace_back("pi");
     auto nearby = known;
     for (const auto& function : function_table()) nearby.push_back(function.name);
     fault(fmt::format("{}: no such name here{}; there are {} and functions", token.text,
-                      nearest(token.text, nearby), fmt::join(known, ", ")),
-          token.place);
+                      did_you_mean(token.text, nearby), fmt::join(known, ", ")),
+          token.byte_offset);
   }
 
   Expression call(const FunctionSignature& function) {
@@ -169,12 +170,13 @@ class FormulaParser {
   }
 
   Expression derivative(const FormulaToken& token) {
-    if (!names_.derivative) fault("D: no derivative may stand here", token.place);
+    if (!names_.derivative) fault("D: a derivative is not allowed here", token.byte_offset);
     if (token_.text != "(") expected("'(', as in D(x, 0.5)");
     advance();
     const FormulaToken unknown = token_;
     if (unknown.text == "D") {
-      fault("D of D: must be of an unknown; D(D(x, 1), a) from its start is D(x, 1 + a)", unknown.place);
+      fault("D of D: must be of an unknown; D(D(x, 1), a) from its start is D(x, 1 + a)",
+            unknown.byte_offset);
     }
     if (!is_letter(unknown.text.empty() ? ' ' : unknown.text.front())) expected("an unknown");
     advance();
@@ -184,7 +186,7 @@ class FormulaParser {
     try {
       return names_.derivative(unknown.text, order);
     } catch (const std::invalid_argument& none) {
-      fault(none.what(), token.place);
+      fault(none.what(), token.byte_offset);
     }
   }
 
@@ -217,4 +219,4 @@ bool is_function(std::string_view name) {
   return std::ranges::find(function_table(), name, &FunctionSignature::name) != function_table().end();
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -9,21 +10,21 @@
 
 #include "fdebench/benchmarks/equation_files/expressions.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The names in a formula, other than functions and pi.
 struct FormulaNames {
-  std::function<std::optional<Expression>(std::string_view name)> of{};
+  std::function<std::optional<Expression>(std::string_view name)> resolve{};
   // D(x, order), a derivative of an unknown; empty: derivatives are not allowed. Throws std::invalid_argument
   // with the reason if there is no derivative of that order.
   std::function<Expression(std::string_view unknown, Expression order)> derivative{};
-  std::vector<std::string_view> known{};  // the names that `of` accepts, for messages
+  std::vector<std::string_view> accepted_names{};  // the names that `resolve` accepts, for messages
 };
 
 // An error in a formula and its position, in bytes from the beginning.
 struct FormulaError : std::invalid_argument {
-  FormulaError(const std::string& what, std::size_t at) : std::invalid_argument(what), place(at) {}
-  std::size_t place;
+  FormulaError(const std::string& what, std::size_t at) : std::invalid_argument(what), byte_offset(at) {}
+  std::size_t byte_offset;
 };
 
 inline constexpr std::size_t max_formula_bytes = 20'000;
@@ -41,4 +42,4 @@ bool is_symbol(std::string_view name);
 // name means the parameter: gamma and gamma(x).
 bool is_function(std::string_view name);
 
-}  // namespace fde
+}  // namespace fde::bench

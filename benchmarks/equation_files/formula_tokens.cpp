@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/formula_tokens.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -43,4 +44,4 @@ FormulaToken next_token(std::string_view text, std::size_t from) {
   return {text.substr(from, end - from), from};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/linear_file_reference.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 #include "fdebench/reference/linear/linear_equation.hpp"
 #include "fdebench/reference/linear/linear_system.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::size_t most_rows = 12;
@@ -41,40 +42,42 @@ class DecimalRounding {
   bool all_ = true;
 };
 
-std::optional<std::vector<Load>> loads_of(Expression rhs, ExpressionPool& all, DecimalRounding& decimals) {
-  const auto terms = time_terms(all.without_variables(rhs, 1), all);
+std::optional<std::vector<reference::Load>> loads_of(Expression rhs, ExpressionPool& pool,
+                                                     DecimalRounding& decimals) {
+  const auto terms = time_terms(pool.without_variables(rhs, 1), pool);
   if (!terms) return std::nullopt;
-  std::vector<Load> loads;
+  std::vector<reference::Load> loads;
   for (const auto& [coefficient, power, from] : *terms) {
-    const auto size = all.value(coefficient), exponent = all.value(power);
+    const auto size = pool.value(coefficient), exponent = pool.value(power);
     if (!size || !exponent) return std::nullopt;
     if (*size == 0.0L) continue;
     loads.push_back({.coefficient = decimals.take(*size), .power = decimals.take(*exponent)});
-    if (from) loads.back().from = decimals.take(all.value(*from).value());
+    if (from) loads.back().start_time = decimals.take(pool.value(*from).value());
     if (validation_error(loads.back())) return std::nullopt;
   }
   return loads;
 }
 
 // A single unknown: its terms, and its coefficients in the right-hand side.
-std::optional<Reference> single_equation_reference(const EquationSystem& system,
-                                                   const std::vector<double>& orders, ExpressionPool& all,
-                                                   DecimalRounding& decimals) {
+std::optional<reference::Reference> single_equation_reference(const EquationSystem& system,
+                                                              const std::vector<double>& orders,
+                                                              ExpressionPool& pool,
+                                                              DecimalRounding& decimals) {
   const auto& unknown = system.unknowns.front();
   const auto& chain = *unknown.chain;
-  LinearEquation equation{.terms = {{chain.leading().coefficient, chain.leading().order}},
-                          .initial = chain.initial()};
+  reference::LinearEquation equation{.terms = {{chain.leading().coefficient, chain.leading().order}},
+                                     .initial = chain.initial()};
   for (Eigen::Index i = 0; i < chain.size(); ++i) {
-    const auto slope = all.derivative(*unknown.rhs, static_cast<int>(i) + 1);
-    const auto taken = all.value(all.without_variables(slope, 0));
+    const auto slope = pool.derivative(*unknown.rhs, static_cast<int>(i) + 1);
+    const auto taken = pool.value(pool.without_variables(slope, 0));
     if (!taken) return std::nullopt;
     equation.terms.push_back({chain.coefficients()[i], chain.nodes()[static_cast<std::size_t>(i)]});
     equation.terms.push_back({-decimals.take(*taken), chain.nodes()[static_cast<std::size_t>(i)]});
   }
-  auto loads = loads_of(*unknown.rhs, all, decimals);
+  auto loads = loads_of(*unknown.rhs, pool, decimals);
   if (!loads) return std::nullopt;
   equation.loads = std::move(*loads);
-  return linear_reference(equation, orders);
+  return reference::linear_reference(equation, orders);
 }
 
 // The order of a component, a difference of two nodes of a chain, without rounding; nullopt if it is not a
@@ -90,10 +93,10 @@ std::optional<double> decimal_order(double lower, double upper) {
   return is_exact ? std::optional(difference) : std::nullopt;
 }
 
-std::optional<Reference> system_reference(const EquationSystem& system, const Problem& problem,
-                                          const std::vector<std::size_t>& outputs, ExpressionPool& all,
-                                          DecimalRounding& decimals) {
-  LinearSystem rows{.orders = {}, .initial = {}, .matrix = {}, .outputs = outputs};
+std::optional<reference::Reference> system_reference(const EquationSystem& system, const Problem& problem,
+                                                     const std::vector<std::size_t>& outputs,
+                                                     ExpressionPool& pool, DecimalRounding& decimals) {
+  reference::LinearSystem rows{.orders = {}, .initial = {}, .matrix = {}, .outputs = outputs};
   rows.matrix = Matrix::Zero(problem.size(), problem.size());
   for (const auto& unknown : system.unknowns) {
     const auto nodes = unknown.chain ? unknown.chain->nodes() : std::vector{0.0};
@@ -106,30 +109,31 @@ std::optional<Reference> system_reference(const EquationSystem& system, const Pr
   }
   for (std::size_t i = 0; i < system.rows.size(); ++i) {
     const auto& component = system.components[i];
-    rows.initial.push_back(algebraic(component) ? std::vector<double>{} : component.initial);
-    auto loads = loads_of(system.rows[i], all, decimals);
+    rows.initial.push_back(is_algebraic(component) ? std::vector<double>{} : component.initial);
+    auto loads = loads_of(system.rows[i], pool, decimals);
     if (!loads) return std::nullopt;
     rows.loads.push_back(std::move(*loads));
     for (std::size_t j = 0; j < system.rows.size(); ++j) {
-      const auto slope = all.derivative(system.rows[i], static_cast<int>(j) + 1);
-      const auto value = all.value(all.without_variables(slope, 0));
+      const auto slope = pool.derivative(system.rows[i], static_cast<int>(j) + 1);
+      const auto value = pool.value(pool.without_variables(slope, 0));
       if (!value) return std::nullopt;
-      const bool own = i == j && algebraic(component);  // 0 = f is written as x = x + f
+      const bool own = i == j && is_algebraic(component);  // 0 = f is written as x = x + f
       rows.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
           decimals.take(*value + (own ? 1.0L : 0.0L));
     }
   }
-  return linear_reference(rows);
+  return reference::linear_reference(rows);
 }
 
 // Adds to the bound the effect of replacing numbers by decimals. In `moved` each number is perturbed by
 // `times` its difference to the decimal, so the error of `moved` is `times` that of the reference, to first
 // order.
-Reference with_decimal_error(Reference decimal, const Reference& moved, double times) {
+reference::Reference with_decimal_error(reference::Reference decimal, const reference::Reference& moved,
+                                        double times) {
   constexpr double second_order = 1.01;
   decimal.at = [at = decimal.at, moved = moved.at, times](double t) {
-    ReferenceValue known = at(t);
-    const ReferenceValue other = moved(t);
+    reference::ReferenceValue known = at(t);
+    const reference::ReferenceValue other = moved(t);
     known.bound +=
         second_order / times * ((other.value - known.value).cwiseAbs() + other.bound + known.bound);
     return known;
@@ -140,9 +144,9 @@ Reference with_decimal_error(Reference decimal, const Reference& moved, double t
 
 }  // namespace
 
-std::optional<Reference> linear_file_reference(const EquationSystem& system, const Problem& problem,
-                                               ExpressionPool& all) {
-  if (!linear(problem) || system.rows.size() > most_rows) return std::nullopt;
+std::optional<reference::Reference> linear_file_reference(const EquationSystem& system,
+                                                          const Problem& problem, ExpressionPool& pool) {
+  if (!is_linear(problem) || system.rows.size() > most_rows) return std::nullopt;
   std::vector<double> orders;
   std::vector<std::size_t> rows;
   for (const auto& column : columns_of(system)) {
@@ -151,8 +155,8 @@ std::optional<Reference> linear_file_reference(const EquationSystem& system, con
   }
   const auto motion = [&](DecimalRounding& decimals) {
     const bool single = system.unknowns.size() == 1 && system.unknowns.front().chain;
-    return single ? single_equation_reference(system, orders, all, decimals)
-                  : system_reference(system, problem, rows, all, decimals);
+    return single ? single_equation_reference(system, orders, pool, decimals)
+                  : system_reference(system, problem, rows, pool, decimals);
   };
   constexpr double times = 1 << 20;
   DecimalRounding decimals, moved_decimals(times);
@@ -166,4 +170,4 @@ std::optional<Reference> linear_file_reference(const EquationSystem& system, con
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

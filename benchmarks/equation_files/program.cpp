@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/program.hpp"
 
 #include <algorithm>
@@ -6,23 +7,23 @@
 
 #include "fdebench/benchmarks/equation_files/apply.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Slots: inputs, numbers, then one per line.
-Program::Program(const ExpressionPool& all, const std::vector<Expression>& results, Eigen::Index size)
+Program::Program(const ExpressionPool& pool, const std::vector<Expression>& results, Eigen::Index size)
     : inputs_(static_cast<int>(size) + 1) {
   if (results.empty()) return;
-  const auto used = all.parts(results);
+  const auto used = pool.subexpressions(results);
   std::vector<int> places(used.size(), 0);
   for (std::size_t e = 0; e < used.size(); ++e) {
-    const auto& entry = all[static_cast<Expression>(e)];
+    const auto& entry = pool[static_cast<Expression>(e)];
     if (!used[e] || entry.operation != Operation::number) continue;
     places[e] = inputs_ + static_cast<int>(numbers_.size());
     numbers_.push_back(static_cast<double>(entry.value));
   }
   const int first = inputs_ + static_cast<int>(numbers_.size());
   for (std::size_t e = 0; e < used.size(); ++e) {
-    const auto& entry = all[static_cast<Expression>(e)];
+    const auto& entry = pool[static_cast<Expression>(e)];
     if (!used[e] || entry.operation == Operation::number) continue;
     if (entry.operation == Operation::variable) {
       places[e] = entry.variable;
@@ -30,7 +31,9 @@ Program::Program(const ExpressionPool& all, const std::vector<Expression>& resul
     }
     places[e] = first + static_cast<int>(lines_.size());
     const auto place = [&](std::size_t i) {
-      return entry.of[i] == ExpressionPool::none ? 0 : places[static_cast<std::size_t>(entry.of[i])];
+      return entry.arguments[i] == ExpressionPool::none
+                 ? 0
+                 : places[static_cast<std::size_t>(entry.arguments[i])];
     };
     lines_.push_back({entry.operation, place(0), place(1), place(2)});
   }
@@ -58,4 +61,4 @@ double Program::operator()(double t, In y) const {
   return result;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

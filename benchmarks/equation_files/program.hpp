@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <span>
@@ -6,14 +7,14 @@
 #include "fdebench/benchmarks/equation_files/expressions.hpp"
 #include "fdebench/schemes/problem/vectors.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Compiled expressions of t (variable 0) and y_i (variable i + 1), evaluated together in double. Each common
 // part is evaluated once. Thread-safe.
 class Program {
  public:
   Program() = default;
-  Program(const ExpressionPool& all, const std::vector<Expression>& results, Eigen::Index size);
+  Program(const ExpressionPool& pool, const std::vector<Expression>& results, Eigen::Index size);
 
   // The values of the expressions, in the order of the constructor.
   void evaluate(double t, In y, std::span<double> results) const;
@@ -33,4 +34,4 @@ class Program {
   std::vector<int> results_{};  // slots of the results
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/rounded_values.hpp"
 
 #include <fmt/format.h>
@@ -10,13 +11,14 @@
 #include "fdebench/benchmarks/equation_files/apply.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 template <>
-struct SpecialFunctions<BigReal> {
-  static BigReal pi() { return fde::pi<BigReal>(); }
-  static BigReal gamma(const BigReal& x) { return fde::gamma(x); }
-  static BigReal mittag_leffler(const BigReal& /*a*/, const BigReal& /*b*/, const BigReal& /*z*/) {
+struct SpecialFunctions<reference::BigReal> {
+  static reference::BigReal pi() { return fde::reference::pi<reference::BigReal>(); }
+  static reference::BigReal gamma(const reference::BigReal& x) { return fde::reference::gamma(x); }
+  static reference::BigReal mittag_leffler(const reference::BigReal& /*a*/, const reference::BigReal& /*b*/,
+                                           const reference::BigReal& /*z*/) {
     return {};
   }
 };
@@ -26,37 +28,45 @@ namespace {
 // E_(a,b)(z), with its own error in units of rounding of Real. If a and b are doubles, the evaluation in
 // double takes microseconds, with z rounded to double; other orders, such as 0.7, are evaluated as decimals,
 // not as their nearest doubles.
-ConditionedValue<long double> mittag_leffler_of(long double alpha, long double beta, long double z) {
-  constexpr long double unit = closed_form_rounding_factor * std::numeric_limits<long double>::epsilon();
+reference::ConditionedValue<long double> mittag_leffler_of(long double alpha, long double beta,
+                                                           long double z) {
+  constexpr long double unit =
+      reference::closed_form_rounding_factor * std::numeric_limits<long double>::epsilon();
   constexpr long double double_unit = std::numeric_limits<double>::epsilon();
   const auto is_double = [](long double x) { return static_cast<double>(x) == x; };
   if (!std::isfinite(z)) return {z, z};
   const auto text = [](long double x) { return fmt::format("{:.19g}", x); };
   const bool quick = is_double(alpha) && is_double(beta) && std::isfinite(static_cast<double>(z));
-  const auto [value, bound] = quick
-                                  ? fde::mittag_leffler(static_cast<double>(alpha), static_cast<double>(beta),
-                                                        std::complex<double>(static_cast<double>(z)))
-                                  : mittag_leffler_in_double(text(alpha), text(beta), text(z), "0");
+  const auto [value, bound] =
+      quick ? fde::reference::mittag_leffler(static_cast<double>(alpha), static_cast<double>(beta),
+                                             std::complex<double>(static_cast<double>(z)))
+            : reference::mittag_leffler_in_double(text(alpha), text(beta), text(z), "0");
   long double error = bound;
   if (quick && !is_double(z)) {
-    const auto before = fde::mittag_leffler(static_cast<double>(alpha), static_cast<double>(beta) - 1.0,
-                                            std::complex<double>(static_cast<double>(z)));
+    const auto before =
+        fde::reference::mittag_leffler(static_cast<double>(alpha), static_cast<double>(beta) - 1.0,
+                                       std::complex<double>(static_cast<double>(z)));
     error += double_unit * (std::abs(before.value) + std::abs(beta - 1.0L) * std::abs(value)) / alpha;
   }
   return {value.real(), std::abs(static_cast<long double>(value.real())) + error / unit};
 }
-ConditionedValue<BigReal> mittag_leffler_of(const BigReal& alpha, const BigReal& beta, const BigReal& z) {
-  const int digits = static_cast<int>(-log10(epsilon<BigReal>())) + 2;
+reference::ConditionedValue<reference::BigReal> mittag_leffler_of(const reference::BigReal& alpha,
+                                                                  const reference::BigReal& beta,
+                                                                  const reference::BigReal& z) {
+  const int digits = static_cast<int>(-log10(reference::epsilon<reference::BigReal>())) + 2;
   const auto known =
-      mittag_leffler(to_text(alpha, digits), to_text(beta, digits), to_text(z, digits), "0", digits);
-  const auto value = parse<BigReal>(known.re);
-  return {value, BigReal(abs(value))};
+      reference::mittag_leffler(reference::to_text(alpha, digits), reference::to_text(beta, digits),
+                                reference::to_text(z, digits), "0", digits);
+  const auto value = reference::parse<reference::BigReal>(known.re);
+  return {value, reference::BigReal(abs(value))};
 }
 
 // The value of an operation and its size (closed_form.hpp): the sizes of the arguments times the derivatives.
 template <class Real>
-ConditionedValue<Real> rounded_apply(Operation operation, const ConditionedValue<Real>& a,
-                                     const ConditionedValue<Real>& b, const ConditionedValue<Real>& c) {
+reference::ConditionedValue<Real> rounded_apply(Operation operation,
+                                                const reference::ConditionedValue<Real>& a,
+                                                const reference::ConditionedValue<Real>& b,
+                                                const reference::ConditionedValue<Real>& c) {
   using std::abs, std::cos, std::log, std::sin, std::sqrt;
   if (operation == Operation::mittag_leffler) {
     auto f = mittag_leffler_of(a.value, b.value, c.value);
@@ -129,44 +139,46 @@ ConditionedValue<Real> rounded_apply(Operation operation, const ConditionedValue
 
 // The values of expressions of t at a time.
 template <class Real>
-std::vector<ConditionedValue<Real>> values_at(const ExpressionPool& all, const std::vector<Expression>& of,
-                                              const Real& time) {
+std::vector<reference::ConditionedValue<Real>> values_at(const ExpressionPool& pool,
+                                                         const std::vector<Expression>& of,
+                                                         const Real& time) {
   using std::abs;
-  const auto used = all.parts(of);
-  std::vector<ConditionedValue<Real>> values(used.size());
+  const auto used = pool.subexpressions(of);
+  std::vector<reference::ConditionedValue<Real>> values(used.size());
   for (std::size_t e = 0; e < values.size(); ++e) {
     if (!used[e]) continue;
-    const auto& entry = all[static_cast<Expression>(e)];
+    const auto& entry = pool[static_cast<Expression>(e)];
     const auto at = [&](std::size_t i) {
-      return entry.of[i] == ExpressionPool::none ? ConditionedValue<Real>{Real(0), Real(0)}
-                                                 : values[static_cast<std::size_t>(entry.of[i])];
+      return entry.arguments[i] == ExpressionPool::none
+                 ? reference::ConditionedValue<Real>{Real(0), Real(0)}
+                 : values[static_cast<std::size_t>(entry.arguments[i])];
     };
     if (entry.operation == Operation::variable) {
       values[e] = {time, time};
     } else if (entry.operation == Operation::number) {
-      const auto number = parse<Real>(entry.text);
+      const auto number = reference::parse<Real>(entry.text);
       values[e] = {number, Real(abs(number))};
     } else {
       values[e] = rounded_apply<Real>(entry.operation, at(0), at(1), at(2));
     }
   }
-  std::vector<ConditionedValue<Real>> results;
+  std::vector<reference::ConditionedValue<Real>> results;
   for (const auto result : of) results.push_back(values[static_cast<std::size_t>(result)]);
   return results;
 }
 
 }  // namespace
 
-std::vector<ConditionedValue<long double>> rounded_values(const ExpressionPool& all,
-                                                          const std::vector<Expression>& of,
-                                                          const long double& time) {
-  return values_at<long double>(all, of, time);
+std::vector<reference::ConditionedValue<long double>> rounded_values(const ExpressionPool& pool,
+                                                                     const std::vector<Expression>& of,
+                                                                     const long double& time) {
+  return values_at<long double>(pool, of, time);
 }
 
-std::vector<ConditionedValue<BigReal>> rounded_values(const ExpressionPool& all,
-                                                      const std::vector<Expression>& of,
-                                                      const BigReal& time) {
-  return values_at<BigReal>(all, of, time);
+std::vector<reference::ConditionedValue<reference::BigReal>> rounded_values(const ExpressionPool& pool,
+                                                                            const std::vector<Expression>& of,
+                                                                            const reference::BigReal& time) {
+  return values_at<reference::BigReal>(pool, of, time);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/start_powers.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 
 #include "fdebench/benchmarks/equation_files/program.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Unknown = EquationSystem::Unknown;
@@ -18,7 +19,7 @@ constexpr double range = 2.0;        // powers up to the order plus this count
 constexpr double most_powers = 1e5;  // limit of the work
 
 // The values of expressions 0 ... last at t = 0 and the initial values.
-std::vector<double> values_at_start(const EquationSystem& system, const ExpressionPool& all,
+std::vector<double> values_at_start(const EquationSystem& system, const ExpressionPool& pool,
                                     Expression last) {
   Vec start(system.size());
   for (Eigen::Index i = 0; i < start.size(); ++i)
@@ -26,19 +27,20 @@ std::vector<double> values_at_start(const EquationSystem& system, const Expressi
   std::vector<Expression> every(static_cast<std::size_t>(last) + 1);
   std::iota(every.begin(), every.end(), Expression{0});
   std::vector<double> values(every.size());
-  Program(all, every, system.size()).evaluate(0.0, start, values);
+  Program(pool, every, system.size()).evaluate(0.0, start, values);
   return values;
 }
 
 // The exponent p of an expression t^p or sqrt(t); integer powers are not stored as such.
-std::optional<double> power_of_time(const ExpressionPool& all, const ExpressionPool::Entry& entry) {
-  const bool of_time = entry.of[0] != ExpressionPool::none &&
-                       all[entry.of[0]].operation == Operation::variable && all[entry.of[0]].variable == 0;
+std::optional<double> power_of_time(const ExpressionPool& pool, const ExpressionPool::Node& entry) {
+  const bool of_time = entry.arguments[0] != ExpressionPool::none &&
+                       pool[entry.arguments[0]].operation == Operation::variable &&
+                       pool[entry.arguments[0]].variable == 0;
   if (!of_time) return std::nullopt;
   if (entry.operation == Operation::sqrt) return 0.5;
-  if (entry.operation != Operation::power || all[entry.of[1]].operation != Operation::number)
+  if (entry.operation != Operation::power || pool[entry.arguments[1]].operation != Operation::number)
     return std::nullopt;
-  const auto power = static_cast<double>(all[entry.of[1]].value);
+  const auto power = static_cast<double>(pool[entry.arguments[1]].value);
   return power > 0.0 ? std::optional(power) : std::nullopt;
 }
 
@@ -68,31 +70,33 @@ bool is_smooth(Operation operation, double a, double b) {
 }
 
 // The non-integer powers of t in a right-hand side; nullopt if it is otherwise not smooth.
-std::optional<std::set<double>> powers_in(const ExpressionPool& all, Expression rhs,
+std::optional<std::set<double>> powers_in(const ExpressionPool& pool, Expression rhs,
                                           const std::vector<double>& values) {
   std::set<double> powers;
-  const auto used = all.parts(rhs);
+  const auto used = pool.subexpressions(rhs);
   for (Expression e = 0; e <= rhs; ++e) {
-    const auto& entry = all[e];
-    if (!used[static_cast<std::size_t>(e)] || entry.of[0] == ExpressionPool::none) continue;
-    if (const auto power = power_of_time(all, entry)) {
+    const auto& entry = pool[e];
+    if (!used[static_cast<std::size_t>(e)] || entry.arguments[0] == ExpressionPool::none) continue;
+    if (const auto power = power_of_time(pool, entry)) {
       powers.insert(*power);
       continue;
     }
     const auto at = [&](std::size_t i) {
-      return entry.of[i] == ExpressionPool::none ? 0.0 : values[static_cast<std::size_t>(entry.of[i])];
+      return entry.arguments[i] == ExpressionPool::none
+                 ? 0.0
+                 : values[static_cast<std::size_t>(entry.arguments[i])];
     };
-    if (!is_smooth(entry.operation, at(0), at(1)) && !all.variables_in(e).empty()) return std::nullopt;
+    if (!is_smooth(entry.operation, at(0), at(1)) && !pool.variables_in(e).empty()) return std::nullopt;
   }
   return powers;
 }
 
 // For each unknown, the variables in its equation, including its own terms.
-std::vector<std::set<int>> variables_of(const EquationSystem& system, const ExpressionPool& all) {
+std::vector<std::set<int>> variables_of(const EquationSystem& system, const ExpressionPool& pool) {
   std::vector<std::set<int>> variables;
   for (const auto& unknown : system.unknowns) {
     const auto last = static_cast<std::size_t>(unknown.first + unknown.size()) - 1;
-    variables.push_back(all.variables_in(system.rows[last]));
+    variables.push_back(pool.variables_in(system.rows[last]));
   }
   return variables;
 }
@@ -132,15 +136,15 @@ std::set<double> increments_of(const Unknown& unknown, const std::set<double>& d
 
 // The increments of each unknown; nullopt if a right-hand side is not smooth at the start.
 std::optional<std::vector<std::set<double>>> all_increments(const EquationSystem& system,
-                                                            const ExpressionPool& all,
+                                                            const ExpressionPool& pool,
                                                             const std::vector<std::set<int>>& variables) {
   const auto& unknowns = system.unknowns;
-  const auto values = values_at_start(system, all, std::ranges::max(system.rows));
+  const auto values = values_at_start(system, pool, std::ranges::max(system.rows));
   std::set<int> used;
   for (const auto& some : variables) used.insert(some.begin(), some.end());
   std::vector<std::set<double>> increments;
   for (std::size_t u = 0; u < unknowns.size(); ++u) {
-    const auto powers = powers_in(all, *unknowns[u].rhs, values);
+    const auto powers = powers_in(pool, *unknowns[u].rhs, values);
     if (!powers) return std::nullopt;
     std::set<double> derivatives{0.0};
     for (Eigen::Index i = 0; i < unknowns[u].size(); ++i) {
@@ -168,11 +172,11 @@ void add_powers(const Chain& chain, std::vector<double> powers, Smoothness& smoo
 
 }  // namespace
 
-Smoothness starting_powers(const EquationSystem& system, const ExpressionPool& all) {
+Smoothness starting_powers(const EquationSystem& system, const ExpressionPool& pool) {
   const auto& unknowns = system.unknowns;
   if (std::ranges::any_of(unknowns, [](const Unknown& one) { return !one.chain; })) return {};
-  const auto variables = variables_of(system, all);
-  const auto increments = all_increments(system, all, variables);
+  const auto variables = variables_of(system, pool);
+  const auto increments = all_increments(system, pool, variables);
   if (!increments) return {};
   const auto on = dependencies(unknowns, variables);
   Smoothness smoothness;
@@ -189,4 +193,4 @@ Smoothness starting_powers(const EquationSystem& system, const ExpressionPool& a
   return smoothness;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/time_jumps.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 
 #include "fdebench/benchmarks/equation_files/program.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The times at which the sign is compared, up to the end. 0 is left out, where for example sin(t) is 0.
@@ -35,7 +36,7 @@ class SignOfTime {
 };
 
 // The first double after `from` at which the sign differs from that at `from`; the sign at `to` must differ.
-double located(const SignOfTime& sign, double from, double to) {
+double bisect_sign_change(const SignOfTime& sign, double from, double to) {
   const double before = sign(from);
   while (true) {
     const double middle = from + (to - from) / 2.0;
@@ -51,7 +52,7 @@ void add_changes(const SignOfTime& sign, double end, std::vector<double>& found)
     const double now = sign(times[i]);
     // False if either side is NaN.
     const bool changes = now < before || now > before;
-    if (changes) found.push_back(located(sign, times[i - 1], times[i]));
+    if (changes) found.push_back(bisect_sign_change(sign, times[i - 1], times[i]));
     before = now;
   }
 }
@@ -65,10 +66,10 @@ bool same_time(double a, double b) {
 }  // namespace
 
 std::function<std::vector<double>(double end)> time_jumps(const EquationSystem& system,
-                                                          const ExpressionPool& all) {
+                                                          const ExpressionPool& pool) {
   std::vector<SignOfTime> signs;
-  for (const auto argument : all.arguments(system.rows, {Operation::sign, Operation::step}))
-    if (!all.depends_on_unknowns(argument)) signs.emplace_back(Program(all, {argument}, 0));
+  for (const auto argument : pool.arguments(system.rows, {Operation::sign, Operation::step}))
+    if (!pool.depends_on_unknowns(argument)) signs.emplace_back(Program(pool, {argument}, 0));
   return [signs = std::move(signs), declared = system.jumps](double end) {
     auto jumps = declared;
     for (const auto& sign : signs) add_changes(sign, end, jumps);
@@ -78,4 +79,4 @@ std::function<std::vector<double>(double end)> time_jumps(const EquationSystem& 
   };
 }
 
-}  // namespace fde
+}  // namespace fde::bench

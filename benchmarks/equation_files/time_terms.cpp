@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/time_terms.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include <cstddef>
 #include <tuple>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Terms = std::optional<std::vector<TimeTerm>>;
@@ -17,25 +18,25 @@ constexpr std::size_t most_terms = 100;
 // Computes the terms of an expression from those of its arguments, by rules for sums, products and powers.
 class TimeTermRules {
  public:
-  explicit TimeTermRules(ExpressionPool& all) : all_(all) {}
+  explicit TimeTermRules(ExpressionPool& pool) : pool_(pool) {}
 
   Terms of(Operation operation, const Terms& a, const Terms& b) {
     switch (operation) {
       case Operation::add:
         return sum(a, b);
       case Operation::subtract:
-        return sum(a, product(one(all_.number(-1), all_.number(0)), b));
+        return sum(a, product(one(pool_.number(-1), pool_.number(0)), b));
       case Operation::negate:
-        return product(one(all_.number(-1), all_.number(0)), a);
+        return product(one(pool_.number(-1), pool_.number(0)), a);
       case Operation::multiply:
         return product(a, b);
       case Operation::divide:
-        return product(a, power(b, all_.number(-1)));
+        return product(a, power(b, pool_.number(-1)));
       case Operation::power:
         if (!b || b->size() != 1 || !is_constant(b->front())) return std::nullopt;
         return power(a, b->front().coefficient);
       case Operation::sqrt:
-        return power(a, all_.number("0.5"));
+        return power(a, pool_.number("0.5"));
       case Operation::step:
         return step(a);
       default:
@@ -43,16 +44,18 @@ class TimeTermRules {
     }
   }
 
-  [[nodiscard]] Terms constant(Expression value) { return one(value, all_.number(0)); }
-  [[nodiscard]] Terms time() { return one(all_.number(1), all_.number(1)); }
+  [[nodiscard]] Terms constant(Expression value) { return one(value, pool_.number(0)); }
+  [[nodiscard]] Terms time() { return one(pool_.number(1), pool_.number(1)); }
 
  private:
   static Terms one(Expression coefficient, Expression power) {
     return std::vector<TimeTerm>{{coefficient, power}};
   }
-  Expression made(Operation operation, Expression a, Expression b) { return all_.make(operation, a, b); }
+  Expression made(Operation operation, Expression a, Expression b) {
+    return pool_.make_expression(operation, a, b);
+  }
   [[nodiscard]] bool is_constant(const TimeTerm& term) const {
-    return !term.from && all_.value(term.power) == 0.0L;
+    return !term.from && pool_.value(term.power) == 0.0L;
   }
 
   static Terms sum(Terms a, const Terms& b) {
@@ -83,36 +86,37 @@ class TimeTermRules {
   // step(a0 + a1 t): 1 after the zero of its argument if a1 > 0, before it if a1 < 0.
   Terms step(const Terms& a) {
     if (!a) return std::nullopt;
-    auto constant_part = all_.number(0), slope = all_.number(0);
+    auto constant_part = pool_.number(0), slope = pool_.number(0);
     for (const auto& term : *a) {
-      const auto power = all_.value(term.power);
+      const auto power = pool_.value(term.power);
       if (term.from || (power != 0.0L && power != 1.0L)) return std::nullopt;
       auto& of = power == 0.0L ? constant_part : slope;
       of = made(Operation::add, of, term.coefficient);
     }
-    const auto rise = all_.value(slope);
+    const auto rise = pool_.value(slope);
     if (!rise || *rise == 0.0L) return std::nullopt;
-    const auto from = all_.make(Operation::negate, made(Operation::divide, constant_part, slope));
+    const auto from = pool_.make_expression(Operation::negate, made(Operation::divide, constant_part, slope));
     const bool rises = *rise > 0.0L;
-    if (all_.value(from) <= 0.0L) return constant(all_.number(rises ? 1 : 0));
-    const TimeTerm behind{all_.number(rises ? 1 : -1), all_.number(0), from};
-    return rises ? std::vector{behind} : std::vector{TimeTerm{all_.number(1), all_.number(0)}, behind};
+    if (pool_.value(from) <= 0.0L) return constant(pool_.number(rises ? 1 : 0));
+    const TimeTerm behind{pool_.number(rises ? 1 : -1), pool_.number(0), from};
+    return rises ? std::vector{behind} : std::vector{TimeTerm{pool_.number(1), pool_.number(0)}, behind};
   }
 
-  ExpressionPool& all_;
+  ExpressionPool& pool_;
 };
 
 }  // namespace
 
-Terms time_terms(Expression of, ExpressionPool& all) {
-  const auto used = all.parts(of);
+Terms time_terms(Expression of, ExpressionPool& pool) {
+  const auto used = pool.subexpressions(of);
   std::vector<Terms> terms(used.size());
   std::vector<bool> varies(used.size(), false);
-  TimeTermRules rules(all);
+  TimeTermRules rules(pool);
   for (Expression e = 0; e <= of; ++e) {
     const auto place = static_cast<std::size_t>(e);
     if (!used[place]) continue;
-    const auto [operation, of_these, variable] = std::tuple(all[e].operation, all[e].of, all[e].variable);
+    const auto [operation, of_these, variable] =
+        std::tuple(pool[e].operation, pool[e].arguments, pool[e].variable);
     const bool is_variable = operation == Operation::variable;
     std::array<Terms, 2> arguments;
     varies[place] = is_variable;
@@ -132,23 +136,27 @@ Terms time_terms(Expression of, ExpressionPool& all) {
 }
 
 std::optional<Expression> caputo_derivative(const std::vector<TimeTerm>& terms, double order,
-                                            ExpressionPool& all) {
-  const auto shift = all.number(fmt::format("{}", order)), one = all.number(1), t = all.variable(0);
-  auto sum = all.number(0);
+                                            ExpressionPool& pool) {
+  const auto shift = pool.number(fmt::format("{}", order)), one = pool.number(1), t = pool.variable(0);
+  auto sum = pool.number(0);
   for (const auto& [coefficient, power, from] : terms) {
-    const auto p = all.value(power);
+    const auto p = pool.value(power);
     if (from || !p || *p < 0.0L) return std::nullopt;
     const bool is_integer = *p == std::floor(*p);
     if (is_integer && static_cast<double>(*p) < std::ceil(order)) continue;
     if (static_cast<double>(*p) <= std::ceil(order) - 1.0) return std::nullopt;
-    const auto next = all.make(Operation::add, power, one);
-    const auto ratio = all.make(Operation::divide, all.make(Operation::gamma, next),
-                                all.make(Operation::gamma, all.make(Operation::subtract, next, shift)));
-    const auto of_time = all.make(Operation::power, t, all.make(Operation::subtract, power, shift));
-    sum = all.make(Operation::add, sum,
-                   all.make(Operation::multiply, all.make(Operation::multiply, coefficient, ratio), of_time));
+    const auto next = pool.make_expression(Operation::add, power, one);
+    const auto ratio = pool.make_expression(
+        Operation::divide, pool.make_expression(Operation::gamma, next),
+        pool.make_expression(Operation::gamma, pool.make_expression(Operation::subtract, next, shift)));
+    const auto of_time =
+        pool.make_expression(Operation::power, t, pool.make_expression(Operation::subtract, power, shift));
+    sum = pool.make_expression(
+        Operation::add, sum,
+        pool.make_expression(Operation::multiply,
+                             pool.make_expression(Operation::multiply, coefficient, ratio), of_time));
   }
   return sum;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -5,7 +6,7 @@
 
 #include "fdebench/benchmarks/equation_files/expressions.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // c t^p; with `from`: c for t > from, 0 before, and p = 0. All are expressions without variables.
 struct TimeTerm {
@@ -15,12 +16,12 @@ struct TimeTerm {
 
 // An expression of t, t >= 0, as a sum of such terms; nullopt if it is not of this form or has more than 100
 // terms.
-std::optional<std::vector<TimeTerm>> time_terms(Expression of, ExpressionPool& all);
+std::optional<std::vector<TimeTerm>> time_terms(Expression of, ExpressionPool& pool);
 
 // The Caputo derivative from 0 of the sum of c t^p,
 //   D^order t^p = Gamma(p+1) / Gamma(p+1-order) t^(p-order), 0 of integer p < ceil(order).
 // nullopt if a term has `from`, or if the derivative of a power does not exist.
 std::optional<Expression> caputo_derivative(const std::vector<TimeTerm>& terms, double order,
-                                            ExpressionPool& all);
+                                            ExpressionPool& pool);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
@@ -15,7 +16,7 @@
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class EquationReader : TomlReader {
@@ -32,7 +33,7 @@ class EquationReader : TomlReader {
     read.unknowns = unknowns_of(required(all, {}, "the file", "unknown"), read.parameters);
     if (const auto* exact = all.get("exact")) {
       for (const auto& entry : entries(*exact, "exact"))
-        read.exact.push_back({entry.name, entry.place, formula(*entry.node, entry.name)});
+        read.exact.push_back({entry.name, entry.position, formula(*entry.node, entry.name)});
     }
     if (const auto* energy = all.get("energy")) read.energy = energy_of(*energy);
     if (const auto* constraint = all.get("constraint")) read.constraints = constraints_of(*constraint);
@@ -49,7 +50,7 @@ class EquationReader : TomlReader {
     const auto* text = node.as_string();
     if (text == nullptr) reject_kind(node, "title", "a text");
     const std::string& title = text->get();
-    if (title.size() > longest || !prints(title))
+    if (title.size() > longest || !is_printable(title))
       reject(position_of(node), fmt::format("title: must be at most {} bytes that print", longest));
     return title;
   }
@@ -57,11 +58,11 @@ class EquationReader : TomlReader {
   // A name that can be used in formulas.
   void require_name(const TomlEntry& entry, std::string_view kind) const {
     if (!is_name(entry.name)) {
-      reject(entry.place, fmt::format("{} {}: must be letters, digits and _, at most 64, a letter first",
-                                      kind, entry.name));
+      reject(entry.position, fmt::format("{} {}: must be letters, digits and _, at most 64, a letter first",
+                                         kind, entry.name));
     }
     if (is_symbol(entry.name) || (kind != "parameter" && is_function(entry.name))) {
-      reject(entry.place,
+      reject(entry.position,
              fmt::format("{} {}: must be another name, formulas know this one", kind, entry.name));
     }
   }
@@ -71,7 +72,7 @@ class EquationReader : TomlReader {
     for (const auto& entry : entries(node, "parameters")) {
       require_name(entry, "parameter");
       if (entry.name == "until")
-        reject(entry.place, "parameter until: must be another name, this one sets the end");
+        reject(entry.position, "parameter until: must be another name, this one sets the end");
       const auto number = entry.node->value<double>();
       if (!entry.node->is_number()) reject_kind(*entry.node, entry.name, "a number");
       if (!std::isfinite(*number)) {
@@ -95,11 +96,11 @@ class EquationReader : TomlReader {
     for (const auto& entry : found) {
       require_name(entry, "unknown");
       if (std::ranges::find(columns, entry.name) != columns.end()) {
-        reject(entry.place,
+        reject(entry.position,
                fmt::format("unknown {}: must be another name, a column has this one", entry.name));
       }
       if (std::ranges::find(parameters, entry.name, &ParameterText::name) != parameters.end()) {
-        reject(entry.place,
+        reject(entry.position,
                fmt::format("unknown {}: must be another name, a parameter has this one", entry.name));
       }
       unknowns.push_back(unknown_of(entry));
@@ -111,18 +112,18 @@ class EquationReader : TomlReader {
     const auto name = fmt::format("unknown {}", entry.name);
     const auto& of = table(*entry.node, name);
     require_keys(of, name, {"terms", "order", "rhs", "initial"});
-    UnknownText unknown{.name = entry.name, .place = entry.place};
+    UnknownText unknown{.name = entry.name, .position = entry.position};
     const auto *order = of.get("order"), *terms = of.get("terms");
     if ((order == nullptr) == (terms == nullptr))
-      reject(entry.place, fmt::format("{}: must have either order or terms", name));
+      reject(entry.position, fmt::format("{}: must have either order or terms", name));
     unknown.may_be_algebraic = order != nullptr;
     if (order != nullptr) {
-      const FormulaText one{.text = "1", .place = entry.place};
+      const FormulaText one{.text = "1", .position = entry.position};
       unknown.terms.push_back({one, formula(*order, "order")});
     }
     if (terms != nullptr) unknown.terms = terms_of(*terms);
-    unknown.rhs = formula(required(of, entry.place, name, "rhs"), "rhs");
-    const auto& initial = required(of, entry.place, name, "initial");
+    unknown.rhs = formula(required(of, entry.position, name, "rhs"), "rhs");
+    const auto& initial = required(of, entry.position, name, "initial");
     for (const auto& value : array(initial, "initial", "a list of numbers or formulas"))
       unknown.initial.push_back(formula(value, "initial"));
     return unknown;
@@ -188,11 +189,11 @@ class EquationReader : TomlReader {
     require_name(entry, "event");
     const auto& of = table(*entry.node, name);
     require_keys(of, name, {"zero", "crossing", "ends"});
-    EventText event{.name = entry.name, .zero = formula(required(of, entry.place, name, "zero"), "zero")};
+    EventText event{.name = entry.name, .zero = formula(required(of, entry.position, name, "zero"), "zero")};
     if (const auto* crossing = of.get("crossing")) event.crossing = crossing_of(*crossing);
     if (const auto* ends = of.get("ends")) {
       if (!ends->is_boolean()) reject_kind(*ends, "ends", "true or false");
-      event.ends = **ends->as_boolean();
+      event.terminal = **ends->as_boolean();
     }
     return event;
   }
@@ -235,4 +236,4 @@ EquationText parse_equation_text(const std::string& file, std::string_view text)
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/toml_text.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 
 #include "fdebench/benchmarks/text/entry_named.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::string_view kind_of(const toml::node& node) {
@@ -67,8 +68,9 @@ std::vector<TomlEntry> TomlReader::entries(const toml::node& node, std::string_v
   std::vector<TomlEntry> found;
   for (const auto& [key, value] : table(node, name))
     found.push_back({std::string(key.str()), position_of(key.source()), &value});
-  std::ranges::stable_sort(
-      found, {}, [](const TomlEntry& entry) { return std::pair(entry.place.line, entry.place.column); });
+  std::ranges::stable_sort(found, {}, [](const TomlEntry& entry) {
+    return std::pair(entry.position.line, entry.position.column);
+  });
   return found;
 }
 
@@ -76,8 +78,8 @@ void TomlReader::require_keys(const toml::table& of, std::string_view name,
                               const std::vector<std::string_view>& allowed) const {
   for (const auto& entry : entries(of, name)) {
     if (std::ranges::find(allowed, entry.name) != allowed.end()) continue;
-    reject(entry.place, fmt::format("{}: no such key of {}{}; there are {}", entry.name, name,
-                                    nearest(entry.name, allowed), fmt::join(allowed, ", ")));
+    reject(entry.position, fmt::format("{}: no such key of {}{}; there are {}", entry.name, name,
+                                       did_you_mean(entry.name, allowed), fmt::join(allowed, ", ")));
   }
 }
 
@@ -88,16 +90,16 @@ const toml::node& TomlReader::required(const toml::table& of, const TextPosition
 }
 
 FormulaText TomlReader::formula(const toml::node& node, std::string_view name) const {
-  FormulaText made{.place = position_of(node)};
+  FormulaText made{.position = position_of(node)};
   if (const auto* text = node.as_string()) {
     made.text = text->get();
-    made.maps_bytes_to_columns = is_verbatim(made.text, made.place);
-    if (made.maps_bytes_to_columns) ++made.place.column;
+    made.maps_bytes_to_columns = is_verbatim(made.text, made.position);
+    if (made.maps_bytes_to_columns) ++made.position.column;
   } else if (const auto* whole = node.as_integer()) {
     made.text = std::to_string(whole->get());
   } else if (const auto* number = node.as_floating_point()) {
     if (!std::isfinite(number->get()))
-      reject(made.place, fmt::format("{} = {}: must be a finite number", name, number->get()));
+      reject(made.position, fmt::format("{} = {}: must be a finite number", name, number->get()));
     made.text = fmt::format("{}", number->get());
   } else {
     reject_kind(node, name, "a number or a formula");
@@ -121,4 +123,4 @@ bool TomlReader::is_verbatim(const std::string& text, const TextPosition& place)
          std::ranges::all_of(of_line.substr(0, begin), is_ascii);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <toml++/toml.h>
@@ -8,12 +9,12 @@
 
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // An entry of a table and the position of its key.
 struct TomlEntry {
   std::string name;
-  TextPosition place;
+  TextPosition position;
   const toml::node* node;
 };
 
@@ -55,4 +56,4 @@ class TomlReader {
   std::vector<std::size_t> lines_{0};  // offsets of the lines
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/external/external_program.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@
 #include "fdebench/benchmarks/records/run_rows.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 28;
@@ -56,25 +57,25 @@ std::string with(std::string reason, const std::string& said) {
 
 // nullopt: exit code 0.
 std::optional<RunOutcome> failure_of(const CommandResult& end, const std::string& said, double budget) {
-  switch (end.how) {
-    case CommandResult::How::out_of_time:
-      return RunOutcome{Ending::out_of_budget, fmt::format("after {:g} s", budget)};
-    case CommandResult::How::too_much_output:
-      return RunOutcome{Ending::program_failed, fmt::format("it wrote more than {} bytes", most_bytes)};
-    case CommandResult::How::killed: {
+  switch (end.status) {
+    case CommandResult::Status::out_of_time:
+      return RunOutcome{SolveStatus::out_of_budget, fmt::format("after {:g} s", budget)};
+    case CommandResult::Status::too_much_output:
+      return RunOutcome{Verdict::program_failed, fmt::format("it wrote more than {} bytes", most_bytes)};
+    case CommandResult::Status::killed: {
       const char* known = sigdescr_np(end.code);
       const std::string name = known != nullptr ? known : "unknown";
       // The shell prints the name of the signal too: no need to say it twice.
-      return RunOutcome{Ending::program_failed, with(fmt::format("ended by signal {} ({})", end.code, name),
-                                                     said.starts_with(name) ? "" : said)};
+      return RunOutcome{Verdict::program_failed, with(fmt::format("ended by signal {} ({})", end.code, name),
+                                                      said.starts_with(name) ? "" : said)};
     }
-    case CommandResult::How::exited:
+    case CommandResult::Status::exited:
       break;
   }
   if (end.code == does_not_take)
-    return RunOutcome{Ending::refused, said.empty() ? fmt::format("exit code {}", end.code) : said};
+    return RunOutcome{SolveStatus::refused, said.empty() ? fmt::format("exit code {}", end.code) : said};
   if (end.code != 0)
-    return RunOutcome{Ending::program_failed, with(fmt::format("exit code {}", end.code), said)};
+    return RunOutcome{Verdict::program_failed, with(fmt::format("exit code {}", end.code), said)};
   return std::nullopt;
 }
 
@@ -99,7 +100,7 @@ struct ProgramRun {
   double wall_seconds = 0.0;
 };
 
-ProgramRun failed(Ending kind, std::string_view detail) {
+ProgramRun failed(OutcomeKind kind, std::string_view detail) {
   return {.failure = RunOutcome{kind, std::string(detail)}};
 }
 
@@ -115,16 +116,16 @@ ProgramRun run(const SceneVariant& variant, const Scene& scene, const ExternalPr
     end = run_command(program.command, task.path().string(), out.descriptor(), err.descriptor(),
                       {setup.budget, most_bytes});
   } catch (const std::system_error& error) {
-    return failed(Ending::program_failed, fmt::format("it cannot be started: {}", error.what()));
+    return failed(Verdict::program_failed, fmt::format("it cannot be started: {}", error.what()));
   }
   if (auto failure = failure_of(end, last_line(err.path()), setup.budget)) return {.failure = failure};
   try {
     auto path = read_trajectory(out.path(), scene, "standard output");
-    const auto told = path.seconds;
+    const auto reported = path.seconds;
     if (path.values.allFinite()) path = at_times(path, times);
-    return {.path = std::move(path), .reported_seconds = told, .wall_seconds = end.seconds};
+    return {.path = std::move(path), .reported_seconds = reported, .wall_seconds = end.seconds};
   } catch (const std::invalid_argument& error) {
-    return failed(Ending::program_failed, printable(error.what()));
+    return failed(Verdict::program_failed, printable(error.what()));
   }
 }
 
@@ -164,19 +165,19 @@ std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, Mem
 std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
                               const RunSettings& setup, int most, double enough_seconds) {
   const Record row = row_of(program, variant, scene, setup);
-  std::vector<double> told, wall;
+  std::vector<double> reported, wall;
   double total = 0.0;
   while (std::ssize(wall) < most && (wall.empty() || total < enough_seconds)) {
     const auto made = run(variant, scene, program, setup);
     if (made.failure) return rows_of_examination(row, {*made.failure});
     total += made.wall_seconds;
     wall.push_back(made.wall_seconds);
-    if (made.reported_seconds) told.push_back(*made.reported_seconds);
+    if (made.reported_seconds) reported.push_back(*made.reported_seconds);
   }
-  const bool is_wall_clock = told.size() < wall.size();
-  auto rows = rows_of_times(row, is_wall_clock ? wall : told);
+  const bool is_wall_clock = reported.size() < wall.size();
+  auto rows = rows_of_times(row, is_wall_clock ? wall : reported);
   for (Record& of : rows) of.wall_clock = is_wall_clock;
   return rows;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

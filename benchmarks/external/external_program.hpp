@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // An external solver: the name of its runs, and the shell command that starts it. docs/external_solvers.md
 // specifies its input and output.
@@ -35,4 +36,4 @@ std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, Mem
 std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
                               const RunSettings& setup, int most, double enough_seconds);
 
-}  // namespace fde
+}  // namespace fde::bench

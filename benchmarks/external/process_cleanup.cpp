@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/external/process_cleanup.hpp"
 
 #include <fcntl.h>
@@ -16,13 +17,13 @@
 #include <new>
 #include <system_error>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::size_t most = 256, none = most;
 
 // State of a slot: free, being written, registered for cleanup.
-enum class State { free, claimed, noted };
+enum class State { free, claimed, registered };
 
 struct File {
   std::atomic<State> state = State::free;
@@ -43,10 +44,10 @@ static_assert(std::atomic<State>::is_always_lock_free && std::atomic<pid_t>::is_
 
 void remove_all(const CleanupSlots& places) {
   for (const Group& of : places.groups) {
-    if (of.state == State::noted) kill(-of.group, SIGKILL);
+    if (of.state == State::registered) kill(-of.group, SIGKILL);
   }
   for (const File& of : places.files) {
-    if (of.state == State::noted) unlink(of.path.data());
+    if (of.state == State::registered) unlink(of.path.data());
   }
 }
 
@@ -119,7 +120,7 @@ RegisteredFile::RegisteredFile(const std::string& path)
   if (place_ == none) return;
   auto& file = places().files[place_];
   *std::ranges::copy(path, file.path.begin()).out = '\0';
-  file.state = State::noted;
+  file.state = State::registered;
 }
 
 RegisteredFile::~RegisteredFile() {
@@ -130,7 +131,7 @@ RegisteredProcessGroup::RegisteredProcessGroup(pid_t group) : place_(claimed(pla
   if (place_ == none) return;
   auto& noted = places().groups[place_];
   noted.group = group;
-  noted.state = State::noted;
+  noted.state = State::registered;
 }
 
 RegisteredProcessGroup::~RegisteredProcessGroup() {
@@ -161,4 +162,4 @@ void block_after_clean_up() {
   while (is_ending) pause();
 }
 
-}  // namespace fde
+}  // namespace fde::bench

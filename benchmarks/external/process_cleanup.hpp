@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <sys/types.h>
@@ -6,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 
 // Registers a temporary file or a process group for cleanup: while the object exists, a signal that ends this
 // process (SIGKILL included) removes the file or kills the group. At most 256 of each at a time; further ones
@@ -53,4 +54,4 @@ void clean_up();
 // as a result.
 void block_after_clean_up();
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/external/shell_command.hpp"
 
 #include <fcntl.h>
@@ -19,7 +20,7 @@
 
 #include "fdebench/benchmarks/external/process_cleanup.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -149,11 +150,11 @@ class Child {
 // signal.
 CommandResult end_of(int status, double seconds) {
   constexpr int signal_code = 128, last_signal = 64;
-  if (WIFSIGNALED(status)) return {CommandResult::How::killed, WTERMSIG(status), seconds};
+  if (WIFSIGNALED(status)) return {CommandResult::Status::killed, WTERMSIG(status), seconds};
   const int code = WEXITSTATUS(status);
   if (code > signal_code && code <= signal_code + last_signal)
-    return {CommandResult::How::killed, code - signal_code, seconds};
-  return {CommandResult::How::exited, code, seconds};
+    return {CommandResult::Status::killed, code - signal_code, seconds};
+  return {CommandResult::Status::exited, code, seconds};
 }
 
 }  // namespace
@@ -172,13 +173,13 @@ CommandResult run_command(const std::string& command, const std::string& argumen
     const double seconds = elapsed();
     if (bytes_in(out) + bytes_in(err) > limits.bytes) {
       child.end();
-      return {CommandResult::How::too_much_output, 0, seconds};
+      return {CommandResult::Status::too_much_output, 0, seconds};
     }
     if (is_finished) return end_of(child.end(), seconds);
     if (seconds < limits.seconds) continue;
     child.end();
-    return {CommandResult::How::out_of_time, 0, seconds};
+    return {CommandResult::Status::out_of_time, 0, seconds};
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 
 // How a shell command ended, and its wall time in seconds.
 struct CommandResult {
-  enum class How { exited, killed, out_of_time, too_much_output };
-  How how = How::exited;
+  enum class Status { exited, killed, out_of_time, too_much_output };
+  Status status = Status::exited;
   int code = 0;  // exit code (exited) or signal number (killed)
   double seconds = 0.0;
 };
@@ -25,4 +26,4 @@ struct CommandLimits {
 CommandResult run_command(const std::string& command, const std::string& argument, int out, int err,
                           const CommandLimits& limits);
 
-}  // namespace fde
+}  // namespace fde::bench

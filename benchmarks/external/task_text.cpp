@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/external/task_text.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <variant>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -57,9 +58,9 @@ std::string task_json(const SceneVariant& variant, const Scene& scene, const Run
             {"grid", grid_text(setup.grading)},
             {"times", times}};
   if (!variant.maker->equations.empty()) task["equations"] = equations_of(variant.maker->equations);
-  if (!scene.problem.jumps.empty()) task["jumps"] = scene.problem.jumps;
+  if (!scene.problem.jump_times.empty()) task["jumps"] = scene.problem.jump_times;
   if (std::isfinite(setup.budget)) task["budget"] = setup.budget;
   return task.dump(1) + '\n';
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -6,11 +7,11 @@
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The input of an external program as JSON; docs/external_solvers.md lists the fields. `times` are the output
 // times. Preconditions: `scene` was made from `variant`, and setup.resolution is a number of steps.
 std::string task_json(const SceneVariant& variant, const Scene& scene, const RunSettings& setup,
                       const std::vector<double>& times);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/external/temporary_file.hpp"
 
 #include <fcntl.h>
@@ -7,7 +8,7 @@
 #include <cstdlib>
 #include <system_error>
 
-namespace fde {
+namespace fde::bench {
 
 TemporaryFile::TemporaryFile(std::string_view suffix) {
   std::error_code error;
@@ -38,4 +39,4 @@ void TemporaryFile::write(std::string_view text) const {
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

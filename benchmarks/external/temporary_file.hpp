@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
@@ -7,7 +8,7 @@
 
 #include "fdebench/benchmarks/external/process_cleanup.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A unique file in the folder of temporary files, removed by the destructor.
 class TemporaryFile {
@@ -30,4 +31,4 @@ class TemporaryFile {
   std::optional<RegisteredFile> trace_{};
 };
 
-}  // namespace fde
+}  // namespace fde::bench

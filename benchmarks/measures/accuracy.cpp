@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/accuracy.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The first column from which on all entries are true; nullopt if these are less than a tenth of the columns.
@@ -54,4 +55,4 @@ std::optional<double> relative_error(const Rows& values, const Rows& reference, 
   return largest;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
 
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Checks of a result against the reference. Arguments have one row a column of the scene and one column a
 // time; |.| is the maximum over the rows. Results are column indices. "Up to the end" requires at least the
@@ -29,4 +30,4 @@ std::optional<Eigen::Index> rounding_dominates(const Rows& values, const Rows& r
 // are.
 std::optional<double> relative_error(const Rows& values, const Rows& reference, In bound);
 
-}  // namespace fde
+}  // namespace fde::bench

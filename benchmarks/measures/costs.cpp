@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/measures.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Value = std::optional<double>;
@@ -13,11 +14,13 @@ Value cost(const FinishedRun& run) {
 
 }  // namespace
 
-constinit const Measure measure::rhs_calls{"rhs_calls", "", cost<&Cost::rhs_calls>};
-constinit const Measure measure::newton_iterations{"newton_iterations", "", cost<&Cost::newton_iterations>};
-constinit const Measure measure::history_bytes{"history_bytes", "B", cost<&Cost::history_bytes>};
-constinit const Measure measure::states{"states", "", cost<&Cost::states>};
-constinit const Measure measure::rejected_steps{"rejected_steps", "", cost<&Cost::rejected_steps>};
-constinit const Measure measure::start_weights{"start_weights", "", cost<&Cost::start_weights>};
+constinit const Measure measure::rhs_calls{.id = "rhs_calls", .value = cost<&Cost::rhs_calls>};
+constinit const Measure measure::newton_iterations{.id = "newton_iterations",
+                                                   .value = cost<&Cost::newton_iterations>};
+constinit const Measure measure::history_bytes{
+    .id = "history_bytes", .unit = "B", .value = cost<&Cost::history_bytes>};
+constinit const Measure measure::states{.id = "states", .value = cost<&Cost::components>};
+constinit const Measure measure::rejected_steps{.id = "rejected_steps", .value = cost<&Cost::rejected_steps>};
+constinit const Measure measure::start_weights{.id = "start_weights", .value = cost<&Cost::starting_weights>};
 
-}  // namespace fde
+}  // namespace fde::bench

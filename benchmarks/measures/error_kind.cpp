@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/error_kind.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 
 #include "fdebench/benchmarks/text/number_text.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::array norms{std::pair{Norm::end, std::string_view("end")},
@@ -19,29 +20,10 @@ constexpr std::array scales{std::pair{Scale::absolute, std::string_view("absolut
                             std::pair{Scale::relative, std::string_view("relative")},
                             std::pair{Scale::mixed, std::string_view("mixed")}};
 
-template <class Names, class One>
-std::string_view name_in(const Names& names, One one) {
+template <class Names, class Value>
+std::string_view name_in(const Names& names, Value one) {
   return std::ranges::find(names, one, &Names::value_type::first)->second;
 }
-
-constexpr std::array all_kinds{
-    ErrorKind{Norm::end, Scale::absolute},     ErrorKind{Norm::end, Scale::relative},
-    ErrorKind{Norm::end, Scale::mixed},        ErrorKind{Norm::maximum, Scale::absolute},
-    ErrorKind{Norm::maximum, Scale::relative}, ErrorKind{Norm::maximum, Scale::mixed}};
-
-struct KindNames {
-  ErrorKind kind;
-  std::string_view error, trivial;
-};
-constexpr std::array kinds{
-    KindNames{{Norm::end, Scale::absolute}, "error_end", "trivial_end"},
-    KindNames{{Norm::end, Scale::relative}, "error_end_relative", "trivial_end_relative"},
-    KindNames{{Norm::end, Scale::mixed}, "error_end_mixed", "trivial_end_mixed"},
-    KindNames{{Norm::maximum, Scale::absolute}, "error_maximum", "trivial_maximum"},
-    KindNames{{Norm::maximum, Scale::relative}, "error_maximum_relative", "trivial_maximum_relative"},
-    KindNames{{Norm::maximum, Scale::mixed}, "error_maximum_mixed", "trivial_maximum_mixed"}};
-
-const KindNames& names_of(const ErrorKind& kind) { return *std::ranges::find(kinds, kind, &KindNames::kind); }
 
 // max |r| of one column over [0.9 t, t], for each t. The sliding window stores candidates for the maximum
 // only.
@@ -72,8 +54,6 @@ Rows relative_divisors(const std::vector<double>& times, const Rows& reference) 
 
 }  // namespace
 
-std::span<const ErrorKind> error_kinds() { return all_kinds; }
-
 std::string_view name(Norm norm) { return name_in(norms, norm); }
 std::string_view name(Scale scale) { return name_in(scales, scale); }
 
@@ -88,9 +68,6 @@ Scale parse_scale(std::string_view text) {
   if (found == scales.end()) reject_text("--scale", text, "absolute, relative or mixed");
   return found->first;
 }
-
-std::string_view error_measure(const ErrorKind& kind) { return names_of(kind).error; }
-std::string_view baseline_measure(const ErrorKind& kind) { return names_of(kind).trivial; }
 
 Rows divisors(Scale scale, const std::vector<double>& times, const Rows& reference) {
   switch (scale) {
@@ -119,4 +96,4 @@ double constant_solution_error(Norm norm, const std::vector<double>& times, cons
   return std::min(zero, error_of(norm, reference.col(0).replicate(1, later), seen, by));
 }
 
-}  // namespace fde
+}  // namespace fde::bench

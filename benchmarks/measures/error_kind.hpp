@@ -1,13 +1,15 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
+#include <algorithm>
+#include <array>
 #include <string_view>
 #include <vector>
 
 #include "fdebench/schemes/stepping/scheme.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The divisor of the error e of a value with reference r. Relative: |r|, but at least a thousandth of its
 // maximum over [0.9 t, t], for a reference that passes through 0 at t; errors are left out if that maximum is
@@ -24,7 +26,10 @@ struct ErrorKind {
 };
 
 // All combinations of norm and scale.
-std::span<const ErrorKind> error_kinds();
+inline constexpr std::array error_kinds{
+    ErrorKind{Norm::end, Scale::absolute},     ErrorKind{Norm::end, Scale::relative},
+    ErrorKind{Norm::end, Scale::mixed},        ErrorKind{Norm::maximum, Scale::absolute},
+    ErrorKind{Norm::maximum, Scale::relative}, ErrorKind{Norm::maximum, Scale::mixed}};
 
 // "end", "maximum"; "absolute", "relative", "mixed"; and the inverses, which throw std::invalid_argument
 // naming the command-line option and what is allowed.
@@ -34,9 +39,19 @@ Norm parse_norm(std::string_view text);
 Scale parse_scale(std::string_view text);
 
 // The id of the measure of this error, "error_end", "error_maximum_mixed", ..., and of its constant-solution
-// baseline.
-std::string_view error_measure(const ErrorKind& kind);
-std::string_view baseline_measure(const ErrorKind& kind);
+// baseline, "baseline_end", ...
+constexpr std::string_view error_measure(const ErrorKind& kind) {
+  constexpr std::array<std::string_view, error_kinds.size()> ids{
+      "error_end",     "error_end_relative",     "error_end_mixed",
+      "error_maximum", "error_maximum_relative", "error_maximum_mixed"};
+  return ids[static_cast<std::size_t>(std::ranges::find(error_kinds, kind) - error_kinds.begin())];
+}
+constexpr std::string_view baseline_measure(const ErrorKind& kind) {
+  constexpr std::array<std::string_view, error_kinds.size()> ids{
+      "baseline_end",     "baseline_end_relative",     "baseline_end_mixed",
+      "baseline_maximum", "baseline_maximum_relative", "baseline_maximum_mixed"};
+  return ids[static_cast<std::size_t>(std::ranges::find(error_kinds, kind) - error_kinds.begin())];
+}
 
 // The divisors of errors, one row a column of the scene, one column a time; infinity if an error is left out.
 // Precondition: the times increase.
@@ -50,4 +65,4 @@ double error_of(Norm norm, const Rows& values, const Rows& reference, const Rows
 double constant_solution_error(Norm norm, const std::vector<double>& times, const Rows& reference,
                                const Rows& divisors);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,8 +1,12 @@
-#include "fdebench/benchmarks/measures/accuracy.hpp"
-#include "fdebench/benchmarks/measures/error_kind.hpp"
-#include "fdebench/benchmarks/measures/measures.hpp"
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/measures/errors.hpp"
 
-namespace fde {
+#include <array>
+#include <utility>
+
+#include "fdebench/benchmarks/measures/accuracy.hpp"
+
+namespace fde::bench {
 namespace {
 
 using Value = std::optional<double>;
@@ -10,20 +14,29 @@ using Value = std::optional<double>;
 bool has_reference(const FinishedRun& run) { return run.reference.cols() > 0; }
 bool has_rounding(const FinishedRun& run) { return run.observed.rounded.cols() > 0; }
 
-template <Norm norm, Scale scale>
+template <std::size_t kind>
 Value error(const FinishedRun& run) {
   if (!has_reference(run)) return std::nullopt;
+  const auto [norm, scale] = error_kinds[kind];
   return error_of(norm, run.values, run.reference, divisors(scale, run.path.times, run.reference));
 }
 
 // The constant-solution baseline, if the run is not better.
-template <Norm norm, Scale scale>
-Value trivial(const FinishedRun& run) {
+template <std::size_t kind>
+Value baseline(const FinishedRun& run) {
   if (!has_reference(run)) return std::nullopt;
+  const auto [norm, scale] = error_kinds[kind];
   const auto& times = run.path.times;
   const double least =
       constant_solution_error(norm, times, run.reference, divisors(scale, times, run.reference));
-  return least <= *error<norm, scale>(run) ? Value(least) : std::nullopt;
+  return least <= *error<kind>(run) ? Value(least) : std::nullopt;
+}
+
+template <std::size_t... kind>
+constexpr auto rows_of_kinds(std::index_sequence<kind...> /*kinds*/) {
+  return std::array{
+      Measure{.id = error_measure(error_kinds[kind]), .value = error<kind>, .error = error_kinds[kind]}...,
+      Measure{.id = baseline_measure(error_kinds[kind]), .value = baseline<kind>}...};
 }
 
 Value digits(const FinishedRun& run) {
@@ -56,30 +69,20 @@ Value bound(const FinishedRun& run) {
 
 }  // namespace
 
-constinit const Measure measure::error_end{"error_end", "", error<Norm::end, Scale::absolute>};
-constinit const Measure measure::error_end_relative{"error_end_relative", "",
-                                                    error<Norm::end, Scale::relative>};
-constinit const Measure measure::error_end_mixed{"error_end_mixed", "", error<Norm::end, Scale::mixed>};
-constinit const Measure measure::error_maximum{"error_maximum", "", error<Norm::maximum, Scale::absolute>};
-constinit const Measure measure::error_maximum_relative{"error_maximum_relative", "",
-                                                        error<Norm::maximum, Scale::relative>};
-constinit const Measure measure::error_maximum_mixed{"error_maximum_mixed", "",
-                                                     error<Norm::maximum, Scale::mixed>};
-constinit const Measure measure::trivial_end{"trivial_end", "", trivial<Norm::end, Scale::absolute>};
-constinit const Measure measure::trivial_end_relative{"trivial_end_relative", "",
-                                                      trivial<Norm::end, Scale::relative>};
-constinit const Measure measure::trivial_end_mixed{"trivial_end_mixed", "", trivial<Norm::end, Scale::mixed>};
-constinit const Measure measure::trivial_maximum{"trivial_maximum", "",
-                                                 trivial<Norm::maximum, Scale::absolute>};
-constinit const Measure measure::trivial_maximum_relative{"trivial_maximum_relative", "",
-                                                          trivial<Norm::maximum, Scale::relative>};
-constinit const Measure measure::trivial_maximum_mixed{"trivial_maximum_mixed", "",
-                                                       trivial<Norm::maximum, Scale::mixed>};
-constinit const Measure measure::error_relative{"error_relative", "", relative};
-constinit const Measure measure::rounding{"rounding", "", rounding_at_end};
-constinit const Measure measure::rounding_from{"rounding_from", "t", rounding_dominates_from};
-constinit const Measure measure::mescd{"mescd", "digits", digits};
-constinit const Measure measure::reference_bound{"reference_bound", "", bound<Norm::end>};
-constinit const Measure measure::reference_bound_maximum{"reference_bound_maximum", "", bound<Norm::maximum>};
+std::span<const Measure> error_measures() {
+  static constexpr auto all = rows_of_kinds(std::make_index_sequence<error_kinds.size()>{});
+  return all;
+}
 
-}  // namespace fde
+constinit const Measure measure::error_relative{
+    .id = "error_relative", .value = relative, .error = ErrorKind{Norm::end, Scale::relative}};
+constinit const Measure measure::rounding{.id = "rounding", .value = rounding_at_end};
+constinit const Measure measure::rounding_from{
+    .id = "rounding_from", .unit = "t", .value = rounding_dominates_from};
+constinit const Measure measure::mescd{
+    .id = "mescd", .unit = "digits", .value = digits, .may_be_negative = true};
+constinit const Measure measure::reference_bound{.id = "reference_bound", .value = bound<Norm::end>};
+constinit const Measure measure::reference_bound_maximum{.id = "reference_bound_maximum",
+                                                         .value = bound<Norm::maximum>};
+
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/judge.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/measures/accuracy.hpp"
 #include "fdebench/reference/nonlinear/march/singularity.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The reference at the times of a path, or the reason why there is none.
@@ -21,19 +22,19 @@ struct ReferenceAtTimes {
 ReferenceAtTimes reference_at_times(const Trajectory& path, MemoizedReference& reference) {
   try {
     return {reference.at(path.times), reference.bounds(path.times)};
-  } catch (const Singularity& failure) {
-    return {.missing = RunOutcome{Ending::passed_singularity, failure.what()}};
+  } catch (const reference::Singularity& failure) {
+    return {.missing = RunOutcome{Verdict::passed_singularity, failure.what()}};
   } catch (const std::runtime_error& failure) {
-    return {.missing = RunOutcome{Ending::no_reference, failure.what()}};
+    return {.missing = RunOutcome{Verdict::no_reference, failure.what()}};
   }
 }
 
 // A run that stopped at the boundary of the domain is right, unless the solution stays inside.
 Assessment judge_stopped(const Scene& scene, const Trajectory& path, MemoizedReference& reference) {
-  RunOutcome ending = ending_of(scene.problem, path);
-  if (ending.kind == Ending::singular && !reference_at_times(path, reference).missing)
-    ending.kind = Ending::false_singularity;
-  return {std::move(ending), path.reached};
+  RunOutcome ending = outcome_of(scene.problem, path);
+  if (ending.kind == SolveStatus::left_domain && !reference_at_times(path, reference).missing)
+    ending.kind = Verdict::false_singularity;
+  return {std::move(ending), path.last_time};
 }
 
 // The judgement of a finished run, without measures.
@@ -45,7 +46,7 @@ Assessment judge_finished(const Trajectory& path, const Rows& values, const Refe
   if (!lost) return {{}, end};
   const bool overflows = lost == first_infinite_reference(known.reference);
   const double t = path.time(*lost);
-  return {{overflows ? Ending::overflow : Ending::accuracy_lost, at_time(observed.grid, t)}, t};
+  return {{overflows ? Verdict::overflow : Verdict::accuracy_lost, at_time(observed.grid, t)}, t};
 }
 
 void take_measures(const FinishedRun& run, Assessment& judgement) {
@@ -53,7 +54,7 @@ void take_measures(const FinishedRun& run, Assessment& judgement) {
     const auto value = measure->value(run);
     if (!value) continue;
     if (!std::isfinite(*value)) {
-      judgement = {{Ending::non_finite, fmt::format("in {}", measure->id)}, run.path.times.back()};
+      judgement = {{SolveStatus::non_finite, fmt::format("in {}", measure->id)}, run.path.times.back()};
       return;
     }
     judgement.measured.push_back({measure->id, measure->unit, *value});
@@ -78,7 +79,7 @@ Assessment judge(const Scene& scene, const Trajectory& path, MemoizedReference& 
 
 Assessment judge(const Scene& scene, const Trajectory& path, const Rows& columns,
                  MemoizedReference& reference, const RunObservations& observed) {
-  if (path.ending != Ending::finished) return judge_stopped(scene, path, reference);
+  if (path.status != SolveStatus::finished) return judge_stopped(scene, path, reference);
   return judge_values(path, columns, reference, observed);
 }
 
@@ -87,4 +88,4 @@ Assessment judge_columns(const std::vector<double>& times, const Rows& columns, 
   return judge_values({.times = times, .y = columns}, columns, reference, observed);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

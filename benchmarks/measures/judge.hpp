@@ -1,18 +1,19 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
-#include "fdebench/benchmarks/measures/ending.hpp"
 #include "fdebench/benchmarks/measures/measures.hpp"
+#include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The assessment of a run: how and when it ended, and every measure that applies.
 struct Assessment {
   RunOutcome ending{};
-  double until = 0.0;  // time at which it stopped or lost its accuracy; otherwise the end
+  double end_time = 0.0;  // time at which it stopped or lost its accuracy; otherwise the end
   std::vector<MeasuredValue> measured{};
 };
 
@@ -31,4 +32,4 @@ Assessment judge(const Scene& scene, const Trajectory& path, const Rows& columns
 Assessment judge_columns(const std::vector<double>& times, const Rows& columns, MemoizedReference& reference,
                          const RunObservations& observed = {});
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/measures.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "fdebench/benchmarks/measures/errors.hpp"
 #include "fdebench/benchmarks/measures/time_spread.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 double minimum(const std::vector<double>& seconds) { return std::ranges::min(seconds); }
@@ -25,11 +27,14 @@ constexpr std::array all_of_time{
 }  // namespace
 
 std::span<const Measure* const> measures() {
-  static constexpr std::array all{
-#define FDE_MEASURE(id) &measure::id,
+  static const std::vector<const Measure*> all = [] {
+    std::vector<const Measure*> rows;
+    for (const Measure& of_kind : error_measures()) rows.push_back(&of_kind);
+#define FDE_MEASURE(id) rows.push_back(&measure::id);
 #include "fdebench/benchmarks/measures/list.def"
 #undef FDE_MEASURE
-  };
+    return rows;
+  }();
   return all;
 }
 
@@ -41,4 +46,4 @@ double mescd(const Rows& values, const Rows& reference) {
   return -std::log10(std::max(relative, 1e-17));
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -5,11 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "fdebench/benchmarks/measures/error_kind.hpp"
 #include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Data about a run that its trajectory does not contain. Everything is optional; for a trajectory of another
 // program everything is absent.
@@ -35,8 +37,11 @@ struct FinishedRun {
 // A number computed from a run; nullopt if it does not apply. To add a measure, define its row in one file
 // and add one line to list.def.
 struct Measure {
-  std::string_view id, unit;
+  std::string_view id, unit{};
   std::optional<double> (*value)(const FinishedRun&);
+  bool may_be_negative = false;  // a size, a time or a count is not
+  // Of an error: its norm and scale, by which `compare` bounds its uncertainty.
+  std::optional<ErrorKind> error{};
 };
 
 namespace measure {
@@ -47,7 +52,7 @@ namespace measure {
 
 }  // namespace measure
 
-// All measures, in the order of list.def.
+// The errors of all kinds and their baselines, then those of list.def in its order.
 std::span<const Measure* const> measures();
 
 // Measures of the times of repeated solves, in seconds.
@@ -67,4 +72,4 @@ struct MeasuredValue {
 // test set (Bari) and FDE-Testset (Brugnano et al. 2025). At most 17, also if the two are equal.
 double mescd(const Rows& values, const Rows& reference);
 
-}  // namespace fde
+}  // namespace fde::bench

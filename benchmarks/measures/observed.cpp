@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/measures.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Value = std::optional<double>;
@@ -24,19 +25,25 @@ Value growth(const FinishedRun& run) {
 
 }  // namespace
 
-constinit const Measure measure::energy_residual{"energy_residual", "",
-                                                 observed<&RunObservations::energy_residual>};
-constinit const Measure measure::drift_internal{"drift_internal", "",
-                                                largest<&RunObservations::internal_drift>};
-constinit const Measure measure::drift_internal_growth{"drift_internal_growth", "",
-                                                       growth<&RunObservations::internal_drift>};
-constinit const Measure measure::drift_independent{"drift_independent", "",
-                                                   largest<&RunObservations::independent_drift>};
-constinit const Measure measure::drift_independent_growth{"drift_independent_growth", "",
-                                                          growth<&RunObservations::independent_drift>};
-constinit const Measure measure::expected_rate_end{"expected_rate_end", "",
-                                                   observed<&RunObservations::expected_rate_end>};
-constinit const Measure measure::expected_rate_maximum{"expected_rate_maximum", "",
-                                                       observed<&RunObservations::expected_rate_maximum>};
+constinit const Measure measure::energy_residual{.id = "energy_residual",
+                                                 .value = observed<&RunObservations::energy_residual>};
+constinit const Measure measure::drift_internal{.id = "drift_internal",
+                                                .value = largest<&RunObservations::internal_drift>};
+constinit const Measure measure::drift_internal_growth{.id = "drift_internal_growth",
+                                                       .value = growth<&RunObservations::internal_drift>,
+                                                       .may_be_negative = true};
+constinit const Measure measure::drift_independent{.id = "drift_independent",
+                                                   .value = largest<&RunObservations::independent_drift>};
+constinit const Measure measure::drift_independent_growth{
+    .id = "drift_independent_growth",
+    .value = growth<&RunObservations::independent_drift>,
+    .may_be_negative = true};
+constinit const Measure measure::expected_rate_end{.id = "expected_rate_end",
+                                                   .value = observed<&RunObservations::expected_rate_end>,
+                                                   .may_be_negative = true};
+constinit const Measure measure::expected_rate_maximum{
+    .id = "expected_rate_maximum",
+    .value = observed<&RunObservations::expected_rate_maximum>,
+    .may_be_negative = true};
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,19 +1,21 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/rounding.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // A constant matrix of derivatives does not depend on the unit; the argument of a Jacobian does.
-template <class Told>
-Derivatives derivatives_in_units_of(double /*unit*/, const Told& linear) {
+template <class Jacobian>
+Derivatives derivatives_in_units_of(double /*unit*/, const Jacobian& linear) {
   return linear;
 }
-Derivatives derivatives_in_units_of(double unit, const DenseJacobian& told) {
-  return DenseJacobian{[unit, told](double t, In u, OutMatrix jacobian) { told.at(t, unit * u, jacobian); }};
+Derivatives derivatives_in_units_of(double unit, const DenseJacobian& given) {
+  return DenseJacobian{
+      [unit, given](double t, In u, OutMatrix jacobian) { given.at(t, unit * u, jacobian); }};
 }
-Derivatives derivatives_in_units_of(double unit, const SparseJacobian& told) {
+Derivatives derivatives_in_units_of(double unit, const SparseJacobian& given) {
   return SparseJacobian{
-      [unit, told](double t, In u, SparseMatrix& jacobian) { told.at(t, unit * u, jacobian); }};
+      [unit, given](double t, In u, SparseMatrix& jacobian) { given.at(t, unit * u, jacobian); }};
 }
 
 Equation equation_in_units_of(double unit, Equation equation) {
@@ -33,8 +35,8 @@ Problem rescaled_problem(double unit, const Problem& problem) {
     rhs(t, unit * u, f);
     f /= unit;
   };
-  other.derivatives =
-      std::visit([&](const auto& told) { return derivatives_in_units_of(unit, told); }, problem.derivatives);
+  other.derivatives = std::visit([&](const auto& given) { return derivatives_in_units_of(unit, given); },
+                                 problem.derivatives);
   for (auto& equation : other.equations) equation = equation_in_units_of(unit, equation);
   if (problem.conditions) {
     other.conditions = [unit, conditions = problem.conditions](In start, In end, Out residual) {
@@ -49,4 +51,4 @@ Problem rescaled_problem(double unit, const Problem& problem) {
   return other;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

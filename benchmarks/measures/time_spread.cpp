@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/time_spread.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace fde {
+namespace fde::bench {
 
 MedianInterval spread_of(std::vector<double> seconds) {
   constexpr double half_width = 0.98;  // 1.96 standard deviations of a binomial number, each sqrt(n) / 2
@@ -18,4 +19,4 @@ MedianInterval spread_of(std::vector<double> seconds) {
   return {median, at(std::floor(last / 2 - ranks)), at(std::ceil(last / 2 + ranks))};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

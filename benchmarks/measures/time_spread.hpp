@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 
 // The median of the times of a solve, and its 95 % confidence interval.
 struct MedianInterval {
@@ -13,4 +14,4 @@ struct MedianInterval {
 // minimum to the maximum. Precondition: at least one time.
 MedianInterval spread_of(std::vector<double> seconds);
 
-}  // namespace fde
+}  // namespace fde::bench

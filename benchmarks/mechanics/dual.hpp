@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -5,7 +6,7 @@
 #include <compare>
 #include <concepts>
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // A number with its derivatives in `count` directions: forward automatic differentiation. With a Dual as
 // Scalar it has second derivatives. A plain type: nested expressions of Eigen's AutoDiffScalar take several
@@ -31,7 +32,7 @@ class Dual {
   void set_derivative(int direction, const Scalar& value) { derivatives_[at(direction)] = value; }
 
   // f(x) by the chain rule, for a function with value f and derivative `slope` at x.
-  [[nodiscard]] Dual mapped(const Scalar& value, const Scalar& slope) const {
+  [[nodiscard]] Dual chain_rule(const Scalar& value, const Scalar& slope) const {
     Dual result;
     result.value_ = value;
     for (std::size_t i = 0; i < count; ++i) result.derivatives_[i] = derivatives_[i] * slope;
@@ -113,7 +114,7 @@ class Dual {
   template <class Other>
   requires constant<Other>
   friend Dual operator/(const Other& c, const Dual& x) {
-    return x.mapped(c / x.value_, -c / (x.value_ * x.value_));
+    return x.chain_rule(c / x.value_, -c / (x.value_ * x.value_));
   }
 
   template <class Other>
@@ -138,11 +139,11 @@ class Dual {
 
   friend Dual sin(const Dual& x) {
     using std::cos, std::sin;
-    return x.mapped(sin(x.value_), cos(x.value_));
+    return x.chain_rule(sin(x.value_), cos(x.value_));
   }
   friend Dual cos(const Dual& x) {
     using std::cos, std::sin;
-    return x.mapped(cos(x.value_), -sin(x.value_));
+    return x.chain_rule(cos(x.value_), -sin(x.value_));
   }
 
  private:
@@ -152,4 +153,4 @@ class Dual {
   std::array<Scalar, directions> derivatives_;
 };
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

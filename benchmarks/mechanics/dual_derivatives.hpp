@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/benchmarks/mechanics/dual_matrix.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // x as a variable: its derivative is 1 in the given direction and 0 in the others.
 template <int directions, class Scalar>
@@ -12,32 +13,34 @@ Dual<Scalar, directions> variable(const Scalar& x, int direction = 0) {
   return result;
 }
 
-// A vector of dual numbers, of the size of the vector type Of.
-template <int directions, class Of>
-using DualVector = Vector<Dual<typename Of::Scalar, directions>, Of::RowsAtCompileTime>;
+// A vector of dual numbers, of the size of the vector type VectorType.
+template <int directions, class VectorType>
+using DualVector = Vector<Dual<typename VectorType::Scalar, directions>, VectorType::RowsAtCompileTime>;
 
 // x as constants: all derivatives are 0.
-template <int directions, class Of>
-DualVector<directions, Of> constants(const Of& x) {
-  DualVector<directions, Of> result;
-  for (int i = 0; i < Of::RowsAtCompileTime; ++i) result[i] = Dual<typename Of::Scalar, directions>(x[i]);
+template <int directions, class VectorType>
+DualVector<directions, VectorType> constants(const VectorType& x) {
+  DualVector<directions, VectorType> result;
+  for (int i = 0; i < VectorType::RowsAtCompileTime; ++i)
+    result[i] = Dual<typename VectorType::Scalar, directions>(x[i]);
   return result;
 }
 
 // x as variables: d x_i = 1 in direction first + i.
-template <int directions, class Of>
-DualVector<directions, Of> variables(const Of& x, int first = 0) {
-  DualVector<directions, Of> result;
-  for (int i = 0; i < Of::RowsAtCompileTime; ++i) result[i] = variable<directions>(x[i], first + i);
+template <int directions, class VectorType>
+DualVector<directions, VectorType> variables(const VectorType& x, int first = 0) {
+  DualVector<directions, VectorType> result;
+  for (int i = 0; i < VectorType::RowsAtCompileTime; ++i) result[i] = variable<directions>(x[i], first + i);
   return result;
 }
 
 // x with the derivative `velocity` in the given direction, so that functions of it carry their rate of change
 // along the velocity.
-template <int directions, class Of>
-DualVector<directions, Of> moving(const Of& x, const Of& velocity, int direction = 0) {
+template <int directions, class VectorType>
+DualVector<directions, VectorType> with_velocity(const VectorType& x, const VectorType& velocity,
+                                                 int direction = 0) {
   auto result = constants<directions>(x);
-  for (int i = 0; i < Of::RowsAtCompileTime; ++i) result[i].set_derivative(direction, velocity[i]);
+  for (int i = 0; i < VectorType::RowsAtCompileTime; ++i) result[i].set_derivative(direction, velocity[i]);
   return result;
 }
 
@@ -67,4 +70,4 @@ Vector<S, n> converted_to(const Eigen::Matrix<double, n, 1>& x) {
   return result;
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +9,7 @@
 
 #include "fdebench/benchmarks/mechanics/dual.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 template <class Entry, int rows, int columns>
 class DualMatrix;
@@ -158,4 +159,4 @@ class Diagonal {
   Vector<S, n> entries_;
 };
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

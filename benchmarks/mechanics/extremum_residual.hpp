@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/benchmarks/mechanics/reaction.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // The state and acceleration of a motion at one time.
 template <int n>
@@ -23,9 +24,9 @@ Vector<double, System::coordinates> extremum_residual(const System& system,
   static_assert(!HasMemory<System>, "constraints of whole order");
   constexpr int n = System::coordinates, r = System::constraints;
   using Rate = Dual<double, 1>;
-  const Vector<Rate, n> velocity = moving<1>(at.v, at.acceleration);
-  const auto along =
-      linearize_constraints<Rate>(system, variable<1>(at.t), moving<1>(at.q, at.v), velocity, velocity);
+  const Vector<Rate, n> velocity = with_velocity<1>(at.v, at.acceleration);
+  const auto along = linearize_constraints<Rate>(system, variable<1>(at.t), with_velocity<1>(at.q, at.v),
+                                                 velocity, velocity);
 
   using Slope = Dual<double, n>;
   const Vector<Slope, n> fixed = constants<n>(at.v);
@@ -34,7 +35,7 @@ Vector<double, System::coordinates> extremum_residual(const System& system,
   Vector<double, n> force = Vector<double, n>::Zero();
   for (int i = 0; i < r; ++i) {
     force += mu[i] * derivatives<n>(f[i]);
-    for (int j = 0; j < n; ++j) force[j] -= mu[i] * along.reaction(i, j).derivative(0);
+    for (int j = 0; j < n; ++j) force[j] -= mu[i] * along.velocity_jacobian(i, j).derivative(0);
   }
   const auto rates = linearize_constraints<double>(system, at.t, at.q, at.v, at.v);
   const Reaction<double, System> reaction(system, at.q, rates);
@@ -44,4 +45,4 @@ Vector<double, System::coordinates> extremum_residual(const System& system,
   return residual;
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
 #include <cstddef>
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // A block of `size` consecutive rows of a state, starting at row `first`.
-struct Group {
+struct RowBlock {
   int first = 0, size = 0;
 
   [[nodiscard]] constexpr bool contains(int row) const { return first <= row && row < first + size; }
@@ -18,42 +19,42 @@ struct Group {
 
 // The blocks of rows of a formulation's state; absent blocks are empty.
 struct Layout {
-  Group q{};       // coordinates
-  Group v{};       // velocities
-  Group z{};       // P v, the part of v not determined by the constraints
-  Group chi{};     // b.v, the part that they determine for order > 1
-  Group s{};       // D^order v
-  Group w{};       // D^order q; for order > 1 in the integrated formulation, P D^order q
-  Group p{};       // momenta
-  Group lambda{};  // multipliers
+  RowBlock q{};       // coordinates
+  RowBlock v{};       // velocities
+  RowBlock z{};       // P v, the part of v not determined by the constraints
+  RowBlock chi{};     // b.v, the part that they determine for order > 1
+  RowBlock s{};       // D^order v
+  RowBlock w{};       // D^order q; for order > 1 in the integrated formulation, P D^order q
+  RowBlock p{};       // momenta
+  RowBlock lambda{};  // multipliers
 
   [[nodiscard]] constexpr int size() const {
     int sum = 0;
-    for (const Group& group : groups()) sum += group.size;
+    for (const RowBlock& group : groups()) sum += group.size;
     return sum;
   }
-  // Whether every row is in exactly one group.
+  // Whether every row is in exactly one block.
   [[nodiscard]] constexpr bool is_partition() const {
     for (int row = 0; row < size(); ++row) {
       int found = 0;
-      for (const Group& group : groups()) found += group.contains(row) ? 1 : 0;
+      for (const RowBlock& group : groups()) found += group.contains(row) ? 1 : 0;
       if (found != 1) return false;
     }
     return true;
   }
 
  private:
-  [[nodiscard]] constexpr std::array<Group, 8> groups() const { return {q, v, z, chi, s, w, p, lambda}; }
+  [[nodiscard]] constexpr std::array<RowBlock, 8> groups() const { return {q, v, z, chi, s, w, p, lambda}; }
 };
 
-// The rows of a group.
-template <Group group, class Unknowns>
+// The rows of a block.
+template <RowBlock group, class Unknowns>
 auto part(const Unknowns& y) {
   return y.template segment<group.size>(group.first);
 }
-template <Group group, class Unknowns>
+template <RowBlock group, class Unknowns>
 auto part(Unknowns& y) {
   return y.template segment<group.size>(group.first);
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

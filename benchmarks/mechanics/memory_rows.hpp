@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // Which equations define w = D^alpha q.
 enum class MemoryRows {
@@ -9,4 +10,4 @@ enum class MemoryRows {
   above_one,  // D^(alpha-1) v = w, D^(2-alpha) w = v'
 };
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/mechanics/layout.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // Coordinates and velocities at t = 0.
 template <int n>
@@ -29,7 +30,7 @@ inline double zero_if_rounding(double sum, double size) {
 
 // The concatenation of vectors.
 template <class S, class... Parts>
-auto joined(const Parts&... parts) {
+auto stacked(const Parts&... parts) {
   Vector<S, (int{Parts::RowsAtCompileTime} + ...)> result;
   int next = 0;
   const auto append = [&](const auto& part) {
@@ -55,4 +56,4 @@ std::vector<Component> rows(const Groups&... groups) {
   return components;
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

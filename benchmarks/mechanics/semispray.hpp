@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -6,7 +7,7 @@
 
 // Niminet & Blanuta 2009 with T = 1/2 g_ij y^i y^j, without the factor 1/2 of their (2.6) and (2.8). Here y =
 // x', systems are autonomous, forces do not depend on the velocity, and constraints are a_sigma(x) y = 0.
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // Christoffel symbols of the metric, symbols[i](j, k) = Gamma^i_jk(x):
 //   1/2 g^il (dg_lj/dx^k + dg_lk/dx^j - dg_jk/dx^l); 0 without a metric.
@@ -25,7 +26,7 @@ std::array<Table<S, System::coordinates, System::coordinates>, System::coordinat
         for (int l = 0; l < n; ++l) {
           first_kind[l] = 0.5 * (g(l, j).derivative(k) + g(l, k).derivative(j) - g(j, k).derivative(l));
         }
-        const Vector<S, n> second_kind = raised<S>(system, x, first_kind);
+        const Vector<S, n> second_kind = raise_index<S>(system, x, first_kind);
         for (int i = 0; i < n; ++i) symbols.at(static_cast<std::size_t>(i))(j, k) = second_kind[i];
       }
     }
@@ -81,8 +82,8 @@ Vector<S, System::coordinates> semispray(const System& system, const Multipliers
   Vector<S, n> force = applied_force<S>(system, S(0.0), x, y);
   const auto rates = linearize_constraints<S>(system, S(0.0), x, y, y);
   const Vector<S, System::constraints> lambda = multipliers.template of<S>(system, x, y);
-  force += rates.reaction.transpose() * lambda;
-  Vector<S, n> coefficients = -raised<S>(system, x, force);
+  force += rates.velocity_jacobian.transpose() * lambda;
+  Vector<S, n> coefficients = -raise_index<S>(system, x, force);
   const auto symbols = christoffel_symbols<S>(system, x);
   for (int i = 0; i < n; ++i) {
     const Vector<S, n> connected = symbols.at(static_cast<std::size_t>(i)) * y;
@@ -104,4 +105,4 @@ Table<double, System::coordinates, System::coordinates> semispray_connection(
   return connection;
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <type_traits>
 
 #include "fdebench/benchmarks/mechanics/dual_derivatives.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // A mechanical system is a type with
 //   static constexpr int coordinates, constraints;
@@ -57,7 +58,7 @@ Vector<S, System::constraints> constraint_value(const System& system, const S& t
 
 // G(q)^-1 x.
 template <class S, class System, class Columns>
-auto raised(const System& system, const Vector<S, System::coordinates>& q, const Columns& x) {
+auto raise_index(const System& system, const Vector<S, System::coordinates>& q, const Columns& x) {
   using Result = Table<S, System::coordinates, Columns::ColsAtCompileTime>;
   if constexpr (HasMetric<System>) {
     return Result(system.template metric<S>(q).inverse() * x);
@@ -107,7 +108,7 @@ Vector<S, System::coordinates> free_acceleration(const System& system, const S& 
                                                  const Vector<S, System::coordinates>& v) {
   Vector<S, System::coordinates> force = applied_force<S>(system, t, q, v);
   if constexpr (HasMetric<System>) force -= christoffel_terms<S>(system, q, v);
-  return raised<S>(system, q, force);
+  return raise_index<S>(system, q, force);
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

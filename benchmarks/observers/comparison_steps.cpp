@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 double smallest_order(const Problem& problem) {
@@ -34,14 +35,14 @@ void add_times_towards(double start, double end, double least, std::vector<doubl
 
 std::vector<int> comparison_steps(int steps, int most) {
   constexpr int first = 16;
-  std::vector<int> watched(static_cast<std::size_t>(std::min(steps, most)) + 1);
-  std::iota(watched.begin(), watched.end(), 0);
-  if (steps <= most) return watched;
-  for (auto& n : watched) n = static_cast<int>(std::int64_t{n} * steps / most);
-  for (int n = 0; n <= first; ++n) watched.push_back(n);
-  std::ranges::sort(watched);
-  watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
-  return watched;
+  std::vector<int> compared(static_cast<std::size_t>(std::min(steps, most)) + 1);
+  std::iota(compared.begin(), compared.end(), 0);
+  if (steps <= most) return compared;
+  for (auto& n : compared) n = static_cast<int>(std::int64_t{n} * steps / most);
+  for (int n = 0; n <= first; ++n) compared.push_back(n);
+  std::ranges::sort(compared);
+  compared.erase(std::unique(compared.begin(), compared.end()), compared.end());
+  return compared;
 }
 
 std::vector<double> comparison_times(const Grid& grid, int most) {
@@ -55,7 +56,7 @@ std::vector<double> comparison_times(const Problem& problem, int evenly) {
   auto times = comparison_times(Grid{.end = problem.end, .steps = evenly});
   const double order = smallest_order(problem), least = std::max(shortest, std::pow(rounding, 1.0 / order));
   add_times_towards(0.0, problem.end, least * problem.end, times);
-  for (const double jump : problem.jumps) {
+  for (const double jump : problem.jump_times) {
     if (jump < problem.end) add_times_towards(jump, problem.end, least_after_jump(order) * jump, times);
   }
   std::ranges::sort(times);
@@ -63,4 +64,4 @@ std::vector<double> comparison_times(const Problem& problem, int evenly) {
   return times;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -5,7 +6,7 @@
 #include "fdebench/schemes/problem/grid.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The steps at which a run of this many steps is compared with the reference: all if there are at most
 // `most`, otherwise the first 16 and `most` evenly spaced ones.
@@ -22,4 +23,4 @@ std::vector<double> comparison_times(const Grid& grid, int most = max_comparison
 constexpr int evenly_spaced_comparisons = 2048;
 std::vector<double> comparison_times(const Problem& problem, int evenly = evenly_spaced_comparisons);
 
-}  // namespace fde
+}  // namespace fde::bench

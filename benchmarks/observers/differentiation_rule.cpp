@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/differentiation_rule.hpp"
 
 #include <algorithm>
@@ -10,12 +11,12 @@
 #include "fdebench/benchmarks/observers/least_squares.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int most_steps = 5;
-constexpr int first_steps =
-    16;  // later, a polynomial of degree 4 has a relative error of 1e-6 in the derivative of t^p
+// After these steps a polynomial of degree 4 has a relative error of 1e-6 in the derivative of t^p.
+constexpr int first_steps = 16;
 
 std::vector<int> steps_around(const Grid& grid, int n) {
   const int count = std::min(most_steps, grid.steps + 1);
@@ -55,8 +56,8 @@ std::vector<double> basis_of(std::vector<double> powers, std::size_t count) {
 Vec start_weights(const std::vector<double>& times, double t, const std::vector<double>& powers) {
   const auto size = std::ssize(times);
   const auto basis = basis_of(powers, times.size());
-  LongMatrix values(size, size);
-  LongVec rates(size);
+  reference::LongMatrix values(size, size);
+  reference::LongVec rates(size);
   for (Eigen::Index p = 0; p < size; ++p) {
     const auto power = static_cast<long double>(basis[static_cast<std::size_t>(p)]);
     for (Eigen::Index k = 0; k < size; ++k)
@@ -113,10 +114,10 @@ DifferentiationRule differentiation_rule(const Grid& grid, int n, const std::vec
   DifferentiationRule rate{steps_around(grid, n), {}};
   std::vector<double> times;
   for (const int step : rate.steps) times.push_back(grid.time(step));
-  const bool smooth = std::ranges::all_of(powers, whole) || n > first_steps;
+  const bool smooth = std::ranges::all_of(powers, is_integer_order) || n > first_steps;
   rate.weights =
       smooth ? polynomial_weights(times, grid.time(n)) : start_weights(times, grid.time(n), powers);
   return rate;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -6,7 +7,7 @@
 #include "fdebench/schemes/problem/grid.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The derivative at a step of a grid from the values at steps around it: d/dt = sum_k weights[k]
 // value(steps[k]).
@@ -30,4 +31,4 @@ std::vector<double> derivative_times(double t, double end);
 // errors of the values. At the end all times are before t.
 Vec derivative_at(double t, double end, const std::function<Vec(double)>& values);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/drift.hpp"
 
 #include <cmath>
@@ -5,7 +6,7 @@
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/observers/independent_memory.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int most_looked_at = 256;
@@ -29,12 +30,12 @@ std::optional<double> DriftGrowth::growth() const {
 
 DriftObserver::DriftObserver(const Scene& scene, const std::optional<Grid>& grid)
     : scene_(scene), internal_(scene.problem.end) {
-  if (scene.memories.empty() || !grid || !grid->uniform() ||
+  if (scene.memory_columns.empty() || !grid || !grid->uniform() ||
       grid->steps < IndependentMemoryRule::fewest_steps)
     return;
   grid_ = grid;
   evaluated_steps_ = comparison_steps(grid->steps, most_looked_at);
-  velocities_.resize(grid->steps + 1, std::ssize(scene.memories));
+  velocities_.resize(grid->steps + 1, std::ssize(scene.memory_columns));
 }
 
 void DriftObserver::observe(double t, In columns) {
@@ -42,8 +43,8 @@ void DriftObserver::observe(double t, In columns) {
   if (grid_ && t != grid_->time(step_count_)) grid_.reset();  // the step sizes are not those of the grid
   if (!grid_) return;
   const int n = step_count_++;
-  for (std::size_t m = 0; m < scene_.memories.size(); ++m)
-    velocities_(n, static_cast<Eigen::Index>(m)) = columns[scene_.memories[m].velocity];
+  for (std::size_t m = 0; m < scene_.memory_columns.size(); ++m)
+    velocities_(n, static_cast<Eigen::Index>(m)) = columns[scene_.memory_columns[m].velocity];
   if (columns_.size() < evaluated_steps_.size() && n == evaluated_steps_[columns_.size()])
     columns_.emplace_back(columns);
 }
@@ -53,8 +54,8 @@ Drift DriftObserver::internal() const { return drift_of(internal_); }
 std::optional<Drift> DriftObserver::independent() const {
   if (!grid_ || step_count_ <= grid_->steps) return std::nullopt;
   auto columns = columns_;
-  for (std::size_t m = 0; m < scene_.memories.size(); ++m) {
-    const auto& [derivative, velocity, order, powers] = scene_.memories[m];
+  for (std::size_t m = 0; m < scene_.memory_columns.size(); ++m) {
+    const auto& [derivative, velocity, order, powers] = scene_.memory_columns[m];
     const IndependentMemoryRule memory(*grid_, order, powers);
     const Vec velocities = velocities_.col(static_cast<Eigen::Index>(m));
     for (std::size_t c = 1; c < columns.size(); ++c)
@@ -68,4 +69,4 @@ std::optional<Drift> DriftObserver::independent() const {
   return drift_of(course);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/problem/grid.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The drift of a run from its constraints as a function of time.
 class DriftGrowth {
@@ -51,8 +52,8 @@ class DriftObserver {
   [[nodiscard]] Drift internal() const;
 
   // Call it after the last step. It evaluates the first 16 steps and 256 evenly spaced ones, except t = 0.
-  // nullopt if the scene has no memories, the steps are not those of the grid, the grid is not uniform, or
-  // there are too few steps.
+  // nullopt if the scene has no memory columns, the steps are not those of the grid, the grid is not uniform,
+  // or there are too few steps.
   [[nodiscard]] std::optional<Drift> independent() const;
 
  private:
@@ -62,7 +63,7 @@ class DriftObserver {
   int step_count_ = 0;
   std::vector<int> evaluated_steps_{};
   std::vector<Vec> columns_{};  // columns at these steps
-  Matrix velocities_{};         // one row a step, one column a memory
+  Matrix velocities_{};         // one row a step, one column a memory column
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/energy_balance.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace fde {
+namespace fde::bench {
 
 namespace {
 
@@ -35,12 +36,12 @@ double integral(double from, double to, const Function& f) {
 }  // namespace
 
 EnergyObserver::Point EnergyObserver::point_at(double t, In columns) const {
-  const auto size = std::ssize(energy_.rated);
+  const auto size = std::ssize(energy_.differentiated_columns);
   Point point{t, energy_.value(columns), energy_.power(t, columns), Vec(size), Vec(size)};
   if (size == 0) return point;
-  energy_.shares(t, columns, point.shares);
+  energy_.rate_coefficients(t, columns, point.rate_coefficients);
   for (Eigen::Index k = 0; k < size; ++k)
-    point.rated[k] = columns[energy_.rated[static_cast<std::size_t>(k)]];
+    point.differentiated_columns[k] = columns[energy_.differentiated_columns[static_cast<std::size_t>(k)]];
   return point;
 }
 
@@ -59,9 +60,9 @@ void EnergyObserver::observe(double t, In columns) {
   const Parabola power = parabola([](const Point& at) { return at.power; });
   const auto add = [&](const Point& from, const Point& to) {
     work_.add(0, unit * integral(place(from), place(to), [&](double at) { return power.value(at); }));
-    for (Eigen::Index k = 0; k < from.rated.size(); ++k) {
-      const Parabola share = parabola([k](const Point& at) { return at.shares[k]; });
-      const Parabola rated = parabola([k](const Point& at) { return at.rated[k]; });
+    for (Eigen::Index k = 0; k < from.differentiated_columns.size(); ++k) {
+      const Parabola share = parabola([k](const Point& at) { return at.rate_coefficients[k]; });
+      const Parabola rated = parabola([k](const Point& at) { return at.differentiated_columns[k]; });
       work_.add(
           0, integral(place(from), place(to), [&](double at) { return share.value(at) * rated.rate(at); }));
     }
@@ -81,4 +82,4 @@ std::optional<double> EnergyObserver::residual() const {
   return largest_;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

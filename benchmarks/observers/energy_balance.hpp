@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -6,13 +7,13 @@
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/history/running_sum.hpp"
 
-namespace fde {
+namespace fde::bench {
 
-// max_n |E(t_n) - E(0) - int_0^(t_n) power dt - sum_k int_0^(t_n) shares_k dx_k|, with x_k the columns
-// `rated` of the Energy, accumulated step by step without storing the path. The integrals are those of the
-// parabola through the last three steps, of third order, which is higher than the rate of any scheme here. If
-// the shares are affine in x the second integral is exact at any step size, also at the singular start of a
-// reaction.
+// max_n |E(t_n) - E(0) - int_0^(t_n) power dt - sum_k int_0^(t_n) c_k dx_k|, with x_k the columns
+// `differentiated_columns` of the Energy and c_k its `rate_coefficients`, accumulated step by step without
+// storing the path. The integrals are those of the parabola through the last three steps, of third order,
+// which is higher than the rate of any scheme here. If the c_k are affine in x, the second integral is exact
+// at any step size, also at the singular start of a reaction.
 class EnergyObserver {
  public:
   // `energy` must outlive this object.
@@ -27,7 +28,7 @@ class EnergyObserver {
  private:
   struct Point {
     double t = 0.0, energy = 0.0, power = 0.0;
-    Vec shares{}, rated{};
+    Vec rate_coefficients{}, differentiated_columns{};
   };
   [[nodiscard]] Point point_at(double t, In columns) const;
   void compare(const Point& at);
@@ -39,4 +40,4 @@ class EnergyObserver {
   RunningSums work_{1};
 };
 
-}  // namespace fde
+}  // namespace fde::bench

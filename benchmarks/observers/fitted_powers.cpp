@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/fitted_powers.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include "fdebench/benchmarks/observers/least_squares.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 FittedExponents::FittedExponents(std::vector<double> powers) : powers_(std::move(powers)) {
   std::ranges::sort(powers_);
@@ -14,15 +15,16 @@ FittedExponents::FittedExponents(std::vector<double> powers) : powers_(std::move
   if (powers_.size() > most) powers_.resize(most);
   const auto count = static_cast<Eigen::Index>(powers_.size());
   if (count == 0) return;
-  LongMatrix values(2 * count, count);  // columns scaled to largest entry 1
-  LongVec largest(count);
+  reference::LongMatrix values(2 * count, count);  // columns scaled to largest entry 1
+  reference::LongVec largest(count);
   for (Eigen::Index p = 0; p < count; ++p) {
     const auto power = static_cast<long double>(powers_[static_cast<std::size_t>(p)]);
     largest[p] = std::pow(static_cast<long double>(2 * count), power);
     for (Eigen::Index l = 0; l < 2 * count; ++l)
       values(l, p) = std::pow(static_cast<long double>(l + 1), power) / largest[p];
   }
-  const LongMatrix inverse = least_squares(values, LongMatrix::Identity(2 * count, 2 * count));
+  const reference::LongMatrix inverse =
+      least_squares(values, reference::LongMatrix::Identity(2 * count, 2 * count));
   inverse_ = (inverse.array().colwise() / largest.array()).cast<double>();
 }
 
@@ -30,4 +32,4 @@ Vec FittedExponents::coefficients(const Vec& values) const {
   return inverse_ * (values.segment(1, inverse_.cols()).array() - values[0]).matrix();
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Fits the start of values on a uniform grid, value(0) + sum_p c_p t^p, to the first few of them by least
 // squares, with twice as many values as powers so that errors of the values are not amplified. Time is in
@@ -27,4 +28,4 @@ class FittedExponents {
   Matrix inverse_{};  // (power, step - 1)
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/independent_memory.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 #include "fdebench/reference/nonlinear/quadrature/gauss.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int nodes_a_step = 10;  // full double precision one step away from the singularity
@@ -29,7 +30,7 @@ const Eigen::Matrix4d& cubics() {
 }
 
 // (r, k): the r-th cubic, or its derivative, at the k-th node.
-Matrix cubics_at(const LongVec& nodes, bool derivative) {
+Matrix cubics_at(const reference::LongVec& nodes, bool derivative) {
   Matrix powers(4, nodes.size());
   for (Eigen::Index k = 0; k < nodes.size(); ++k) {
     const auto x = static_cast<double>(nodes[k]);
@@ -43,7 +44,7 @@ Matrix cubics_at(const LongVec& nodes, bool derivative) {
 }
 
 // Extrapolates the cubic through the next four values by one step backwards.
-double beyond(double one, double two, double three, double four) {
+double extrapolate_cubic(double one, double two, double three, double four) {
   return 4.0 * (one + three) - 6.0 * two - four;
 }
 
@@ -78,7 +79,7 @@ IndependentMemoryRule::IndependentMemoryRule(const Grid& grid, double order,
 
 void IndependentMemoryRule::make_rule() {
   const int steps = grid_.steps;
-  const auto legendre = gauss_jacobi(nodes_a_step, 0);
+  const auto legendre = reference::gauss_jacobi(nodes_a_step, 0);
   kernel_.resize(nodes_a_step, steps);
   for (int lag = 1; lag <= steps; ++lag) {
     for (int k = 0; k < nodes_a_step; ++k) {
@@ -87,7 +88,7 @@ void IndependentMemoryRule::make_rule() {
     }
   }
   weights_ = cubics_at(legendre.nodes, of_derivative_) * kernel_;
-  const auto jacobi = gauss_jacobi(nodes_a_step, exponent_);
+  const auto jacobi = reference::gauss_jacobi(nodes_a_step, exponent_);
   weights_.col(0) = cubics_at(jacobi.nodes, of_derivative_) * jacobi.weights.cast<double>();
 
   // The value with index l = n - lag is node r - 1 of the step that begins lag + r - 1 steps back.
@@ -105,33 +106,35 @@ void IndependentMemoryRule::make_rule() {
 Vec IndependentMemoryRule::power_at_steps(double power, int count) const {
   Vec v(count + 3);
   for (int l = 0; l <= count + 1; ++l) v[l + 1] = std::pow(l, power);
-  v[0] = beyond(v[1], v[2], v[3], v[4]);
-  if (count == grid_.steps) v[count + 2] = beyond(v[count + 1], v[count], v[count - 1], v[count - 2]);
+  v[0] = extrapolate_cubic(v[1], v[2], v[3], v[4]);
+  if (count == grid_.steps)
+    v[count + 2] = extrapolate_cubic(v[count + 1], v[count], v[count - 1], v[count - 2]);
   return v;
 }
 
 void IndependentMemoryRule::make_starts() {
   const int count = std::min(grid_.steps, corrected_steps);
-  const auto legendre = gauss_jacobi(nodes_a_step, 0), jacobi = gauss_jacobi(nodes_a_step, exponent_);
+  const auto legendre = reference::gauss_jacobi(nodes_a_step, 0),
+             jacobi = reference::gauss_jacobi(nodes_a_step, exponent_);
   const Matrix at_legendre = cubics_at(legendre.nodes, of_derivative_).transpose();
   const Matrix at_jacobi = cubics_at(jacobi.nodes, of_derivative_).transpose();
-  const auto less_cubic = [&](double power, int step, const LongVec& nodes, Vec cubic) -> Vec {
+  const auto less_cubic = [&](double power, int step, const reference::LongVec& nodes, Vec cubic) -> Vec {
     for (Eigen::Index k = 0; k < nodes.size(); ++k)
       cubic[k] = of_power(step + static_cast<double>(nodes[k]), power, of_derivative_) - cubic[k];
     return cubic;
   };
   for (std::size_t p = 0; p < fit_.powers().size(); ++p) {
     const double power = fit_.powers()[p];
-    if (whole(power) && power < 3.5) continue;  // the cubics are exact
+    if (is_integer_order(power) && power < 3.5) continue;  // the cubics are exact
     const Vec v = power_at_steps(power, count);
-    Start start{power, static_cast<Eigen::Index>(p), v.head<4>(), Matrix(nodes_a_step, count - 1),
-                Vec(count - 1)};
+    PowerCorrection start{power, static_cast<Eigen::Index>(p), v.head<4>(), Matrix(nodes_a_step, count - 1),
+                          Vec(count - 1)};
     for (int j = 1; j < count; ++j) {
       start.far.col(j - 1) = less_cubic(power, j, legendre.nodes, at_legendre * v.segment<4>(j));
       start.near[j - 1] =
           jacobi.weights.cast<double>().dot(less_cubic(power, j, jacobi.nodes, at_jacobi * v.segment<4>(j)));
     }
-    const auto first = gauss_jacobi(nodes_a_step, of_derivative_ ? power - 1.0 : power);
+    const auto first = reference::gauss_jacobi(nodes_a_step, of_derivative_ ? power - 1.0 : power);
     start.first_nodes = (1 - first.nodes.array()).cast<double>();
     start.first_weights = first.weights.cast<double>() * (of_derivative_ ? power : 1.0);
     starts_.push_back(std::move(start));
@@ -139,7 +142,7 @@ void IndependentMemoryRule::make_starts() {
 }
 
 // int_0^(t_n) (t_n - s)^(b-1) (s^p - its cubics) ds, in units of the step size.
-double IndependentMemoryRule::start_error(const Start& start, int n) const {
+double IndependentMemoryRule::start_error(const PowerCorrection& start, int n) const {
   double exact = 0.0;
   if (n == 1) {
     exact = of_derivative_ ? start.power * boost::math::beta(start.power, exponent_ + 1.0)
@@ -158,9 +161,10 @@ double IndependentMemoryRule::at(int n, const Vec& velocities) const {
   const Vec& v = velocities;
   const int steps = grid_.steps;
   double sum = reversed_.segment(steps - n + 2, n - 1).dot(v.segment(2, n - 1));
-  sum += next_weight_ * (n < steps ? v[n + 1] : beyond(v[steps], v[steps - 1], v[steps - 2], v[steps - 3]));
+  sum += next_weight_ *
+         (n < steps ? v[n + 1] : extrapolate_cubic(v[steps], v[steps - 1], v[steps - 2], v[steps - 3]));
   for (int l = -1; l <= 1; ++l) {  // values that belong to no step before 0
-    const double value = l < 0 ? beyond(v[0], v[1], v[2], v[3]) : v[l];
+    const double value = l < 0 ? extrapolate_cubic(v[0], v[1], v[2], v[3]) : v[l];
     for (int r = 0; r <= l + 1; ++r) {
       const int back = n - l + r - 1;
       if (back >= 1) sum += weights_(r, back - 1) * value;
@@ -171,4 +175,4 @@ double IndependentMemoryRule::at(int n, const Vec& velocities) const {
   return scale_ * sum;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

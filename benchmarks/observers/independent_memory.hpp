@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -6,7 +7,7 @@
 #include "fdebench/schemes/problem/grid.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // D^order q from the values of v = q' on a uniform grid, independent of any scheme: product integration of
 // order 4 (5 - order above order 1). For a scheme with at least that rate, the result shows the error of this
@@ -29,7 +30,7 @@ class IndependentMemoryRule {
 
  private:
   // The correction for a term t^power, in units of the step size.
-  struct Start {
+  struct PowerCorrection {
     double power;
     Eigen::Index row;        // row of its coefficient
     Eigen::Vector4d values;  // at the nodes of the cubic of the first step
@@ -40,19 +41,19 @@ class IndependentMemoryRule {
   void make_rule();
   void make_starts();
   [[nodiscard]] Vec power_at_steps(double power, int count) const;
-  [[nodiscard]] double start_error(const Start& start, int n) const;
+  [[nodiscard]] double start_error(const PowerCorrection& start, int n) const;
 
   Grid grid_;
   double exponent_;     // b - 1, exponent of the kernel
   bool of_derivative_;  // order above 1
   double scale_;        // h^b / Gamma(b), over h for the derivative
   FittedExponents fit_;
-  Matrix
-      kernel_;  // (k, lag - 1): kernel times Gauss weight at the k-th Gauss node of the step `lag` steps back
+  // (k, lag - 1): kernel times Gauss weight at the k-th Gauss node of the step `lag` steps back.
+  Matrix kernel_;
   Matrix weights_;        // (r, lag - 1): weight of the value r - 1 steps after the start of that step
   Vec reversed_;          // total weight of each value, lag 0 last
   double next_weight_{};  // weight of the value after the last
-  std::vector<Start> starts_{};
+  std::vector<PowerCorrection> starts_{};
 };
 
-}  // namespace fde
+}  // namespace fde::bench

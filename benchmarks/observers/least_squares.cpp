@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/least_squares.hpp"
 
 #include <Eigen/QR>
 
-namespace fde {
+namespace fde::bench {
 
-LongMatrix least_squares(const LongMatrix& a, const LongMatrix& b) {
-  const Eigen::ColPivHouseholderQR<LongMatrix> orthogonal(a);
-  LongMatrix x(a.cols(), b.cols());
-  for (Eigen::Index j = 0; j < b.cols(); ++j) x.col(j) = orthogonal.solve(LongVec(b.col(j)));
+reference::LongMatrix least_squares(const reference::LongMatrix& a, const reference::LongMatrix& b) {
+  const Eigen::ColPivHouseholderQR<reference::LongMatrix> orthogonal(a);
+  reference::LongMatrix x(a.cols(), b.cols());
+  for (Eigen::Index j = 0; j < b.cols(); ++j) x.col(j) = orthogonal.solve(reference::LongVec(b.col(j)));
   return x;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

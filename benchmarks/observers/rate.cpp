@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/rate.hpp"
 
 #include <gsl/gsl_fit.h>
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -32,4 +33,4 @@ Fit fit_rate(std::span<const ErrorSample> points) {
           .points = x.size()};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

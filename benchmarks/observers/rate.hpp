@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
 #include <span>
 
-namespace fde {
+namespace fde::bench {
 
 struct ErrorSample {
   double h, error;
@@ -20,4 +21,4 @@ struct Fit {
 // With fewer than three such points there is no fit: points = 0.
 Fit fit_rate(std::span<const ErrorSample> points);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/problem/grid.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The given times of a run up to `end`, and the times beside them that are needed to compute the reactions
 // there, increasing. `grid` is nullopt for an adaptive step size.
@@ -36,4 +37,4 @@ class ReactionPath {
   const Trajectory& path_;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

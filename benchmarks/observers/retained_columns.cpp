@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/retained_columns.hpp"
 
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 
 RetainedColumns::RetainedColumns(const Outputs& outputs, std::vector<double> times, double unit)
     : outputs_(outputs), requested_(std::move(times)), unit_(unit) {}
 
 void RetainedColumns::observe(double t, In y) {
-  if (!requested_.empty() && !asked_for(t)) return;
+  if (!requested_.empty() && !is_requested(t)) return;
   const Vec columns = columns_at(outputs_, t, unit_ * y);
   const auto count = std::ssize(times_);
   if (count == columns_.cols()) columns_.conservativeResize(columns.size(), 2 * count + 16);
@@ -16,7 +17,7 @@ void RetainedColumns::observe(double t, In y) {
   times_.push_back(t);
 }
 
-bool RetainedColumns::asked_for(double t) {
+bool RetainedColumns::is_requested(double t) {
   constexpr double rounding = 1e-12;
   while (next_ < requested_.size() && requested_[next_] < t * (1 - rounding)) ++next_;
   return next_ < requested_.size() && requested_[next_] <= t * (1 + rounding);
@@ -24,8 +25,8 @@ bool RetainedColumns::asked_for(double t) {
 
 void RetainedColumns::state(Archive& archive) {
   archive.count(next_, 0, requested_.size());
-  archive.grown(times_);
+  archive.resizable(times_);
   archive.first_columns(columns_, std::ssize(times_));
 }
 
-}  // namespace fde
+}  // namespace fde::bench

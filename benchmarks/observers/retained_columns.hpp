@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -5,7 +6,7 @@
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/problem/archive.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The columns of a run at some of its times, collected during the solve, so that the states, up to a million,
 // need not be stored. The requested times increase and are times of steps up to rounding; an empty list means
@@ -26,7 +27,7 @@ class RetainedColumns {
   [[nodiscard]] Rows columns() const { return columns_.leftCols(std::ssize(times_)); }
 
  private:
-  [[nodiscard]] bool asked_for(double t);
+  [[nodiscard]] bool is_requested(double t);
 
   const Outputs& outputs_;
   std::vector<double> requested_, times_;
@@ -35,4 +36,4 @@ class RetainedColumns {
   Rows columns_;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/external_trajectory.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::size_t most_values = 10'000'000;
@@ -51,7 +52,7 @@ ColumnIndices column_indices_of(const std::vector<std::string>& names, const Sce
   ColumnIndices places;
   for (auto name = names.begin(); name != names.end(); ++name) {
     if (std::find(names.begin(), name, *name) != name)
-      throw std::invalid_argument(fmt::format("column {} stands there twice", *name));
+      throw std::invalid_argument(fmt::format("column {} occurs twice", *name));
     const auto found = std::ranges::find(printed, *name);
     if (found == printed.end()) throw_unknown_id("column", *name, {printed.begin(), printed.begin() + own});
     const auto place = found - printed.begin();
@@ -150,7 +151,7 @@ ExternalTrajectory read_lines(LineReader& line, const Scene& scene) {
 }
 
 // All rows, or as many as are compared for a run.
-ExternalTrajectory watched(const ExternalTrajectory& path) {
+ExternalTrajectory thinned(const ExternalTrajectory& path) {
   ExternalTrajectory some{.columns = path.columns};
   const auto rows = comparison_steps(static_cast<int>(path.times.size()) - 1);
   for (const int row : rows) some.times.push_back(path.times[static_cast<std::size_t>(row)]);
@@ -162,7 +163,7 @@ ExternalTrajectory watched(const ExternalTrajectory& path) {
 Assessment judge_values(const Scene& scene, const ExternalTrajectory& path, MemoizedReference& reference) {
   for (Eigen::Index c = 0; c < path.values.cols(); ++c) {
     const double t = path.times[static_cast<std::size_t>(c)];
-    if (!path.values.col(c).allFinite()) return {{Ending::non_finite, at_time(std::nullopt, t)}, t};
+    if (!path.values.col(c).allFinite()) return {{SolveStatus::non_finite, at_time(std::nullopt, t)}, t};
   }
   if (std::ssize(path.columns) < std::ssize(scene.outputs.names)) {
     MemoizedReference some(scene, path.columns);
@@ -192,7 +193,7 @@ ExternalTrajectory read_trajectory(const std::filesystem::path& file, const Scen
 Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path) {
   MemoizedReference reference(scene);
   const bool is_finite = path.values.allFinite();
-  return judge_trajectory(scene, is_finite ? watched(path) : path, reference);
+  return judge_trajectory(scene, is_finite ? thinned(path) : path, reference);
 }
 
 Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path,
@@ -207,4 +208,4 @@ Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path,
   return judgement;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

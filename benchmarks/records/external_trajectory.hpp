@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A trajectory written by another program.
 struct ExternalTrajectory {
@@ -37,4 +38,4 @@ Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path);
 // The same at all of its times, with a reference for all columns of the scene.
 Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path, MemoizedReference& reference);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/lines.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::invalid_argument cannot_be_read(const std::string& file, const std::string& reason) {
@@ -68,4 +69,4 @@ void LineReader::go_to(std::uint64_t bytes) {
   begin_ = end_ = bytes;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

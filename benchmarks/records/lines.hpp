@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -6,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 
 // Maximum length of a line in a results file or a trajectory.
 inline constexpr std::size_t most_line_bytes = std::size_t{1} << 20;
@@ -50,4 +51,4 @@ class LineReader {
 // A file without access is reported when it is opened.
 void require_file(const std::filesystem::path& file);
 
-}  // namespace fde
+}  // namespace fde::bench

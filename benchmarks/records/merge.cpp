@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/merge.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 #include "fdebench/benchmarks/references/atomic_file.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,18 +27,18 @@ struct ByteRange {
 };
 
 // The line of a session and all ranges with its rows.
-struct Found {
+struct SessionRanges {
   std::string line;
   std::vector<ByteRange> places{};
 };
 
-void find_sessions(const fs::path& file, const Scenes& known, std::vector<Found>& all) {
+void find_sessions(const fs::path& file, const SceneRegistry& known, std::vector<SessionRanges>& all) {
   ByteRange* place = nullptr;
   scan_results(file,
                {.session =
                     [&](const Session& session, std::uint64_t rows_begin) {
                       const std::string line = line_of(session);
-                      auto found = std::ranges::find(all, line, &Found::line);
+                      auto found = std::ranges::find(all, line, &SessionRanges::line);
                       if (found == all.end()) found = all.insert(all.end(), {.line = line});
                       place = &found->places.emplace_back(ByteRange{file, rows_begin, rows_begin});
                     },
@@ -70,11 +71,12 @@ void copy_rows(const ByteRange& place, bool is_alone, std::set<std::string>& wri
 
 }  // namespace
 
-MergeCounts merge_results(const std::vector<fs::path>& files, const fs::path& out, const Scenes& known) {
+MergeCounts merge_results(const std::vector<fs::path>& files, const fs::path& out,
+                          const SceneRegistry& known) {
   if (fs::exists(fs::symlink_status(out)))
     throw std::invalid_argument(fmt::format("{}: exists, it must be a new file", out.string()));
   AtomicFile file(out);
-  std::vector<Found> sessions;
+  std::vector<SessionRanges> sessions;
   for (const auto& from : files) find_sessions(from, known, sessions);
   MergeCounts merged{.sessions = sessions.size()};
   for (const auto& [line, places] : sessions) {
@@ -86,4 +88,4 @@ MergeCounts merge_results(const std::vector<fs::path>& files, const fs::path& ou
   return merged;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -6,7 +7,7 @@
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The counts of a merge.
 struct MergeCounts {
@@ -18,6 +19,6 @@ struct MergeCounts {
 // std::invalid_argument if `out` exists or a file is not a results file, as scan_results says, and
 // std::system_error if `out` cannot be written; `out` is then not created.
 MergeCounts merge_results(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out,
-                          const Scenes& known = scenes());
+                          const SceneRegistry& known = built_in_scenes());
 
-}  // namespace fde
+}  // namespace fde::bench

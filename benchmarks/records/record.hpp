@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <compare>
@@ -6,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/benchmarks/measures/ending.hpp"
+#include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/scenes/scene_settings.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Identifies a run of one build, or a trajectory of another program. In the latter case `scheme` is the name
 // of the program, and of the setup only the number of times is known; if a sweep started the program, also
@@ -58,4 +59,4 @@ bool same_build(const Session& a, const Session& b);
 // Whether the row is a time of a run, measured after its examination.
 bool is_time(const Record& row);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/record_text.hpp"
 
 #include <fmt/format.h>
@@ -8,18 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Session, date, machine, system, compiler, flags, commit, version, cores)
-
-void to_json(nlohmann::json& json, const Tolerance& tolerance) {
-  json = {{"relative", tolerance.relative}, {"absolute", tolerance.absolute}};
-}
-
-void from_json(const nlohmann::json& json, Tolerance& tolerance) {
-  json.at("relative").get_to(tolerance.relative);
-  json.at("absolute").get_to(tolerance.absolute);
-}
 
 namespace {
 
@@ -33,6 +25,14 @@ Json settings_of(const SceneSettings& scene) {
     std::visit([&, &of = name](const auto& value) { settings[of] = value; }, setting);
   if (scene.until) settings["until"] = *scene.until;
   return settings;
+}
+
+// Quantities and outcomes that version 0.2.0 named otherwise are read under their present names.
+std::string present_name(const std::string& name) {
+  constexpr std::string_view former_baseline = "trivial_";
+  if (name.starts_with(former_baseline))
+    return fmt::format("baseline_{}", name.substr(former_baseline.size()));
+  return name == "outran_growth" ? "step_too_large" : name;
 }
 
 SceneSettings scene_of(const Json& json) {
@@ -56,7 +56,8 @@ SceneSettings scene_of(const Json& json) {
 
 // Absent entries: accuracy of a run over a grid, an infinite budget.
 void add_setup(const RunSettings& setup, Json& json) {
-  if (const auto* accuracy = std::get_if<Tolerance>(&setup.resolution)) json["accuracy"] = *accuracy;
+  if (const auto* accuracy = std::get_if<Tolerance>(&setup.resolution))
+    json["accuracy"] = {{"relative", accuracy->rtol}, {"absolute", accuracy->atol}};
   json["grid"] = grid_text(setup.grading);
   json["history"] = name(setup.history);
   json["tolerance"] = setup.tolerance;
@@ -68,7 +69,10 @@ RunSettings setup_of(const Json& json, int steps) {
                     .grading = parse_grading(json.at("grid").get<std::string>()),
                     .history = parse_history(json.at("history").get<std::string>()),
                     .tolerance = json.at("tolerance")};
-  if (json.contains("accuracy")) setup.resolution = json["accuracy"].get<Tolerance>();
+  if (json.contains("accuracy")) {
+    setup.resolution =
+        Tolerance{.rtol = json["accuracy"].at("relative"), .atol = json["accuracy"].at("absolute")};
+  }
   if (json.contains("budget")) setup.budget = json["budget"];
   return setup;
 }
@@ -78,9 +82,9 @@ RunSettings external_setup_of(const Json& json, int steps) {
   return {.resolution = steps, .grading = parse_grading(json.value("grid", grid_text(1.0)))};
 }
 
-RunOutcome ending_of(const Json& json) {
-  const auto text = json.at("ending").get<std::string>();
-  const auto kind = ending_named(text);
+RunOutcome outcome_of(const Json& json) {
+  const auto text = present_name(json.at("ending").get<std::string>());
+  const auto kind = outcome_named(text);
   if (!kind) throw std::invalid_argument(fmt::format("ending {}: no such ending", text));
   return {*kind, json.value("detail", "")};
 }
@@ -111,11 +115,11 @@ Record row_of(const Json& json) {
                      .external = external},
              .steps = steps,
              .h = json.at("h"),
-             .quantity = json.at("quantity"),
+             .quantity = present_name(json.at("quantity")),
              .value = value_of(json),
              .unit = json.at("unit"),
              .wall_clock = json.value("wall_clock", false)};
-  if (json.contains("ending")) row.ending = ending_of(json);
+  if (json.contains("ending")) row.ending = outcome_of(json);
   return row;
 }
 
@@ -155,4 +159,4 @@ ResultsLine parse_line(const std::string& line) {
   return {.session = json["session"].get<Session>()};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

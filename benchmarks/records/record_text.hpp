@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -7,7 +8,7 @@
 
 #include "fdebench/benchmarks/records/record.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Lines of a results file, in JSON: a session, or a row of the preceding session. `last` marks the last row
 // of a measurement, which is written at once.
@@ -34,4 +35,4 @@ ResultsLine parse_line(const std::string& line);
 // The beginning of every session, and so of every file.
 inline constexpr std::string_view session_prefix = R"({"format":)";
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/record_validation.hpp"
 
 #include <fmt/format.h>
@@ -15,29 +16,24 @@
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-// Quantities and their units.
+// The quantities of records, with their units and allowed values.
 struct Quantity {
   std::string_view id, unit;
+  Range range = not_negative;
 };
 
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all = [] {
     std::vector<Quantity> found{{"ending", "t"}};
-    for (const auto* measure : measures()) found.push_back({measure->id, measure->unit});
+    for (const auto* measure : measures())
+      found.push_back({measure->id, measure->unit, measure->may_be_negative ? any_number : not_negative});
     for (const auto& measure : time_measures()) found.push_back({measure.id, "s"});
     return found;
   }();
   return all;
-}
-
-// Digits, rates and growths have a sign; all other quantities are sizes, times or counts.
-Range range_of(const Quantity& quantity) {
-  const bool has_sign = quantity.unit == "digits" || quantity.id.starts_with("expected_rate") ||
-                        quantity.id.ends_with("_growth");
-  return has_sign ? any_number : not_negative;
 }
 
 void require_in(std::string_view name, double value, const Range& allowed) {
@@ -50,7 +46,7 @@ void require_quantity(const Record& row) {
     throw std::invalid_argument(fmt::format("quantity {}: no such quantity", row.quantity));
   if (row.unit != found->unit)
     reject_text("unit", row.unit, fmt::format("\"{}\", that of {}", found->unit, row.quantity));
-  require_in(row.quantity, row.value, range_of(*found));
+  require_in(row.quantity, row.value, found->range);
   if (row.ending.has_value() != (row.quantity == "ending"))
     throw std::invalid_argument("ending: must be that of the quantity ending, and of no other");
 }
@@ -58,8 +54,8 @@ void require_quantity(const Record& row) {
 void require_setup(const Record& row) {
   const RunSettings& setup = row.key.setup;
   if (const auto* accuracy = std::get_if<Tolerance>(&setup.resolution)) {
-    require_in("accuracy", accuracy->relative, not_negative);
-    require_in("accuracy", accuracy->absolute, not_negative);
+    require_in("accuracy", accuracy->rtol, not_negative);
+    require_in("accuracy", accuracy->atol, not_negative);
   }
   require_in("h", row.h, not_negative);
   require_in("tolerance", setup.tolerance, {.low = 0.0, .high = 1.0});
@@ -69,7 +65,7 @@ void require_setup(const Record& row) {
 // A scene of an equation file, which need not be present: its name, the SHA-256 of its contents, and numbers.
 void require_file(const SceneSettings& scene) {
   constexpr std::size_t digits = 64, most = 4096;
-  if (scene.id.empty() || scene.id.size() > most || !prints(scene.id))
+  if (scene.id.empty() || scene.id.size() > most || !is_printable(scene.id))
     reject_text("scene", scene.id, fmt::format("1 to {} bytes of UTF-8 that print", most));
   if (scene.checksum.size() != digits ||
       scene.checksum.find_first_not_of("0123456789abcdef") != std::string::npos)
@@ -80,7 +76,7 @@ void require_file(const SceneSettings& scene) {
   }
 }
 
-void require_scene(const SceneSettings& scene, const Scenes& known) {
+void require_scene(const SceneSettings& scene, const SceneRegistry& known) {
   if (scene.checksum.empty()) {
     const auto& maker = entry_by_id(known, "scene", scene.id);
     [[maybe_unused]] const Parameters possible(maker.id, maker.parameters, scene.values);
@@ -94,7 +90,7 @@ void require_scene(const SceneSettings& scene, const Scenes& known) {
 
 void require_external_name(std::string_view name, std::string_view text) {
   constexpr std::size_t most = 100;
-  if (text.empty() || text.size() > most || !prints(text))
+  if (text.empty() || text.size() > most || !is_printable(text))
     reject_text(name, text, fmt::format("1 to {} bytes of UTF-8 that print", most));
   if (find_scheme(text) != nullptr) reject_text(name, text, "another name than those of our schemes");
 }
@@ -112,7 +108,7 @@ void RecordValidator::require(const Record& row) {
   require_setup(row);
   require_quantity(row);
   if (row.wall_clock && (!row.key.external || !is_time(row)))
-    throw std::invalid_argument("wall_clock: must stand in times of other programs only");
+    throw std::invalid_argument("wall_clock: is allowed in times of other programs only");
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -6,12 +7,12 @@
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Validates rows of results.
 class RecordValidator {
  public:
-  explicit RecordValidator(const Scenes& known) : known_(known) {}
+  explicit RecordValidator(const SceneRegistry& known) : known_(known) {}
 
   // Throws std::invalid_argument naming what is invalid and what is allowed: an unknown scene, setting,
   // scheme or quantity; a unit that is not the unit of the quantity; a value out of the range of the
@@ -20,7 +21,7 @@ class RecordValidator {
   void require(const Record& row);
 
  private:
-  const Scenes& known_;
+  const SceneRegistry& known_;
   std::optional<SceneSettings> last_{};  // last valid scene; rows of a scene are adjacent
 };
 
@@ -28,4 +29,4 @@ class RecordValidator {
 // of our schemes, empty, longer than 100 bytes, not UTF-8, or not printable.
 void require_external_name(std::string_view name, std::string_view text);
 
-}  // namespace fde
+}  // namespace fde::bench

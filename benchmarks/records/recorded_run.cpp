@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/recorded_run.hpp"
 
-namespace fde {
+namespace fde::bench {
 
-void RecordedRun::note(const Record& row) {
+void RecordedRun::add(const Record& row) {
   if (is_time(row)) {
     if (!ending_) return;
     timed_ = true;
@@ -27,4 +28,4 @@ std::optional<double> RecordedRun::operator[](std::string_view quantity) const {
   return found == values_.end() ? std::nullopt : std::optional(found->second);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
@@ -7,7 +8,7 @@
 
 #include "fdebench/benchmarks/records/record.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // What is recorded of a run; a run that did not finish has no times, and everything else is then
 // `everything`.
@@ -17,12 +18,12 @@ enum class RecordedAmount { nothing, all_but_times, everything };
 // sweep, is ignored; another examination replaces the earlier rows.
 class RecordedRun {
  public:
-  void note(const Record& row);
+  void add(const Record& row);
 
   [[nodiscard]] RecordedAmount amount() const;
 
   // How the run ended; nullopt: not examined.
-  [[nodiscard]] std::optional<Ending> ending() const { return ending_; }
+  [[nodiscard]] std::optional<OutcomeKind> ending() const { return ending_; }
 
   // Whether the times are those of whole processes.
   [[nodiscard]] bool wall_clock() const { return wall_clock_; }
@@ -31,9 +32,9 @@ class RecordedRun {
   [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;
 
  private:
-  std::optional<Ending> ending_{};
+  std::optional<OutcomeKind> ending_{};
   bool timed_ = false, wall_clock_ = false;
   std::map<std::string, double, std::less<>> values_{};  // by quantity
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/results_file.hpp"
 
 #include <fcntl.h>
@@ -18,11 +19,12 @@
 #include <tuple>
 #include <utility>
 
+#include "fdebench/benchmarks/measures/measures.hpp"
 #include "fdebench/benchmarks/records/lines.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
 #include "fdebench/benchmarks/records/results_scan.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 namespace {
 
@@ -42,12 +44,13 @@ bool try_lock_for(std::chrono::seconds wait, int descriptor) {
 }
 
 // The recorded runs of this build, and the offset of the end of the last complete write.
-struct Found {
+struct RecordedContents {
   RecordedByKey runs;
   std::uint64_t valid = 0;
 };
-Found recorded_in(const std::filesystem::path& file, const Session& build, const Scenes& known) {
-  Found found;
+RecordedContents recorded_in(const std::filesystem::path& file, const Session& build,
+                             const SceneRegistry& known) {
+  RecordedContents found;
   bool is_ours = false;
   found.valid =
       scan_results(file,
@@ -55,7 +58,7 @@ Found recorded_in(const std::filesystem::path& file, const Session& build, const
                     .rows =
                         [&](const std::vector<Record>& rows, auto) {
                           for (const Record& row : rows) {
-                            if (is_ours) found.runs[row.key].note(row);
+                            if (is_ours) found.runs[row.key].add(row);
                           }
                         }},
                    known);
@@ -71,10 +74,12 @@ bool same_build(const Session& a, const Session& b) {
   return facts(a) == facts(b);
 }
 
-bool is_time(const Record& row) { return row.quantity.starts_with("time_"); }
+bool is_time(const Record& row) {
+  return std::ranges::find(time_measures(), row.quantity, &TimeMeasure::id) != time_measures().end();
+}
 
 // Rows are counted first: growing the vector would need twice the memory.
-Results read_results(const std::filesystem::path& file, const Scenes& known) {
+Results read_results(const std::filesystem::path& file, const SceneRegistry& known) {
   std::size_t count = 0;
   for (LineReader line(file); line.next();) ++count;
   Results results;
@@ -92,11 +97,11 @@ RecordedRun recorded_of(const RecordedByKey& runs, const RunKey& run) {
   return found == runs.end() ? RecordedRun() : found->second;
 }
 
-RecordedByKey read_recorded(const std::filesystem::path& file, const Scenes& known) {
+RecordedByKey read_recorded(const std::filesystem::path& file, const SceneRegistry& known) {
   return std::filesystem::exists(file) ? recorded_in(file, this_session(), known).runs : RecordedByKey();
 }
 
-ResultsFile::ResultsFile(std::filesystem::path file, const Scenes& known, std::chrono::seconds wait)
+ResultsFile::ResultsFile(std::filesystem::path file, const SceneRegistry& known, std::chrono::seconds wait)
     : path_(std::move(file)) {
   require_file(path_);
   descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
@@ -121,7 +126,7 @@ void ResultsFile::append(const std::vector<Record>& rows) {
   for (const auto& row : rows) text += line_of(row, &row == &rows.back());
   write(text);
   session_written_ = true;
-  for (const Record& row : rows) recorded_[row.key].note(row);
+  for (const Record& row : rows) recorded_[row.key].add(row);
 }
 
 void ResultsFile::write(const std::string& text) {
@@ -145,4 +150,4 @@ void ResultsFile::write(const std::string& text) {
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <chrono>
@@ -9,17 +10,18 @@
 #include "fdebench/benchmarks/records/recorded_run.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The contents of a results file, as scan_results reads it.
-Results read_results(const std::filesystem::path& file, const Scenes& known = scenes());
+Results read_results(const std::filesystem::path& file, const SceneRegistry& known = built_in_scenes());
 
 // The recorded rows of each run by this build on this machine.
 using RecordedByKey = std::map<RunKey, RecordedRun>;
 RecordedRun recorded_of(const RecordedByKey& runs, const RunKey& run);
 
 // The runs in a results file; empty if there is no file. The file is not changed.
-RecordedByKey read_recorded(const std::filesystem::path& file, const Scenes& known = scenes());
+RecordedByKey read_recorded(const std::filesystem::path& file,
+                            const SceneRegistry& known = built_in_scenes());
 
 // A results file open for appending. The rows of an examination are appended in one write, and so are the
 // times of a run: a killed process leaves a valid file.
@@ -28,7 +30,7 @@ class ResultsFile {
   // Opens or creates the file with an exclusive lock, truncates incomplete last rows and starts a session.
   // Throws std::invalid_argument naming the file if it cannot be written, is not a results file, or is locked
   // by another run for longer than `wait`.
-  explicit ResultsFile(std::filesystem::path file, const Scenes& known = scenes(),
+  explicit ResultsFile(std::filesystem::path file, const SceneRegistry& known = built_in_scenes(),
                        std::chrono::seconds wait = {});
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
@@ -51,4 +53,4 @@ class ResultsFile {
   RecordedByKey recorded_;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/results_scan.hpp"
 
 #include <fmt/format.h>
@@ -11,15 +12,16 @@
 #include "fdebench/benchmarks/records/record_text.hpp"
 #include "fdebench/benchmarks/records/record_validation.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The state of a scan.
 class Scan {
  public:
-  Scan(const ScanCallbacks& hearing, const Scenes& known) : callbacks_(hearing), possible_(known) {}
+  Scan(const ScanCallbacks& callbacks, const SceneRegistry& known)
+      : callbacks_(callbacks), possible_(known) {}
 
-  void take(const std::string& text, std::uint64_t end) {
+  void add_line(const std::string& text, std::uint64_t end) {
     auto line = parse_line(text);
     if (line.session) {
       begin_session(*line.session, end);
@@ -70,14 +72,14 @@ std::invalid_argument at_line(const std::filesystem::path& file, int number, std
 
 }  // namespace
 
-std::uint64_t scan_results(const std::filesystem::path& file, const ScanCallbacks& hearing,
-                           const Scenes& known) {
+std::uint64_t scan_results(const std::filesystem::path& file, const ScanCallbacks& callbacks,
+                           const SceneRegistry& known) {
   LineReader line(file);
-  Scan scan(hearing, known);
+  Scan scan(callbacks, known);
   while (line.next()) {
     if (!line.has_end() && is_truncated_write(line.text(), scan)) break;
     try {
-      scan.take(line.text(), line.end());
+      scan.add_line(line.text(), line.end());
       if (!line.has_end()) throw std::invalid_argument("no line end");
     } catch (const UnsupportedFormat&) {
       throw at_line(file, line.number(), ": results of another version of fdebench, to be measured again");
@@ -90,4 +92,4 @@ std::uint64_t scan_results(const std::filesystem::path& file, const ScanCallback
   return scan.valid();
 }
 
-}  // namespace fde
+}  // namespace fde::bench

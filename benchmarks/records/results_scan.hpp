@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
@@ -8,12 +9,12 @@
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Callbacks of scan_results, called in file order.
 struct ScanCallbacks {
-  std::function<void(const Session&, std::uint64_t rows_begin)>
-      session;  // rows_begin: offset of its first row
+  // rows_begin: the offset of the first row of the session.
+  std::function<void(const Session&, std::uint64_t rows_begin)> session;
   std::function<void(std::vector<Record> rows, std::uint64_t rows_end)> rows;  // rows of one write
 };
 
@@ -22,7 +23,7 @@ struct ScanCallbacks {
 // sessions from 0. Throws std::invalid_argument naming the file, and the line if there is one, if the file
 // cannot be read, has rows of another format, has an invalid row (record validation), or is not a results
 // file. `known`: the allowed scenes.
-std::uint64_t scan_results(const std::filesystem::path& file, const ScanCallbacks& hearing,
-                           const Scenes& known = scenes());
+std::uint64_t scan_results(const std::filesystem::path& file, const ScanCallbacks& callbacks,
+                           const SceneRegistry& known = built_in_scenes());
 
-}  // namespace fde
+}  // namespace fde::bench

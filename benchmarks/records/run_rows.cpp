@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/run_rows.hpp"
 
 #include <string>
 
 #include "fdebench/benchmarks/measures/measures.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 Record with_value(Record row, const MeasuredValue& measured) {
@@ -19,7 +20,7 @@ Record with_value(Record row, const MeasuredValue& measured) {
 std::vector<Record> rows_of_examination(const Record& run, const Assessment& judgement) {
   std::vector<Record> rows;
   for (const auto& measured : judgement.measured) rows.push_back(with_value(run, measured));
-  rows.push_back(with_value(run, {"ending", "t", judgement.until}));
+  rows.push_back(with_value(run, {"ending", "t", judgement.end_time}));
   rows.back().ending = judgement.ending;
   return rows;
 }
@@ -31,4 +32,4 @@ std::vector<Record> rows_of_times(const Record& run, const std::vector<double>& 
   return rows;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/run_settings.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 
 #include "fdebench/benchmarks/text/number_text.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::string_view uniform = "uniform", graded = "graded:";
@@ -55,4 +56,4 @@ HistoryKind parse_history(std::string_view text) {
   throw std::invalid_argument(fmt::format("--history = {}: must be auto, direct or exponentials", text));
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,23 +1,16 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <compare>
 #include <limits>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <variant>
 
 #include "fdebench/schemes/problem/resolution.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
-
-inline auto operator<=>(const Tolerance& a, const Tolerance& b) {
-  return std::tie(a.relative, a.absolute) <=> std::tie(b.relative, b.absolute);
-}
-inline bool operator==(const Tolerance& a, const Tolerance& b) {
-  return a.relative == b.relative && a.absolute == b.absolute;
-}
+namespace fde::bench {
 
 using StepsOrTolerance = std::variant<int, Tolerance>;
 
@@ -50,4 +43,4 @@ std::string resolution_text(const RunSettings& setup);
 double parse_grading(std::string_view text);
 HistoryKind parse_history(std::string_view text);
 
-}  // namespace fde
+}  // namespace fde::bench

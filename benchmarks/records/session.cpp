@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
@@ -10,7 +11,7 @@
 #include "build_facts.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The name of the processor from /proc/cpuinfo, or the architecture.
@@ -39,4 +40,4 @@ Session this_session() {
           .cores = std::thread::hardware_concurrency()};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/reference_data/data_table.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 
 #include "fdebench/benchmarks/text/printable.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The cell that starts at `begin`; advances `begin` past the cell and its comma, beyond the line after the
@@ -55,7 +56,7 @@ std::vector<std::string_view> split_lines(std::string_view text) {
 void require_different(const std::vector<std::string>& columns) {
   for (auto column = columns.begin(); column != columns.end(); ++column) {
     if (!column->empty() && std::find(column + 1, columns.end(), *column) != columns.end())
-      throw std::invalid_argument(fmt::format("column {} stands there twice", *column));
+      throw std::invalid_argument(fmt::format("column {} occurs twice", *column));
   }
 }
 
@@ -119,4 +120,4 @@ DataTable parse_csv(const std::string& name, std::string_view text) {
   return table;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 
 // A malformed file. The message begins with the name of the file and names line and column where applicable.
 struct InvalidTable : std::invalid_argument {
@@ -39,4 +40,4 @@ std::string to_csv(const DataTable& table);
 // whose number of cells differs from the header's, two columns of one name, and an open quote.
 DataTable parse_csv(const std::string& name, std::string_view text);
 
-}  // namespace fde
+}  // namespace fde::bench

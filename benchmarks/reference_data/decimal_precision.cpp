@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/reference_data/decimal_precision.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::string_view decimal_digits = "0123456789";
@@ -45,4 +46,4 @@ std::optional<DecimalPrecision> decimal_precision(std::string_view text) {
   };
 }
 
-}  // namespace fde
+}  // namespace fde::bench

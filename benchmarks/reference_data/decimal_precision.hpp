@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
 #include <string_view>
 
-namespace fde {
+namespace fde::bench {
 
 // The precision of a decimal number as written. Places are powers of ten: 12.50 has four digits, first place
 // 1 and last place -2. Zero has no significant digit.
@@ -16,4 +17,4 @@ struct DecimalPrecision {
 // nullopt if the text is no decimal number like -12.50 or 1e-9, or its exponent exceeds a million.
 std::optional<DecimalPrecision> decimal_precision(std::string_view text);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/reference_data/description.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -153,4 +154,4 @@ std::vector<std::string> parse_index(const std::string& name, std::string_view t
   });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

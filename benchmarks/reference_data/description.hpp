@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 
 #include "fdebench/benchmarks/reference_data/table_kind.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The JSON that describes a table: schema, parameters, digits, bound, method, source, generator, rows,
 // checksum.
@@ -40,4 +41,4 @@ std::vector<std::string> parse_index(const std::string& name, std::string_view t
 // Schema id in the descriptions of a kind: "fdebench.mittag_leffler".
 std::string schema_id(const TableKind& kind);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/reference_data/reference_check.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,12 +71,12 @@ ParameterValues with_words(ParameterValues values, const SceneFactory& maker) {
 SceneVariant scene_of(const GivenTable& given, const fs::path& file) {
   const auto& name = given.description.scene.empty() ? file.stem().string() : given.description.scene;
   std::vector<std::string_view> ids;
-  for (const auto& maker : scenes()) {
+  for (const auto& maker : built_in_scenes()) {
     if (maker.id == name) return {.maker = &maker, .values = with_words(given.description.parameters, maker)};
     ids.push_back(maker.id);
   }
-  reject(given.table.name, fmt::format("scene {}: no such scene{}; there are {}", name, nearest(name, ids),
-                                       fmt::join(ids, ", ")));
+  reject(given.table.name, fmt::format("scene {}: no such scene{}; there are {}", name,
+                                       did_you_mean(name, ids), fmt::join(ids, ", ")));
 }
 
 void require_columns(const GivenTable& given) {
@@ -120,8 +121,10 @@ GivenTable read_table(const fs::path& file) {
   }
   given.checksum = sha256(text);
   verdict.described = described;
-  if (!described)
-    verdict.absent.emplace_back(given.kind->of_scenes() ? "description: default parameters" : "description");
+  if (!described) {
+    verdict.assumptions.emplace_back(given.kind->of_scenes() ? "description: default parameters"
+                                                             : "description");
+  }
   return given;
 }
 
@@ -173,7 +176,8 @@ void recompute(GivenTable& given, std::size_t every) {
     verdict.worst_line = row + 2;
     verdict.worst_row = cells_of(table, row);
   }
-  if (!table.find("bound")) verdict.absent.emplace_back("bound: half a unit of the last digit is allowed");
+  if (!table.find("bound"))
+    verdict.assumptions.emplace_back("bound: half a unit of the last digit is allowed");
 }
 
 // The files whose checksum differs from SHA256SUMS. Throws if a listed file cannot be read.
@@ -187,7 +191,7 @@ std::set<std::string> changed_files(const fs::path& folder, const Checksums& che
 
 }  // namespace
 
-FolderCheck check_folder(const fs::path& folder, std::size_t every, const TableProgress& tell) {
+FolderCheck check_folder(const fs::path& folder, std::size_t every, const TableProgress& progress) {
   const fs::path sums = folder / "SHA256SUMS", index = folder / "index.json";
   std::vector<GivenTable> given;
   for (const auto& file : tables_in(folder)) given.push_back(read_table(file));
@@ -202,16 +206,16 @@ FolderCheck check_folder(const fs::path& folder, std::size_t every, const TableP
   in_parallel(given.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
     recompute(given[i], every);
     const std::scoped_lock lock(mutex);
-    tell(++done, given.size(), given[i].table.name);
+    progress(++done, given.size(), given[i].table.name);
   });
   for (auto& table : given) {
     const auto& described = table.description.checksum;
     table.verdict.table = fs::path(table.table.name).lexically_relative(folder).generic_string();
     if (!described.empty() && described != table.checksum) verdict.changed.insert(table.verdict.table);
-    if (!summed && described.empty()) table.verdict.absent.emplace_back("checksum");
+    if (!summed && described.empty()) table.verdict.assumptions.emplace_back("checksum");
     verdict.tables.push_back(std::move(table.verdict));
   }
   return verdict;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

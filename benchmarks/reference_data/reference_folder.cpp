@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/reference_data/reference_folder.hpp"
 
 #include <fcntl.h>
@@ -18,7 +19,7 @@
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -112,14 +113,14 @@ std::vector<TableSpec> planned_tables(const std::vector<SceneVariant>& scenes) {
   return tables;
 }
 
-FolderFiles compute_files(const std::vector<TableSpec>& tables, const TableProgress& tell) {
+FolderFiles compute_files(const std::vector<TableSpec>& tables, const TableProgress& progress) {
   std::vector<ComputedTable> made(tables.size());
   std::mutex mutex;
   std::size_t done = 0;
   in_parallel(tables.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
     made[i] = tables[i].kind->make(tables[i].of);
     const std::scoped_lock lock(mutex);
-    tell(++done, tables.size(), tables[i].stem());
+    progress(++done, tables.size(), tables[i].stem());
   });
   FolderFiles files;
   std::vector<IndexEntry> index;
@@ -177,4 +178,4 @@ void replace_folder(const fs::path& folder, const FolderFiles& files) {
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

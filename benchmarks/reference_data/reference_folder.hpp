@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 #include "fdebench/benchmarks/reference_data/table_kind.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // One table of the reference data, before it is computed.
 struct TableSpec {
@@ -29,7 +30,7 @@ using TableProgress = std::function<void(std::size_t done, std::size_t total, co
 // File contents by file name: a .csv and a .json per table, index.json and SHA256SUMS. The same build gives
 // the same bytes with any number of threads.
 using FolderFiles = std::map<std::string, std::string>;
-FolderFiles compute_files(const std::vector<TableSpec>& tables, const TableProgress& tell);
+FolderFiles compute_files(const std::vector<TableSpec>& tables, const TableProgress& progress);
 
 // Throws std::invalid_argument naming the folder if it is not a folder, contains a file that is not among the
 // files of these tables, or cannot be created.
@@ -40,4 +41,4 @@ void require_replaceable(const std::filesystem::path& folder, const std::vector<
 // the message names its new path.
 void replace_folder(const std::filesystem::path& folder, const FolderFiles& files);
 
-}  // namespace fde
+}  // namespace fde::bench

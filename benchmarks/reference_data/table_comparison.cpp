@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/reference_data/table_comparison.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "fdebench/benchmarks/reference_data/decimal_precision.hpp"
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int max_digits = 1000;
@@ -26,16 +27,17 @@ DecimalPrecision number_at(const DataTable& table, std::size_t row, std::size_t 
                                  table.place(row, table.columns[column]), text, max_digits));
 }
 
-BigReal power_of_ten(int exponent) { return pow(BigReal(10), exponent); }
+reference::BigReal power_of_ten(int exponent) { return pow(reference::BigReal(10), exponent); }
 
-std::string shown(const BigReal& x) { return x == 0 ? "0" : to_text(x, "%.*Re", 2); }
+std::string shown(const reference::BigReal& x) { return x == 0 ? "0" : reference::to_text(x, "%.*Re", 2); }
 
 // Half a unit in the last place of the double nearest to x.
-BigReal rounding_to_double(const BigReal& x) {
+reference::BigReal rounding_to_double(const reference::BigReal& x) {
   constexpr int digits = std::numeric_limits<double>::digits;
   int exponent = std::numeric_limits<double>::min_exponent;
   if (x != 0) frexp(x, &exponent);
-  return ldexp(BigReal(1), std::max(exponent, std::numeric_limits<double>::min_exponent) - digits - 1);
+  return ldexp(reference::BigReal(1),
+               std::max(exponent, std::numeric_limits<double>::min_exponent) - digits - 1);
 }
 
 std::optional<double> double_of(std::string_view text) {
@@ -47,21 +49,22 @@ std::optional<double> double_of(std::string_view text) {
 
 // The value and its tolerance without a bound: half a unit of the last place, plus the rounding to double for
 // 16 or 17 digits.
-std::pair<BigReal, BigReal> meant_by(const std::string& text, const DecimalPrecision& written, int digits,
-                                     int last_place) {
+std::pair<reference::BigReal, reference::BigReal> meant_by(const std::string& text,
+                                                           const DecimalPrecision& written, int digits,
+                                                           int last_place) {
   const int place = written.digits == 0 ? last_place : std::max(written.first_place - digits + 1, last_place);
-  const BigReal value = parse<BigReal>(text), half = power_of_ten(place) / 2;
+  const reference::BigReal value = reference::parse<reference::BigReal>(text), half = power_of_ten(place) / 2;
   const auto number = double_of(text);
   if (!number || (digits != 16 && digits != 17)) return {value, half};
-  const BigReal of_double = rounding_to_double(value);
-  if (digits == 17 && half < of_double) return {BigReal(*number), of_double};
-  return {value, BigReal(std::max(half, of_double) + of_double)};
+  const reference::BigReal of_double = rounding_to_double(value);
+  if (digits == 17 && half < of_double) return {reference::BigReal(*number), of_double};
+  return {value, reference::BigReal(std::max(half, of_double) + of_double)};
 }
 
 }  // namespace
 
-struct TableComparison::Meant {
-  BigReal value, allowed;
+struct TableComparison::ToleratedValue {
+  reference::BigReal value, allowed;
 };
 
 TableComparison::TableComparison(const DataTable& given, const std::vector<std::string>& value_columns)
@@ -93,29 +96,33 @@ void TableComparison::read(Column& column) const {
   }
 }
 
-TableComparison::Meant TableComparison::meant(std::size_t row, const Column& column) const {
+TableComparison::ToleratedValue TableComparison::tolerated_value(std::size_t row,
+                                                                 const Column& column) const {
   const auto& text = given_.rows[row][column.at];
   if (bound_) {
     const auto& bound = given_.rows[row][*bound_];
-    const auto allowed = parse<BigReal>(bound);
+    const auto allowed = reference::parse<reference::BigReal>(bound);
     if (!std::isfinite(allowed.convert_to<double>()))
       throw std::runtime_error(fmt::format("a bound of {} says nothing of a value", bound));
-    return {parse<BigReal>(text), allowed};
+    return {reference::parse<reference::BigReal>(text), allowed};
   }
   const auto [value, allowed] =
       meant_by(text, number_at(given_, row, column.at), column.digits, column.last_place);
   return {value, allowed};
 }
 
-RowComparison TableComparison::operator()(std::size_t row, const std::vector<Decimal>& recomputed) const {
-  const Precision precision(digits_ + guard_digits);
+RowComparison TableComparison::operator()(std::size_t row,
+                                          const std::vector<reference::Decimal>& recomputed) const {
+  const reference::Precision precision(digits_ + guard_digits);
   RowComparison worst;
   for (const auto& column : columns_) {
     const auto& [value, bound] = recomputed[column.value];
-    const auto [given, own] = meant(row, column);
-    const BigReal error = abs(BigReal(given - parse<BigReal>(value))), allowed = own + parse<BigReal>(bound);
+    const auto [given, own] = tolerated_value(row, column);
+    const reference::BigReal error =
+                                 abs(reference::BigReal(given - reference::parse<reference::BigReal>(value))),
+                             allowed = own + reference::parse<reference::BigReal>(bound);
     // A ratio just above 1 must not round to 1 in double.
-    double ratio = error == 0 ? 0.0 : BigReal(error / allowed).convert_to<double>();
+    double ratio = error == 0 ? 0.0 : reference::BigReal(error / allowed).convert_to<double>();
     if (error > allowed) ratio = std::max(ratio, 1.0 + std::numeric_limits<double>::epsilon());
     if (worst.column.empty() || ratio > worst.ratio)
       worst = {given_.columns[column.at], shown(error), shown(allowed), ratio};
@@ -123,16 +130,17 @@ RowComparison TableComparison::operator()(std::size_t row, const std::vector<Dec
   return worst;
 }
 
-void TableComparison::require_accurate(std::size_t row, const std::vector<Decimal>& recomputed,
+void TableComparison::require_accurate(std::size_t row, const std::vector<reference::Decimal>& recomputed,
                                        int digits) const {
-  const Precision precision(digits_ + guard_digits);
-  BigReal size = 0;
-  for (const auto& [value, bound] : recomputed) size = std::max(size, BigReal(abs(parse<BigReal>(value))));
-  const BigReal small = size * power_of_ten(-digits);
+  const reference::Precision precision(digits_ + guard_digits);
+  reference::BigReal size = 0;
+  for (const auto& [value, bound] : recomputed)
+    size = std::max(size, reference::BigReal(abs(reference::parse<reference::BigReal>(value))));
+  const reference::BigReal small = size * power_of_ten(-digits);
   for (const auto& column : columns_) {
     const auto& [value, bound] = recomputed[column.value];
-    if (const auto known_to = parse<BigReal>(bound);
-        known_to > small && known_to > meant(row, column).allowed) {
+    if (const auto known_to = reference::parse<reference::BigReal>(bound);
+        known_to > small && known_to > tolerated_value(row, column).allowed) {
       throw std::runtime_error(
           fmt::format("no value to compare {} with: recomputed as {}, with a bound of {}",
                       given_.columns[column.at], value, bound));
@@ -140,4 +148,4 @@ void TableComparison::require_accurate(std::size_t row, const std::vector<Decima
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

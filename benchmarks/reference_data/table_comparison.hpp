@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/reference_data/data_table.hpp"
 #include "fdebench/reference/reference.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The comparison of one row with recomputed values: its column with the largest ratio of error to tolerance.
 struct RowComparison {
@@ -37,11 +38,12 @@ class TableComparison {
 
   // `recomputed`: one element per value column, in the order of the constructor's argument. Throws
   // std::runtime_error if the bound in the row overflows double.
-  [[nodiscard]] RowComparison operator()(std::size_t row, const std::vector<Decimal>& recomputed) const;
+  [[nodiscard]] RowComparison operator()(std::size_t row,
+                                         const std::vector<reference::Decimal>& recomputed) const;
 
   // Throws std::runtime_error if a recomputed value is too inaccurate for a comparison: its bound exceeds
   // both the tolerance of the given value and 10^-digits times the largest recomputed value.
-  void require_accurate(std::size_t row, const std::vector<Decimal>& recomputed, int digits) const;
+  void require_accurate(std::size_t row, const std::vector<reference::Decimal>& recomputed, int digits) const;
 
  private:
   struct Column {
@@ -49,9 +51,9 @@ class TableComparison {
     int digits = 0;         // largest number of any row
     int last_place;         // lowest of any row
   };
-  struct Meant;  // a value and its tolerance
+  struct ToleratedValue;  // a value and its tolerance
   void read(Column& column) const;
-  [[nodiscard]] Meant meant(std::size_t row, const Column& column) const;
+  [[nodiscard]] ToleratedValue tolerated_value(std::size_t row, const Column& column) const;
 
   const DataTable& given_;
   std::vector<Column> columns_;
@@ -59,4 +61,4 @@ class TableComparison {
   int digits_ = 0;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

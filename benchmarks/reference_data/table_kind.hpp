@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -10,12 +11,12 @@
 #include "fdebench/benchmarks/reference_data/table_comparison.hpp"
 #include "fdebench/benchmarks/sweep/sweep.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 enum class ColumnType { number, integer, text };
 
 struct TableColumn {
-  std::string name, meaning;
+  std::string name, description;
   std::string unit = "1";  // scenes and functions here are dimensionless
   ColumnType type = ColumnType::number;
   bool required = true;  // a table without this column is rejected
@@ -64,4 +65,4 @@ std::span<const TableKind> table_kinds();
 
 extern const TableKind mittag_leffler_table, trajectory_table, convergence_table;
 
-}  // namespace fde
+}  // namespace fde::bench

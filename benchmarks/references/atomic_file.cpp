@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/references/atomic_file.hpp"
 
 #include <fcntl.h>
@@ -13,7 +14,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,7 +53,7 @@ void remove_stale_temporaries(const fs::path& path) {
 }
 
 // The target if the path is a symbolic link to an existing file.
-fs::path followed(const fs::path& path) {
+fs::path resolve_symlink(const fs::path& path) {
   std::error_code missing;
   if (!fs::is_symlink(path, missing)) return path;
   const auto target = fs::canonical(path, missing);
@@ -72,12 +73,12 @@ fs::path unfinished_of(const fs::path& path) {
 }  // namespace
 
 AtomicFile::AtomicFile(const fs::path& path)
-    : path_(followed(path)), temporary_(unfinished_of(path_)), stream_(temporary_, std::ios::binary) {
+    : path_(resolve_symlink(path)), temporary_(unfinished_of(path_)), stream_(temporary_, std::ios::binary) {
   check();
 }
 
 AtomicFile::~AtomicFile() {
-  if (in_place()) return;
+  if (writes_directly()) return;
   std::error_code ignored;
   fs::remove(temporary_, ignored);
 }
@@ -87,10 +88,10 @@ void AtomicFile::write(std::string_view text) {
   check();
 }
 
-void AtomicFile::finish() {
+void AtomicFile::commit() {
   stream_.close();
   check();
-  if (in_place()) return;
+  if (writes_directly()) return;
   std::error_code missing, problem;
   if (const auto old = fs::status(path_, missing); fs::exists(old))
     fs::permissions(temporary_, old.permissions(), problem);
@@ -111,4 +112,4 @@ void AtomicFile::check() const {
   if (!stream_) reject(path_, {errno, std::generic_category()});
 }
 
-}  // namespace fde
+}  // namespace fde::bench

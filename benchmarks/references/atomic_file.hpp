@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
 #include <fstream>
 #include <string_view>
 
-namespace fde {
+namespace fde::bench {
 
 // Writes a file atomically: under a temporary name, unique to this process and object, which is renamed at
 // the end. An existing file is replaced and its permissions are kept. Of a symbolic link the target is
@@ -18,15 +19,15 @@ class AtomicFile {
   ~AtomicFile();  // removes an unfinished file
 
   void write(std::string_view text);
-  void finish();
+  void commit();
   void commit_new();  // also throws if the path exists by now: of several concurrent calls one succeeds
 
  private:
   void check() const;
-  [[nodiscard]] bool in_place() const { return temporary_ == path_; }
+  [[nodiscard]] bool writes_directly() const { return temporary_ == path_; }
 
   std::filesystem::path path_, temporary_;
   std::ofstream stream_;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

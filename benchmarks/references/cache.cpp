@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/references/cache.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 #include "fdebench/reference/nonlinear/collocation.hpp"
 #include "fdebench/reference/two_sided/solution.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 namespace {
 
@@ -34,7 +35,7 @@ Matrix matrix_of(const std::vector<double>& numbers, Eigen::Index columns) {
   return Eigen::Map<const Matrix>(numbers.data(), std::ssize(numbers) / columns, columns);
 }
 
-json to_json(const PanelTable& table) {
+json to_json(const reference::PanelTable& table) {
   json panels = json::array();
   for (const auto& panel : table.panels) {
     panels.push_back({{"from", panel.from},
@@ -46,8 +47,8 @@ json to_json(const PanelTable& table) {
 }
 
 // Throws json::exception if the file has other contents.
-PanelTable table_of(const json& panels, Eigen::Index size) {
-  PanelTable table;
+reference::PanelTable table_of(const json& panels, Eigen::Index size) {
+  reference::PanelTable table;
   for (const auto& panel : panels) {
     const auto values = panel.at("values").get<std::vector<double>>();
     const auto bound = panel.at("bound").get<std::vector<double>>();
@@ -59,7 +60,7 @@ PanelTable table_of(const json& panels, Eigen::Index size) {
 
 // Whether the panels cover [0, end] without gaps and all have the size of the problem and the same
 // resolution.
-bool fits(const PanelTable& table, const Problem& problem) {
+bool fits(const reference::PanelTable& table, const Problem& problem) {
   double time = 0.0;
   for (const auto& panel : table.panels) {
     const auto& first = table.panels.front().values;
@@ -87,7 +88,7 @@ std::string read(const std::filesystem::path& file) {
 }
 
 // The bytes after the SHA-256, if it is theirs.
-std::optional<std::string_view> checked(std::string_view bytes) {
+std::optional<std::string_view> content_if_intact(std::string_view bytes) {
   if (bytes.size() < digest_size) return std::nullopt;
   const auto content = bytes.substr(digest_size);
   if (sha256(content) != bytes.substr(0, digest_size)) return std::nullopt;
@@ -109,29 +110,32 @@ bool in_missing_home(const std::filesystem::path& folder) {
   return !below.empty() && *below.begin() != "..";
 }
 
-PanelTable table_of(const Problem& problem) {
-  return is_two_sided(problem) ? two_sided_table(problem) : reference_table(problem);
+reference::PanelTable table_of(const Problem& problem) {
+  return is_two_sided(problem) ? reference::two_sided_table(problem) : reference::reference_table(problem);
 }
 
-Reference from_table(PanelTable table, const Problem& problem) {
-  Reference reference = is_two_sided(problem) ? two_sided_reference(std::move(table), problem)
-                                              : reference_from_table(std::move(table), problem);
-  reference.evidence = Evidence::two_methods;
+reference::Reference from_table(reference::PanelTable table, const Problem& problem) {
+  reference::Reference reference = is_two_sided(problem) ? two_sided_reference(std::move(table), problem)
+                                                         : reference_from_table(std::move(table), problem);
+  reference.evidence = reference::Evidence::two_methods;
   return reference;
 }
 
 }  // namespace
 
-Reference computed_reference(const Problem& problem) { return from_table(table_of(problem), problem); }
+reference::Reference computed_reference(const Problem& problem) {
+  return from_table(table_of(problem), problem);
+}
 
 std::filesystem::path ReferenceCache::file_of(const std::string& key) const {
   return folder_.value() / (sha256(key) + ".reference");
 }
 
-std::optional<PanelTable> ReferenceCache::load(const std::string& key, const Problem& problem) const {
+std::optional<reference::PanelTable> ReferenceCache::load(const std::string& key,
+                                                          const Problem& problem) const {
   if (!folder_) return std::nullopt;
   const std::string bytes = read(file_of(key));
-  const auto content = checked(bytes);
+  const auto content = content_if_intact(bytes);
   if (!content) return std::nullopt;
   try {
     const json file = json::from_cbor(*content);
@@ -143,7 +147,7 @@ std::optional<PanelTable> ReferenceCache::load(const std::string& key, const Pro
   }
 }
 
-void ReferenceCache::store(const std::string& key, const PanelTable& table) const {
+void ReferenceCache::store(const std::string& key, const reference::PanelTable& table) const {
   if (!folder_ || in_missing_home(*folder_)) return;
   const auto content = json::to_cbor(json{{"key", key}, {"panels", to_json(table)}});
   const std::string text(content.begin(), content.end());
@@ -153,7 +157,7 @@ void ReferenceCache::store(const std::string& key, const PanelTable& table) cons
   try {
     AtomicFile file(file_of(key));
     file.write(sha256(text) + text);
-    file.finish();
+    file.commit();
   } catch (const std::invalid_argument&) {
     return;
   }
@@ -171,7 +175,7 @@ std::string reference_key(const std::string& name, const Problem& problem) {
   std::string key = fmt::format("fdebench reference {}\n{}\nend {}\n", version, name, problem.end);
   for (const auto& [order, initial, side] : problem.components)
     key += fmt::format("order {} initial {}\n", order, fmt::join(initial, " "));
-  if (!problem.jumps.empty()) key += fmt::format("jumps {}\n", fmt::join(problem.jumps, " "));
+  if (!problem.jump_times.empty()) key += fmt::format("jumps {}\n", fmt::join(problem.jump_times, " "));
   constexpr int points = 7;
   Vec f(problem.size());
   for (int k = 0; k < points; ++k) {
@@ -184,7 +188,8 @@ std::string reference_key(const std::string& name, const Problem& problem) {
   return key;
 }
 
-Reference cached_reference(const std::string& name, const Problem& problem, const ReferenceCache& cache) {
+reference::Reference cached_reference(const std::string& name, const Problem& problem,
+                                      const ReferenceCache& cache) {
   const std::string key = reference_key(name, problem);
   if (auto known = cache.load(key, problem)) return from_table(std::move(*known), problem);
   auto table = table_of(problem);
@@ -192,4 +197,4 @@ Reference cached_reference(const std::string& name, const Problem& problem, cons
   return from_table(std::move(table), problem);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
@@ -6,7 +7,7 @@
 
 #include "fdebench/reference/nonlinear/panel_table.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Reference solutions on disk, each with a key that names its problem. A file is a SHA-256 followed by CBOR;
 // a file that is damaged, truncated or of another key is ignored. Files are replaced atomically, so processes
@@ -17,11 +18,12 @@ class ReferenceCache {
   explicit ReferenceCache(std::optional<std::filesystem::path> folder) : folder_(std::move(folder)) {}
 
   // The table stored under the key for this problem, bit for bit; nullopt if there is none.
-  [[nodiscard]] std::optional<PanelTable> load(const std::string& key, const Problem& problem) const;
+  [[nodiscard]] std::optional<reference::PanelTable> load(const std::string& key,
+                                                          const Problem& problem) const;
 
   // Stores nothing, without an error, if the folder cannot be written or is in a $HOME that does not exist: a
   // cache is optional.
-  void store(const std::string& key, const PanelTable& table) const;
+  void store(const std::string& key, const reference::PanelTable& table) const;
 
   // Precondition: there is a folder.
   [[nodiscard]] std::filesystem::path file_of(const std::string& key) const;
@@ -39,9 +41,10 @@ std::string reference_key(const std::string& name, const Problem& problem);
 
 // The reference of a problem without a closed form: two_sided_reference for a two-sided problem, else
 // reference_solution.
-Reference computed_reference(const Problem& problem);
+reference::Reference computed_reference(const Problem& problem);
 
 // The same, with a cache: solved once for each key.
-Reference cached_reference(const std::string& name, const Problem& problem, const ReferenceCache& cache);
+reference::Reference cached_reference(const std::string& name, const Problem& problem,
+                                      const ReferenceCache& cache);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/references/checksum.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace fde {
+namespace fde::bench {
 
 namespace {
 
@@ -72,4 +73,4 @@ Checksums parse_checksums(const std::string& name, std::string_view text) {
   return checksums;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
@@ -5,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace fde {
+namespace fde::bench {
 
 // SHA-256 of the bytes, as 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
@@ -34,4 +35,4 @@ std::string write_checksums(const Checksums& checksums);
 // Throws std::invalid_argument naming the file and an invalid line.
 Checksums parse_checksums(const std::string& name, std::string_view text);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
 
 #include <fmt/format.h>
@@ -5,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // -inf for 0. The error is far below the difference of two numbers with two digits.
@@ -41,4 +42,4 @@ const std::string& larger_bound(const std::string& a, const std::string& b) {
   return log10_of(a) < log10_of(b) ? b : a;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

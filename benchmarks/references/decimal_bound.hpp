@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 
 // A bound in two digits, rounded up: rounding to nearest changes a number by at most five percent.
 std::string bound_text(double bound);
@@ -18,4 +19,4 @@ bool is_finite_bound(const std::string& bound);
 // is not a number.
 const std::string& larger_bound(const std::string& a, const std::string& b);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 
 #include <numeric>
@@ -6,7 +7,7 @@
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::vector<Eigen::Index> all_columns(const Scene& scene) {
@@ -38,12 +39,12 @@ Rows MemoizedReference::bounds(const std::vector<double>& times) {
   return by_time(std::ssize(columns_), times, [&](double t) -> const Vec& { return reference(t).bound; });
 }
 
-const ReferenceValue& MemoizedReference::reference(double t) {
+const reference::ReferenceValue& MemoizedReference::reference(double t) {
   const auto found = known_.find(t);
   return found == known_.end() ? known_.emplace(t, evaluated(t)).first->second : found->second;
 }
 
-ReferenceValue MemoizedReference::evaluated(double t) {
+reference::ReferenceValue MemoizedReference::evaluated(double t) {
   if (failure_) std::rethrow_exception(failure_);
   try {
     if (!exact_.at) exact_ = reference_of(scene_);
@@ -55,4 +56,4 @@ ReferenceValue MemoizedReference::evaluated(double t) {
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

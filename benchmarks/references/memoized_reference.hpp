@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
@@ -6,7 +7,7 @@
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The cached reference of one scene: each time is evaluated once, because refined grids share times. The
 // scene must outlive this object.
@@ -25,14 +26,14 @@ class MemoizedReference {
   Rows bounds(const std::vector<double>& times);
 
  private:
-  const ReferenceValue& reference(double t);
-  ReferenceValue evaluated(double t);
+  const reference::ReferenceValue& reference(double t);
+  reference::ReferenceValue evaluated(double t);
 
   const Scene& scene_;
   std::vector<Eigen::Index> columns_;
-  Reference exact_{};             // created at the first evaluation
+  reference::Reference exact_{};  // created at the first evaluation
   std::exception_ptr failure_{};  // reason of a failure, the same for every time
-  std::map<double, ReferenceValue> known_{};
+  std::map<double, reference::ReferenceValue> known_{};
 };
 
-}  // namespace fde
+}  // namespace fde::bench

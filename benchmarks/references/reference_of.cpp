@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/references/reference_of.hpp"
 
 #include <stdexcept>
@@ -6,14 +7,14 @@
 #include "fdebench/benchmarks/references/cache.hpp"
 #include "fdebench/benchmarks/references/verified_reference.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-Reference through(const Outputs& outputs, Reference components) {
-  if (!outputs.of) return components;
+reference::Reference mapped_to_columns(const Outputs& outputs, reference::Reference components) {
+  if (!outputs.evaluate) return components;
   const auto evidence = components.evidence;
-  return {.at = [outputs, components = std::move(components)](double t) -> ReferenceValue {
-            const ReferenceValue known = components.at(t);
+  return {.at = [outputs, components = std::move(components)](double t) -> reference::ReferenceValue {
+            const reference::ReferenceValue known = components.at(t);
             Vec columns = columns_at(outputs, t, known.value);
             Vec bound = propagated_bound(outputs, t, known, columns);
             return {std::move(columns), std::move(bound)};
@@ -21,11 +22,11 @@ Reference through(const Outputs& outputs, Reference components) {
           .evidence = evidence};
 }
 
-Reference found_reference(const Scene& scene) {
+reference::Reference found_reference(const Scene& scene) {
   if (scene.reference.at) return scene.reference;
   const auto [problem, outputs] = reference_problem_of(scene);
-  if (scene.name.empty()) return through(outputs, computed_reference(problem));
-  return through(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));
+  if (scene.name.empty()) return mapped_to_columns(outputs, computed_reference(problem));
+  return mapped_to_columns(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));
 }
 
 }  // namespace
@@ -37,16 +38,16 @@ PosedProblem reference_problem_of(const Scene& scene) {
   return posed;
 }
 
-Reference reference_of(const Scene& scene) {
-  Reference reference = found_reference(scene);
+reference::Reference reference_of(const Scene& scene) {
+  reference::Reference reference = found_reference(scene);
   if (scene.from_file) require_agreement(scene, reference);
   return reference;
 }
 
 std::string_view evidence_of(const Scene& scene) {
-  const auto evidence = scene.reference.at ? scene.reference.evidence : Evidence::two_methods;
-  if (evidence == Evidence::closed_form) return "closed form";
-  return evidence == Evidence::laplace_transform ? "inverse Laplace transform" : "two methods";
+  const auto evidence = scene.reference.at ? scene.reference.evidence : reference::Evidence::two_methods;
+  if (evidence == reference::Evidence::closed_form) return "closed form";
+  return evidence == reference::Evidence::laplace_transform ? "inverse Laplace transform" : "two methods";
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string_view>
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The problem from which the reference is computed, with the end of the scene.
 PosedProblem reference_problem_of(const Scene& scene);
@@ -13,9 +14,9 @@ PosedProblem reference_problem_of(const Scene& scene);
 // bound is an estimate from two methods. Computing it takes some seconds, unless it is in the cache_folder().
 // For a scene of an equation file, require_agreement is called. Throws std::runtime_error with the reason if
 // there is no reference.
-Reference reference_of(const Scene& scene);
+reference::Reference reference_of(const Scene& scene);
 
 // The kind of evidence: "closed form", "inverse Laplace transform" or "two methods".
 std::string_view evidence_of(const Scene& scene);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/references/verified_reference.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::array<std::string_view, 2> judges{"radau_exponentials", "spectral_collocation"};
@@ -23,22 +24,22 @@ std::optional<Rows> coarse_run(std::string_view id, const Scene& scene, const st
                                double size) {
   constexpr double tolerance = 1e-5, seconds = 2.0;
   const Scheme& scheme = *find_scheme(id);
-  const Tolerance asked{tolerance, tolerance * size};
-  if (refusal(scheme, scene.problem, asked)) return std::nullopt;
-  const Trajectory path = scheme.solve(scene.problem, asked, {.budget = seconds, .at = times});
-  if (path.ending != Ending::finished || path.times != times) return std::nullopt;
+  const Tolerance requested{tolerance, tolerance * size};
+  if (unsupported_reason(scheme, scene.problem, requested)) return std::nullopt;
+  const Trajectory path = scheme.solve(scene.problem, requested, {.budget = seconds, .output_times = times});
+  if (path.status != SolveStatus::finished || path.times != times) return std::nullopt;
   return columns_of(scene.outputs, path);
 }
 
 }  // namespace
 
-void require_agreement(const Scene& scene, const Reference& reference) {
+void require_agreement(const Scene& scene, const reference::Reference& reference) {
   constexpr double agree = 1e-3, differ = 1e-2;
   const double end = scene.problem.end;
   const std::vector<double> times{end / 7.0, end / 2.0, end};
   Rows known(std::ssize(scene.outputs.names), std::ssize(times)), bound = known;
   for (Eigen::Index c = 0; c < known.cols(); ++c) {
-    const ReferenceValue value = reference.at(times[static_cast<std::size_t>(c)]);
+    const reference::ReferenceValue value = reference.at(times[static_cast<std::size_t>(c)]);
     known.col(c) = value.value;
     bound.col(c) = value.bound;
   }
@@ -64,4 +65,4 @@ void require_agreement(const Scene& scene, const Reference& reference) {
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

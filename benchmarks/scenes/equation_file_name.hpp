@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-namespace fde {
+namespace fde::bench {
 
 // Extension of an equation file.
 inline constexpr std::string_view equation_file_extension = ".toml";
@@ -16,4 +17,4 @@ inline std::optional<std::string> equation_file_of_label(const std::string& text
   return text.ends_with(equation_file_extension) ? std::optional(text) : std::nullopt;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/parameters.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@
 
 #include "fdebench/benchmarks/text/number_text.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // A list is shown in brackets if the parameter is not a list.
@@ -29,8 +30,10 @@ std::string to_text(const ParameterValue& value) {
 }
 
 bool Parameter::allows(const ParameterValue& given) const {
-  if (const auto* word = std::get_if<std::string>(&given))
-    return std::ranges::find(choices, *word) != choices.end() || (!derived.empty() && *word == derived);
+  if (const auto* word = std::get_if<std::string>(&given)) {
+    return std::ranges::find(choices, *word) != choices.end() ||
+           (!default_formula.empty() && *word == default_formula);
+  }
   const bool list = std::holds_alternative<std::vector<double>>(value);
   const auto fits = [this](double number) { return range.contains(number); };
   if (const auto* numbers = std::get_if<std::vector<double>>(&given))
@@ -41,20 +44,20 @@ bool Parameter::allows(const ParameterValue& given) const {
 std::string Parameter::allowed() const {
   if (!choices.empty()) return fmt::format("one of {}", fmt::join(choices, ", "));
   if (std::holds_alternative<std::vector<double>>(value)) return fmt::format("a list, each {}", range.text());
-  return derived.empty() ? range.text() : fmt::format("{}, or {}", range.text(), derived);
+  return default_formula.empty() ? range.text() : fmt::format("{}, or {}", range.text(), default_formula);
 }
 
 ParameterValue Parameter::read(std::string_view text) const {
   std::string suggestion;
   if (!choices.empty()) {
     if (std::ranges::find(choices, text) != choices.end()) return std::string(text);
-    suggestion = nearest(text, {choices.begin(), choices.end()});
+    suggestion = did_you_mean(text, {choices.begin(), choices.end()});
   } else if (std::holds_alternative<std::vector<double>>(value)) {
     if (const auto numbers = try_parse_numbers(text)) return *numbers;
   } else if (const auto number = try_parse_number(text)) {
     return *number;
-  } else if (!derived.empty() && text == derived) {
-    return derived;
+  } else if (!default_formula.empty() && text == default_formula) {
+    return default_formula;
   }
   throw std::invalid_argument(fmt::format("--set {} = {}: {}must be {}{}", name, text,
                                           double_range_message(text), allowed(), suggestion));
@@ -80,7 +83,7 @@ const Parameter& parameter_named(std::string_view name, std::string_view scene,
   std::vector<std::string_view> names;
   for (const auto& known : parameters) names.push_back(known.name);
   throw std::invalid_argument(fmt::format("{}: scene {} has no such parameter{}; it has {}", name, scene,
-                                          nearest(name, names), fmt::join(names, ", ")));
+                                          did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
 Parameters::Parameters(std::string_view scene, const std::vector<Parameter>& parameters,
@@ -101,7 +104,7 @@ const std::string& Parameters::choice(std::string_view name) const {
   return std::get<std::string>(values_.at(std::string(name)));
 }
 
-std::optional<double> Parameters::given(std::string_view name) const {
+std::optional<double> Parameters::explicit_value(std::string_view name) const {
   const auto* number = std::get_if<double>(&values_.at(std::string(name)));
   return number == nullptr ? std::nullopt : std::optional(*number);
 }
@@ -121,4 +124,4 @@ void reject(std::string_view name, const ParameterValue& value, std::string_view
   reject_text(name, to_text(value), allowed);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/text/entry_named.hpp"
 #include "fdebench/benchmarks/text/range.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A number, a choice, or a list of numbers.
 using ParameterValue = std::variant<double, std::string, std::vector<double>>;
@@ -24,16 +25,16 @@ struct Parameter {
   std::string name;
   ParameterValue value;  // the default
   Range range;           // of a number, or of each number of a list
-  std::string meaning;
+  std::string description;
   std::vector<std::string> choices{};  // allowed words
-  std::string derived{};               // formula that gives a number by default; empty: none
+  std::string default_formula{};       // formula that gives a number by default; empty: none
 
   [[nodiscard]] bool allows(const ParameterValue& given) const;
   // "a number in (0, 2]", "one of a, b", "a finite number, or a*q1"
   [[nodiscard]] std::string allowed() const;
-  // Parses a value: one of the choices, any number, the formula `derived`, or a list of numbers (empty text:
-  // empty list). A number is not compared with the range. Throws std::invalid_argument naming the parameter,
-  // the text and what is allowed.
+  // Parses a value: one of the choices, any number, the formula `default_formula`, or a list of numbers
+  // (empty text: empty list). A number is not compared with the range. Throws std::invalid_argument naming
+  // the parameter, the text and what is allowed.
   [[nodiscard]] ParameterValue read(std::string_view text) const;
 };
 
@@ -63,8 +64,9 @@ class Parameters {
   [[nodiscard]] const std::string& choice(std::string_view name) const;           // the word chosen
   [[nodiscard]] const std::vector<double>& numbers(std::string_view name) const;  // a list
 
-  // A number that may be derived; nullopt if it is. Throws std::out_of_range for an unknown name.
-  [[nodiscard]] std::optional<double> given(std::string_view name) const;
+  // The number given for a parameter that has a `default_formula`; nullopt if that formula gives it. Throws
+  // std::out_of_range for an unknown name.
+  [[nodiscard]] std::optional<double> explicit_value(std::string_view name) const;
 
   [[nodiscard]] std::string text() const;  // "a=1 b=0.5 c=word", sorted by name
 
@@ -75,4 +77,4 @@ class Parameters {
 // Throws std::invalid_argument: "NAME = VALUE: must be ALLOWED".
 [[noreturn]] void reject(std::string_view name, const ParameterValue& value, std::string_view allowed);
 
-}  // namespace fde
+}  // namespace fde::bench

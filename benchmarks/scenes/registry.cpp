@@ -1,41 +1,42 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
 #include <algorithm>
 #include <mutex>
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 
 #define FDE_SCENE(id) SceneFactory id();
 #include "fdebench/benchmarks/scenes/list.def"
 #undef FDE_SCENE
 
-// Cache of the scenes made by the finder.
-struct Scenes::Found {
+// Cache of the scenes made by the loader.
+struct SceneRegistry::LoadedScenes {
   std::mutex mutex;
   std::deque<SceneFactory> makers;
 };
 
-Scenes::Scenes()
+SceneRegistry::SceneRegistry()
     : factories_{
 #define FDE_SCENE(id) id(),
 #include "fdebench/benchmarks/scenes/list.def"
 #undef FDE_SCENE
       },
-      loaded_(std::make_shared<Found>()) {
+      loaded_(std::make_shared<LoadedScenes>()) {
 }
 
-Scenes::Scenes(const Scenes& others, SceneLoader finder)
-    : factories_(others.factories_), loader_(std::move(finder)), loaded_(std::make_shared<Found>()) {}
+SceneRegistry::SceneRegistry(const SceneRegistry& others, SceneLoader finder)
+    : factories_(others.factories_), loader_(std::move(finder)), loaded_(std::make_shared<LoadedScenes>()) {}
 
-const SceneFactory& Scenes::add(SceneFactory maker) {
+const SceneFactory& SceneRegistry::add(SceneFactory maker) {
   if (maker.id.empty() || maker.id.find(':') != std::string::npos)
     reject("id", maker.id, "a name without ':'");
   if (find_scene(maker.id, *this) != nullptr) reject("id", maker.id, "that of no other scene");
   return factories_.emplace_back(std::move(maker));
 }
 
-const SceneFactory& Scenes::named(std::string_view id) const {
+const SceneFactory& SceneRegistry::named(std::string_view id) const {
   const bool listed = find_scene(id, *this) != nullptr;
   if (listed || !loader_) return entry_by_id(factories_, "scene", id);
   const std::scoped_lock lock(loaded_->mutex);
@@ -45,14 +46,14 @@ const SceneFactory& Scenes::named(std::string_view id) const {
   return entry_by_id(factories_, "scene", id);
 }
 
-const Scenes& scenes() {
-  static const Scenes of_the_list;
+const SceneRegistry& built_in_scenes() {
+  static const SceneRegistry of_the_list;
   return of_the_list;
 }
 
-const SceneFactory* find_scene(std::string_view id, const Scenes& among) {
+const SceneFactory* find_scene(std::string_view id, const SceneRegistry& among) {
   const auto found = std::ranges::find(among, id, &SceneFactory::id);
   return found == among.end() ? nullptr : &*found;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
 #include <algorithm>
@@ -5,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 
-Outputs picked(std::vector<std::string> names, std::vector<Eigen::Index> components) {
+Outputs select_components(std::vector<std::string> names, std::vector<Eigen::Index> components) {
   return {std::move(names), [components = std::move(components)](double, In y, Out columns) {
             for (std::size_t c = 0; c < components.size(); ++c)
               columns[static_cast<Eigen::Index>(c)] = y[components[c]];
@@ -35,13 +36,13 @@ double Constraint::terms(double t, In columns) const {
 
 void set_end(Scene& scene, double end) {
   scene.problem.end = end;
-  if (scene.jumps_until) scene.problem.jumps = scene.jumps_until(end);
+  if (scene.jumps_until) scene.problem.jump_times = scene.jumps_until(end);
 }
 
 Vec columns_at(const Outputs& outputs, double t, In y) {
-  if (!outputs.of) return y;
+  if (!outputs.evaluate) return y;
   Vec columns(static_cast<Eigen::Index>(outputs.names.size()));
-  outputs.of(t, y, columns);
+  outputs.evaluate(t, y, columns);
   return columns;
 }
 
@@ -69,7 +70,7 @@ std::vector<Event> events_of(const Scene& scene) {
     const auto value = [&one, &outputs = scene.outputs](double t, In y) {
       return one.value(t, columns_at(outputs, t, y));
     };
-    events.push_back({value, one.crossing, one.ends});
+    events.push_back({value, one.crossing, one.terminal});
   }
   return events;
 }
@@ -105,16 +106,17 @@ Vec exact_reactions(const Scene& scene, double t, In columns) {
 }
 
 Rows columns_of(const Outputs& outputs, const Trajectory& path) {
-  if (!outputs.of) return path.y;
+  if (!outputs.evaluate) return path.y;
   Rows columns(static_cast<Eigen::Index>(outputs.names.size()), path.y.cols());
   for (Eigen::Index c = 0; c < path.y.cols(); ++c) {
-    outputs.of(path.time(c), path.y.col(c), columns.col(c));
+    outputs.evaluate(path.time(c), path.y.col(c), columns.col(c));
   }
   return columns;
 }
 
 // For a column that is a component the difference quotient is exactly 1.
-Vec propagated_bound(const Outputs& outputs, double t, const ReferenceValue& reference, In columns) {
+Vec propagated_bound(const Outputs& outputs, double t, const reference::ReferenceValue& reference,
+                     In columns) {
   Vec bound = Vec::Zero(columns.size()), shifted = reference.value;
   for (Eigen::Index i = 0; i < shifted.size(); ++i) {
     shifted[i] += 0x1p-26 * std::max(std::abs(shifted[i]), 1.0);
@@ -126,4 +128,4 @@ Vec propagated_bound(const Outputs& outputs, double t, const ReferenceValue& ref
   return bound;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -12,26 +13,26 @@
 #include "fdebench/schemes/problem/smoothness.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The columns (output variables) of a scene, computed from the components of its problem. Energy,
 // constraints, references and measures are functions of the columns.
 struct Outputs {
   std::vector<std::string> names{};
-  std::function<void(double t, In y, Out columns)> of{};  // empty: the components in order
+  std::function<void(double t, In y, Out columns)> evaluate{};  // empty: the components in order
 };
 
 // Outputs that are components: column names[c] is component components[c].
-Outputs picked(std::vector<std::string> names, std::vector<Eigen::Index> components);
+Outputs select_components(std::vector<std::string> names, std::vector<Eigen::Index> components);
 
 // E(columns) and, if it can be computed from the columns, its exact rate of change along a solution,
-//   dE/dt = power(t, columns) + sum_k shares_k(t, columns) d columns[rated[k]]/dt.
-// The second term is the power of a reaction with memory.
+//   dE/dt = power(t, columns) + sum_k c_k(t, columns) d columns[differentiated_columns[k]]/dt,
+// with the rate_coefficients c_k. The second term is the power of a reaction with memory.
 struct Energy {
   std::function<double(In columns)> value{};
   std::function<double(double t, In columns)> power{};
-  std::vector<Eigen::Index> rated{};
-  std::function<void(double t, In columns, Out shares)> shares{};  // empty: no such term
+  std::vector<Eigen::Index> differentiated_columns{};
+  std::function<void(double t, In columns, Out shares)> rate_coefficients{};  // empty: no such term
   explicit operator bool() const { return static_cast<bool>(value); }
 };
 
@@ -60,19 +61,22 @@ struct MemoryColumn {
 // The multipliers lambda of the constraints, and the power v.(df/dv)^T lambda that their reactions exchange.
 struct Reactions {
   std::vector<std::string> names{};  // of the multipliers
-  // lambda(t, columns, rates), where rates is d/dt of the columns `rated`. At t = 0 these columns start with
-  // terms t^p, p in `powers`, and rates need not be finite there.
-  std::vector<Eigen::Index> rated{};
-  std::vector<double> powers{};
+  // lambda(t, columns, rates), where rates is d/dt of the columns `differentiated_columns`. At t = 0 these
+  // columns start with terms t^p, p in `start_exponents`, and rates need not be finite there.
+  std::vector<Eigen::Index> differentiated_columns{};
+  std::vector<double> start_exponents{};
   std::function<void(double t, In columns, In rates, Out lambda)> multipliers{};
   std::function<double(double t, In columns, In lambda)> power{};
-  std::optional<Vec> first{};  // lambda(0) if `rated` is not empty; nullopt: unbounded
-  Reference exact{};           // of lambda, if it has an exact reference of its own
+  // lambda(0) if `differentiated_columns` is not empty; nullopt: lambda is unbounded at t = 0.
+  std::optional<Vec> initial_multipliers{};
+  reference::Reference exact{};  // of lambda, if it has an exact reference of its own
   explicit operator bool() const { return static_cast<bool>(multipliers); }
   // Whether lambda is a function of t and the columns at that time.
-  [[nodiscard]] bool depends_on_columns_only() const { return multipliers && rated.empty(); }
+  [[nodiscard]] bool depends_on_columns_only() const { return multipliers && differentiated_columns.empty(); }
   // Whether lambda is known as exactly as the columns.
-  [[nodiscard]] bool known() const { return depends_on_columns_only() || static_cast<bool>(exact.at); }
+  [[nodiscard]] bool has_exact_multipliers() const {
+    return depends_on_columns_only() || static_cast<bool>(exact.at);
+  }
 };
 
 // The geometry of a mechanical system with T = 1/2 g_ij v^i v^j at a position q and a velocity v (Niminet &
@@ -91,7 +95,7 @@ struct Geometry {
 // The names of the coordinates, the state at t = 0, and the geometry at any state (q, v).
 struct StateGeometry {
   std::vector<std::string> coordinates{};
-  Vec place{}, velocity{};
+  Vec position{}, velocity{};
   std::function<Geometry(In q, In v)> at{};
   // A velocity near v, the nearest where constraints are affine in it, that keeps the constraints at q.
   // Empty with memory: no state tells what they allow.
@@ -105,7 +109,7 @@ struct SceneEvent {
   std::string name{};
   std::function<double(double t, In columns)> value{};
   Crossing crossing = Crossing::either;
-  bool ends = false;  // whether a zero ends the solve, as Event::ends
+  bool terminal = false;  // whether a zero ends the solve, as Event::terminal
 };
 
 // A parameter in which the solution is not continuous at its present value; `limit` says, in words, what a
@@ -127,20 +131,21 @@ struct Scene {
   // The times in (0, end) at which the right-hand side jumps, if they are computed for a given end; empty:
   // the jumps of the problem are complete.
   std::function<std::vector<double>(double end)> jumps_until{};
-  std::string refusal{};  // reason why the equations cannot be posed in this form; empty: they can
+  std::string ill_posed_reason{};  // reason why the equations cannot be posed in this form; empty: they can
   Smoothness smoothness{};
   Outputs outputs{};
-  Reference reference{};   // of the columns
-  bool from_file = false;  // from an equation file: its reference is checked against two schemes
+  reference::Reference reference{};  // of the columns
+  bool from_file = false;            // from an equation file: its reference is checked against two schemes
   std::optional<PosedProblem> reference_problem{};  // another formulation for the reference; empty: `problem`
   Energy energy{};
   Constraint constraint{};
-  std::vector<MemoryColumn> memories{};  // columns that the drift measure recomputes independently
+  std::vector<MemoryColumn> memory_columns{};  // columns that the drift measure recomputes independently
   Reactions reactions{};
   StateGeometry geometry{};
   std::vector<SceneEvent> events{};
   std::vector<Discontinuity> discontinuities{};
-  Outputs motion{};  // function of the columns: two or three coordinates of the point whose path is drawn
+  // Functions of the columns: two or three coordinates of the point whose path is drawn.
+  Outputs display_path{};
 };
 
 // An equation as text, from a file or for display: sum of coefficient D^order unknown = rhs, as formulas.
@@ -166,8 +171,8 @@ struct SceneFactory {
   std::vector<Parameter> parameters;
   std::function<Scene(const Parameters&)> make;
   std::string checksum{};  // checksum of the contents of an equation file; empty: the scene is compiled in
-  std::vector<EquationFormula> equations{};  // empty: no equations as text
-  std::vector<DisplayEquation> shown{};      // used if `equations` cannot express them
+  std::vector<EquationFormula> equations{};          // empty: no equations as text
+  std::vector<DisplayEquation> display_equations{};  // used if `equations` cannot express them
 };
 
 // Sets the end of the problem and recomputes its jumps up to it.
@@ -178,7 +183,8 @@ Vec columns_at(const Outputs& outputs, double t, In y);
 Rows columns_of(const Outputs& outputs, const Trajectory& path);
 
 // First-order error bound of the columns: the sum over the components of |d columns / dy_i| bound_i.
-Vec propagated_bound(const Outputs& outputs, double t, const ReferenceValue& reference, In columns);
+Vec propagated_bound(const Outputs& outputs, double t, const reference::ReferenceValue& reference,
+                     In columns);
 
 // The columns, then `energy` and `constraint` (the drift) where the scene has them.
 std::vector<std::string> printed_names(const Scene& scene);
@@ -189,11 +195,11 @@ std::vector<Event> events_of(const Scene& scene);
 
 // The names of the multipliers, then `power`, the power of the reactions.
 std::vector<std::string> reaction_names(const Scene& scene);
-// The multipliers and their power. `rates`: d/dt of the columns `rated`; nullopt: the values at t = 0, NaN
-// where lambda is unbounded.
+// The multipliers and their power. `rates`: d/dt of the columns `differentiated_columns`; nullopt: the values
+// at t = 0, NaN where lambda is unbounded.
 Vec reaction_values(const Scene& scene, double t, In columns, const std::optional<Vec>& rates);
 // Given multipliers with their power; and the exact multipliers at any time with theirs.
 Vec with_reaction_power(const Scene& scene, double t, In columns, const Vec& lambda);
 Vec exact_reactions(const Scene& scene, double t, In columns);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/scene_settings.hpp"
 
 #include <fmt/format.h>
@@ -5,7 +6,7 @@
 
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 
 std::string settings_text(const SceneSettings& scene) {
   std::vector<std::string> texts;
@@ -24,4 +25,4 @@ std::string short_checksum(const SceneSettings& scene) {
   return scene.checksum.substr(0, digits);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

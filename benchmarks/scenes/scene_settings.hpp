@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <compare>
@@ -6,7 +7,7 @@
 
 #include "fdebench/benchmarks/scenes/parameters.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Identifies a scene in results: its id and the replaced parameters. This build need not have a scene of this
 // id.
@@ -25,4 +26,4 @@ std::string settings_text(const SceneSettings& scene);
 // The first eight digits of the checksum, which distinguish files of the same name; empty without a file.
 std::string short_checksum(const SceneSettings& scene);
 
-}  // namespace fde
+}  // namespace fde::bench

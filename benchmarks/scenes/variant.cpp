@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/variant.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // "b=1,2,c=3" into "b=1,2" and "c=3": a part without '=' continues the preceding list.
@@ -58,8 +59,8 @@ std::vector<std::string> values_of(const std::string& setting) {
 }
 
 // NAME=VALUE: the end, or a parameter whose value `read` parses. Scene: SceneVariant or SceneSettings.
-template <class Scene, class Read>
-void add_setting(const std::string& setting, Scene& scene, const Read& read) {
+template <class Scene, class Reader>
+void add_setting(const std::string& setting, Scene& scene, const Reader& read) {
   const auto equals = setting.find('=');
   if (equals == std::string::npos || equals == 0) reject_text("--set", setting, "NAME=VALUE");
   const auto name = setting.substr(0, equals);
@@ -89,7 +90,7 @@ Scene make_scene_unchecked(const SceneFactory& maker, const ParameterValues& val
   const Parameters parameters(maker.id, maker.parameters, values);
   Scene scene = maker.make(parameters);
   const auto rows = scene.smoothness.powers.size(), components = scene.problem.components.size();
-  if (rows != 0 && rows != components && scene.refusal.empty()) {
+  if (rows != 0 && rows != components && scene.ill_posed_reason.empty()) {
     throw std::invalid_argument(
         fmt::format("scene {}: its smoothness has {} rows for {} components", maker.id, rows, components));
   }
@@ -99,7 +100,7 @@ Scene make_scene_unchecked(const SceneFactory& maker, const ParameterValues& val
 
 Scene make_scene(const SceneFactory& maker, const ParameterValues& values) {
   Scene scene = make_scene_unchecked(maker, values);
-  if (!scene.refusal.empty()) throw std::invalid_argument(scene.refusal);
+  if (!scene.ill_posed_reason.empty()) throw std::invalid_argument(scene.ill_posed_reason);
   return scene;
 }
 
@@ -116,7 +117,7 @@ Scene make_scene(const SceneVariant& variant) {
 }
 
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
-                          const Scenes& among) {
+                          const SceneRegistry& among) {
   const auto named = split_label(text, settings);
   SceneVariant variant{.maker = &among.named(named.id)};
   for (const auto& setting : named.settings) add_setting(setting, variant);
@@ -134,7 +135,7 @@ SceneSettings read_settings(const std::string& text, const std::vector<std::stri
 }
 
 std::vector<SceneVariant> read_variants(const std::string& text, const std::vector<std::string>& settings,
-                                        const Scenes& among) {
+                                        const SceneRegistry& among) {
   const auto named = split_label(text, settings);
   std::vector<SceneVariant> variants{{.maker = &among.named(named.id)}};
   for (const auto& setting : named.settings) {
@@ -152,22 +153,22 @@ std::vector<SceneVariant> read_variants(const std::string& text, const std::vect
   return variants;
 }
 
-SceneVariant parse_variant(const std::string& text, const Scenes& among) {
+SceneVariant parse_variant(const std::string& text, const SceneRegistry& among) {
   return parse_variant(text, {}, among);
 }
 
 SceneVariant parse_variant(const std::string& text, const std::vector<std::string>& settings,
-                           const Scenes& among) {
+                           const SceneRegistry& among) {
   SceneVariant variant = read_variant(text, settings, among);
   [[maybe_unused]] const Scene checked = make_scene(variant);
   return variant;
 }
 
 std::vector<SceneVariant> parse_variants(const std::string& text, const std::vector<std::string>& settings,
-                                         const Scenes& among) {
+                                         const SceneRegistry& among) {
   auto variants = read_variants(text, settings, among);
   for (const auto& variant : variants) [[maybe_unused]] const Scene checked = make_scene(variant);
   return variants;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -7,12 +8,12 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/scenes/scene_settings.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A scene with some parameters, or its end, replaced. In results and on the command line:
 // "pendulum:alpha=1.9,beta=0.1,until=100", "multi_term:alpha=1.2,1.6,c=0".
 struct SceneVariant {
-  const SceneFactory* maker;  // not owned: its `Scenes` must outlive this object
+  const SceneFactory* maker;  // not owned: its `SceneRegistry` must outlive this object
   ParameterValues values{};
   std::optional<double> until{};  // the end of the time interval
 
@@ -21,11 +22,11 @@ struct SceneVariant {
 };
 
 // The scene made from its defaults with some values replaced. Throws std::invalid_argument if its problem
-// cannot be posed (Scene::refusal).
+// cannot be posed (Scene::ill_posed_reason).
 Scene make_scene(const SceneFactory& maker, const ParameterValues& values = {});
 
-// The same without the check of Scene::refusal: for what is known about a scene independently of the form of
-// its problem.
+// The same without the check of Scene::ill_posed_reason: for what is known about a scene independently of the
+// form of its problem.
 Scene make_scene_unchecked(const SceneFactory& maker, const ParameterValues& values = {});
 
 // make_scene with the end of the variant. Throws std::invalid_argument if the scene is two-sided and the end
@@ -35,7 +36,7 @@ Scene make_scene(const SceneVariant& variant);
 // Parses "pendulum" or "pendulum:alpha=1.9,beta=0.1,until=100", where `until` replaces the end, and further
 // settings NAME=VALUE, each name once. Throws std::invalid_argument naming what is wrong and what is allowed.
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
-                          const Scenes& among = scenes());
+                          const SceneRegistry& among = built_in_scenes());
 
 // The same for a scene that need not exist, such as a file that is absent: its values must be numbers, and
 // the checksum is empty.
@@ -47,16 +48,16 @@ SceneSettings read_settings(const std::string& text, const std::vector<std::stri
 // are more than max_variants scenes.
 inline constexpr std::size_t max_variants = 1000;
 std::vector<SceneVariant> read_variants(const std::string& text, const std::vector<std::string>& settings,
-                                        const Scenes& among = scenes());
+                                        const SceneRegistry& among = built_in_scenes());
 
 // The same, and throw std::invalid_argument if make_scene does.
-SceneVariant parse_variant(const std::string& text, const Scenes& among = scenes());
+SceneVariant parse_variant(const std::string& text, const SceneRegistry& among = built_in_scenes());
 SceneVariant parse_variant(const std::string& text, const std::vector<std::string>& settings,
-                           const Scenes& among = scenes());
+                           const SceneRegistry& among = built_in_scenes());
 std::vector<SceneVariant> parse_variants(const std::string& text, const std::vector<std::string>& settings,
-                                         const Scenes& among = scenes());
+                                         const SceneRegistry& among = built_in_scenes());
 
 // Ends of time intervals: end times a number of steps and the inverse of that do not overflow or underflow.
 inline constexpr Range valid_end_times{.low = 1e-290, .high = 1e290};
 
-}  // namespace fde
+}  // namespace fde::bench

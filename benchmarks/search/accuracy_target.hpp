@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/measures/error_kind.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Which runs of a scene are accurate enough.
 struct AccuracyTarget {
@@ -27,4 +28,4 @@ inline std::vector<Eigen::Index> all_columns(const Scene& scene) {
   return columns;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/search/candidate_run.hpp"
 
 #include <fmt/format.h>
@@ -11,70 +12,76 @@
 #include "fdebench/benchmarks/measures/accuracy.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Smallest order of the differential (not algebraic) rows, at most 1.
 double smallest_order(const Problem& problem) {
   double order = 1.0;
   for (const auto& component : problem.components)
-    if (!algebraic(component)) order = std::min(order, component.order);
+    if (!is_algebraic(component)) order = std::min(order, component.order);
   return order;
 }
 
 }  // namespace
 
-StepsOrTolerance resolution_of(const Attempt& attempt) {
-  if (attempt.asked) return Tolerance{*attempt.asked, *attempt.asked};
+StepsOrTolerance resolution_of(const CandidateRun& attempt) {
+  if (attempt.requested_tolerance)
+    return Tolerance{*attempt.requested_tolerance, *attempt.requested_tolerance};
   return attempt.steps;
 }
 
 RunEvaluator::RunEvaluator(const Scene& scene, AccuracyTarget question)
     : scene_(scene), question_(std::move(question)), reference_(scene) {}
 
-Rows RunEvaluator::counted(const Rows& columns) const { return columns(question_.columns, Eigen::all); }
-
-Trajectory RunEvaluator::solve(const Configuration& way, const StepsOrTolerance& resolution,
-                               const std::vector<double>& times, double budget) const {
-  const RunSettings setup{.resolution = resolution, .grading = way.grading};
-  return way.scheme->solve(scene_.problem, resolution_of(setup, scene_.problem.end),
-                           {.budget = budget, .at = times});
+Rows RunEvaluator::compared_columns(const Rows& columns) const {
+  return columns(question_.columns, Eigen::all);
 }
 
-std::vector<double> RunEvaluator::compared_times(const Configuration& way, const StepsOrTolerance& resolution,
-                                                 int watched) const {
+Trajectory RunEvaluator::solve(const Configuration& configuration, const StepsOrTolerance& resolution,
+                               const std::vector<double>& times, double budget) const {
+  const RunSettings setup{.resolution = resolution, .grading = configuration.grading};
+  return configuration.scheme->solve(scene_.problem, resolution_of(setup, scene_.problem.end),
+                                     {.budget = budget, .output_times = times});
+}
+
+std::vector<double> RunEvaluator::compared_times(const Configuration& configuration,
+                                                 const StepsOrTolerance& resolution, int compared) const {
   const double end = scene_.problem.end;
   if (question_.kind.norm == Norm::end) return {end};
-  if (way.is_adaptive()) return comparison_times(scene_.problem, watched);
-  return comparison_times({.end = end, .steps = std::get<int>(resolution), .grading = way.grading}, watched);
+  if (configuration.is_adaptive()) return comparison_times(scene_.problem, compared);
+  return comparison_times({.end = end, .steps = std::get<int>(resolution), .grading = configuration.grading},
+                          compared);
 }
 
-Attempt RunEvaluator::examine(const Configuration& way, const StepsOrTolerance& resolution, int watched,
-                              double budget) {
+CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const StepsOrTolerance& resolution,
+                                    int compared, double budget) {
   const bool at_end = question_.kind.norm == Norm::end;
-  const auto times = compared_times(way, resolution, watched);
-  Attempt attempt;
+  const auto times = compared_times(configuration, resolution, compared);
+  CandidateRun attempt;
   const auto start = std::chrono::steady_clock::now();
-  const auto path = solve(way, resolution, times, budget);
+  const auto path = solve(configuration, resolution, times, budget);
   attempt.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (const auto* asked = std::get_if<Tolerance>(&resolution)) {
-    attempt.asked = asked->relative;
+  if (const auto* requested = std::get_if<Tolerance>(&resolution)) {
+    attempt.requested_tolerance = requested->rtol;
     attempt.steps = static_cast<int>(path.steps);
   } else {
     attempt.steps = std::get<int>(resolution);
   }
-  attempt.ending = ending_of(scene_.problem, path);
-  if (path.ending != Ending::finished) return attempt;
-  attempt.values = counted(columns_of(scene_.outputs, path));
+  attempt.ending = outcome_of(scene_.problem, path);
+  if (path.status != SolveStatus::finished) return attempt;
+  attempt.values = compared_columns(columns_of(scene_.outputs, path));
   at_end ? measure_end_error(attempt) : measure_maximum_error(path.times, attempt);
   constexpr double nearly = 1e-9;
-  if (attempt.trivial < nearly && is_constant()) attempt.trivial = std::numeric_limits<double>::infinity();
-  if (!at_end && !way.is_adaptive()) {
-    const Grid grid{.end = scene_.problem.end, .steps = attempt.steps, .grading = way.grading};
+  if (attempt.baseline_error < nearly && is_constant())
+    attempt.baseline_error = std::numeric_limits<double>::infinity();
+  if (!at_end && !configuration.is_adaptive()) {
+    const Grid grid{.end = scene_.problem.end, .steps = attempt.steps, .grading = configuration.grading};
     attempt.error =
         std::max(attempt.error, variation().unresolved_variation(grid, smallest_order(scene_.problem)));
   }
-  attempt.within = attempt.error + reference_bound() <= question_.accuracy && attempt.error < attempt.trivial;
+  attempt.meets_accuracy =
+      attempt.error + reference_bound() <= question_.accuracy && attempt.error < attempt.baseline_error;
   return attempt;
 }
 
@@ -82,13 +89,15 @@ bool RunEvaluator::same_values(const Configuration& one, const Configuration& ot
   const auto times = comparison_times({.end = scene_.problem.end, .steps = steps, .grading = one.grading});
   const double budget = std::numeric_limits<double>::infinity();
   const auto first = solve(one, steps, times, budget), second = solve(other, steps, times, budget);
-  return first.ending == Ending::finished && second.ending == Ending::finished &&
+  return first.status == SolveStatus::finished && second.status == SolveStatus::finished &&
          first.times == second.times &&
          columns_of(scene_.outputs, first) == columns_of(scene_.outputs, second);
 }
 
-void RunEvaluator::solve_for_timing(const Configuration& way, const StepsOrTolerance& resolution) const {
-  static_cast<void>(solve(way, resolution, {scene_.problem.end}, std::numeric_limits<double>::infinity()));
+void RunEvaluator::solve_for_timing(const Configuration& configuration,
+                                    const StepsOrTolerance& resolution) const {
+  static_cast<void>(
+      solve(configuration, resolution, {scene_.problem.end}, std::numeric_limits<double>::infinity()));
 }
 
 void RunEvaluator::precompute_reference(int times) {
@@ -96,7 +105,7 @@ void RunEvaluator::precompute_reference(int times) {
 }
 
 Rows RunEvaluator::finite_reference(const std::vector<double>& times) {
-  Rows reference = counted(reference_.at(times));
+  Rows reference = compared_columns(reference_.at(times));
   if (const auto column = first_infinite_reference(reference)) {
     throw std::runtime_error(
         fmt::format("the solution overflows at t = {:.6g}: nothing can be compared with it",
@@ -105,12 +114,12 @@ Rows RunEvaluator::finite_reference(const std::vector<double>& times) {
   return reference;
 }
 
-void RunEvaluator::measure_maximum_error(const std::vector<double>& times, Attempt& attempt) {
+void RunEvaluator::measure_maximum_error(const std::vector<double>& times, CandidateRun& attempt) {
   const Rows reference = finite_reference(times);
   const Rows by = divisors(question_.kind.scale, times, reference);
   Eigen::Index row = 0, column = 0;
   attempt.error = (attempt.values - reference).cwiseAbs().cwiseQuotient(by).maxCoeff(&row, &column);
-  attempt.trivial = constant_solution_error(Norm::maximum, times, reference, by);
+  attempt.baseline_error = constant_solution_error(Norm::maximum, times, reference, by);
   attempt.column = question_.columns[static_cast<std::size_t>(row)];
   attempt.time = times[static_cast<std::size_t>(column)];
 }
@@ -120,7 +129,7 @@ bool RunEvaluator::is_constant() {
   constexpr int steps = 64;
   constexpr double rounding = 1e-15;
   const auto times = comparison_times(scene_.problem, steps);
-  const Rows values = finite_reference(times), unknown = counted(reference_.bounds(times));
+  const Rows values = finite_reference(times), unknown = compared_columns(reference_.bounds(times));
   const Rows first = values.col(0).replicate(1, values.cols());
   const Rows least = unknown + unknown.col(0).replicate(1, unknown.cols()) + rounding * first.cwiseAbs();
   return is_constant_.emplace(((values - first).cwiseAbs().array() <= least.array()).all());
@@ -135,12 +144,12 @@ const TotalVariation& RunEvaluator::variation() {
   return variation_.emplace(std::move(times), values, by);
 }
 
-void RunEvaluator::measure_end_error(Attempt& attempt) {
-  const auto& [reference, by, trivial, bound] = at_end();
+void RunEvaluator::measure_end_error(CandidateRun& attempt) {
+  const auto& [reference, by, baseline, bound] = at_end();
   const Vec difference = attempt.values.rightCols(1) - reference.rightCols(1);
   Eigen::Index row = 0;
   attempt.error = difference.cwiseAbs().cwiseQuotient(by.rightCols(1)).maxCoeff(&row);
-  attempt.trivial = trivial;
+  attempt.baseline_error = baseline;
   attempt.column = question_.columns[static_cast<std::size_t>(row)];
   attempt.time = scene_.problem.end;
   if (difference.size() == 1) attempt.signed_error = difference[0];
@@ -155,10 +164,10 @@ const RunEvaluator::EndComparison& RunEvaluator::at_end() {
   for (int i = 0; i <= nearby; ++i) times.push_back(end * (9 * nearby + i) / (10 * nearby));
   Rows reference = finite_reference(times);
   Rows by = divisors(question_.kind.scale, times, reference);
-  const double trivial = constant_solution_error(Norm::end, times, reference, by);
+  const double baseline = constant_solution_error(Norm::end, times, reference, by);
   const Vec unknown = reference_.bounds({end})(question_.columns, 0);
   const double bound = unknown.cwiseQuotient(by.rightCols(1)).maxCoeff();
-  return at_end_.emplace(EndComparison{std::move(reference), std::move(by), trivial, bound});
+  return at_end_.emplace(EndComparison{std::move(reference), std::move(by), baseline, bound});
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,17 +1,18 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <limits>
 #include <optional>
 #include <vector>
 
-#include "fdebench/benchmarks/measures/ending.hpp"
+#include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
 #include "fdebench/benchmarks/search/total_variation.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A configuration of a search: a scheme with a grading of its grid, or a scheme with adaptive step size.
 // The number of steps or the tolerance is free.
@@ -19,26 +20,27 @@ struct Configuration {
   const Scheme* scheme = nullptr;
   double grading = 1.0;
 
-  [[nodiscard]] bool is_adaptive() const { return !scheme->needs.solves_on_grid; }
+  [[nodiscard]] bool is_adaptive() const { return scheme->capabilities.is_adaptive(); }
 };
 
 // One run of a configuration, compared with the reference.
-struct Attempt {
+struct CandidateRun {
   int steps = 0;                                           // of the grid, or taken by an adaptive step size
-  std::optional<double> asked{};                           // requested tolerance, with adaptive step size
+  std::optional<double> requested_tolerance{};             // nullopt: the run is on a grid
   double error = std::numeric_limits<double>::infinity();  // infinity: the run did not reach the end time
-  double trivial = 0.0;  // error of the baseline y = 0 or y = y(0); infinity where the solution is constant
-  Eigen::Index column = 0;    // index of the scene's column with the largest error
-  double time = 0.0;          // of the largest error
-  double signed_error = 0.0;  // at the end time, where exactly one column is compared
-  bool within = false;        // error + bound of the reference <= accuracy, and error < trivial
-  double seconds = 0.0;       // wall time of one solve
+  // The error of the baseline y = 0 or y = y(0); infinity where the solution is constant.
+  double baseline_error = 0.0;
+  Eigen::Index column = 0;      // index of the scene's column with the largest error
+  double time = 0.0;            // of the largest error
+  double signed_error = 0.0;    // at the end time, where exactly one column is compared
+  bool meets_accuracy = false;  // error + bound of the reference <= accuracy, and error < baseline_error
+  double seconds = 0.0;         // wall time of one solve
   RunOutcome ending{};
   Rows values{};  // the compared columns at the comparison times, one row a column
 };
 
 // The number of steps or the tolerance of the run.
-StepsOrTolerance resolution_of(const Attempt& attempt);
+StepsOrTolerance resolution_of(const CandidateRun& attempt);
 
 // Runs configurations on a scene and measures their errors against its reference. The scene must outlive
 // this object.
@@ -46,16 +48,17 @@ class RunEvaluator {
  public:
   RunEvaluator(const Scene& scene, AccuracyTarget question);
 
-  // Compares the run with the reference at about `watched` times, for Norm::end at the end time only. The run
-  // stops after `budget` seconds. Throws std::runtime_error if there is no finite reference.
-  Attempt examine(const Configuration& way, const StepsOrTolerance& resolution, int watched, double budget);
+  // Compares the run with the reference at about `compared` times, for Norm::end at the end time only. The
+  // run stops after `budget` seconds. Throws std::runtime_error if there is no finite reference.
+  CandidateRun evaluate(const Configuration& configuration, const StepsOrTolerance& resolution, int compared,
+                        double budget);
 
   // Whether both configurations, on grids with this number of steps, give the same bits at the comparison
   // times.
   bool same_values(const Configuration& one, const Configuration& other, int steps);
 
   // Solves without a comparison or a budget, for timing.
-  void solve_for_timing(const Configuration& way, const StepsOrTolerance& resolution) const;
+  void solve_for_timing(const Configuration& configuration, const StepsOrTolerance& resolution) const;
 
   // Evaluates the reference at this number of equally spaced times; later comparisons reuse the values.
   void precompute_reference(int times);
@@ -64,7 +67,7 @@ class RunEvaluator {
   [[nodiscard]] const AccuracyTarget& question() const { return question_; }
 
   // Whether the solution equals y(0) at all sampled times, to rounding and the bounds of the reference. The
-  // baseline y = y(0) is then correct, so `trivial` does not apply.
+  // baseline y = y(0) is then correct, so `baseline_error` does not apply.
   bool is_constant();
 
   // Error bound of the reference at the end time, on the scale of the question. It is added to every error.
@@ -72,12 +75,12 @@ class RunEvaluator {
 
  private:
   Rows finite_reference(const std::vector<double>& times);
-  void measure_maximum_error(const std::vector<double>& times, Attempt& attempt);
-  void measure_end_error(Attempt& attempt);
-  [[nodiscard]] Rows counted(const Rows& columns) const;
-  [[nodiscard]] std::vector<double> compared_times(const Configuration& way,
-                                                   const StepsOrTolerance& resolution, int watched) const;
-  [[nodiscard]] Trajectory solve(const Configuration& way, const StepsOrTolerance& resolution,
+  void measure_maximum_error(const std::vector<double>& times, CandidateRun& attempt);
+  void measure_end_error(CandidateRun& attempt);
+  [[nodiscard]] Rows compared_columns(const Rows& columns) const;
+  [[nodiscard]] std::vector<double> compared_times(const Configuration& configuration,
+                                                   const StepsOrTolerance& resolution, int compared) const;
+  [[nodiscard]] Trajectory solve(const Configuration& configuration, const StepsOrTolerance& resolution,
                                  const std::vector<double>& times, double budget) const;
 
   const Scene& scene_;
@@ -85,7 +88,7 @@ class RunEvaluator {
   MemoizedReference reference_;
   struct EndComparison {
     Rows reference, divisors;
-    double trivial, bound;
+    double baseline_error, bound;
   };
   const EndComparison& at_end();
   std::optional<EndComparison> at_end_{};
@@ -95,4 +98,4 @@ class RunEvaluator {
   std::optional<TotalVariation> variation_{};
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/search/error_model.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 
 #include "fdebench/benchmarks/observers/rate.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::size_t most_fitted = 5;
@@ -146,4 +147,4 @@ Prediction ErrorModel::steps(double error) const {
   return steps;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
 #include <span>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 
 // The error of a run with this number of steps.
 struct TrialError {
@@ -50,4 +51,4 @@ class ErrorModel {
   std::size_t best_ = 0;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

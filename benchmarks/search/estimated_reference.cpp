@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@
 #include "fdebench/benchmarks/search/search_candidate.hpp"
 #include "fdebench/reference/nonlinear/march/singularity.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -53,22 +54,23 @@ Difference difference_of(const InterpolatedRun& first, const InterpolatedRun& se
   return found;
 }
 
-std::string name_of(const Configuration& way, int steps) {
-  const auto grid = way.grading == 1.0 ? "" : ", " + grid_text(way.grading);
-  return fmt::format("{}{} with N = {}", way.scheme->id, grid, steps);
+std::string name_of(const Configuration& configuration, int steps) {
+  const auto grid = configuration.grading == 1.0 ? "" : ", " + grid_text(configuration.grading);
+  return fmt::format("{}{} with N = {}", configuration.scheme->id, grid, steps);
 }
 
 // Searches for two configurations whose results agree.
 class Estimator {
  public:
-  Estimator(const Scene& scene, const AccuracyTarget& question, double seconds, const SearchProgress& tell)
-      : scene_(scene), question_(question), seconds_(seconds), tell_(tell) {}
+  Estimator(const Scene& scene, const AccuracyTarget& question, double seconds,
+            const SearchProgress& progress)
+      : scene_(scene), question_(question), seconds_(seconds), progress_(progress) {}
 
-  SearchReference run(std::string missing) {
-    estimate_.missing = std::move(missing);
+  SearchReference run(std::string no_reference_reason) {
+    estimate_.no_reference_reason = std::move(no_reference_reason);
     choose_configurations();
-    climb();
-    return {made(), estimate_};
+    refine();
+    return {reference(), estimate_};
   }
 
  private:
@@ -76,14 +78,17 @@ class Estimator {
     return std::chrono::duration<double>(Clock::now() - start_).count();
   }
 
-  [[nodiscard]] std::shared_ptr<const InterpolatedRun> solve(const Configuration& way, int steps) const {
-    tell_(fmt::format("no reference: {}", name_of(way, steps)), std::min(1.0, elapsed() / seconds_));
-    return std::make_shared<const InterpolatedRun>(scene_, way, steps, std::max(0.1, seconds_ - elapsed()));
+  [[nodiscard]] std::shared_ptr<const InterpolatedRun> solve(const Configuration& configuration,
+                                                             int steps) const {
+    progress_(fmt::format("no reference: {}", name_of(configuration, steps)),
+              std::min(1.0, elapsed() / seconds_));
+    return std::make_shared<const InterpolatedRun>(scene_, configuration, steps,
+                                                   std::max(0.1, seconds_ - elapsed()));
   }
 
   // A configuration, and the change of its result from N to N/2 steps.
   struct ConfigurationChange {
-    Configuration way{};
+    Configuration configuration{};
     double moves = infinity;
   };
 
@@ -91,14 +96,15 @@ class Estimator {
     std::vector<ConfigurationChange> all;
     for (const Scheme& scheme : schemes()) {
       const auto fits = [&](double grading) {
-        return !refusal(scheme, scene_.problem, Grid{scene_.problem.end, steps, grading});
+        return !unsupported_reason(scheme, scene_.problem, Grid{scene_.problem.end, steps, grading});
       };
       if (!fits(1.0)) continue;
       for (const double grading : gradings_of(scheme, scene_, question_.kind.norm)) {
         if (elapsed() > seconds_ || !fits(grading)) continue;
-        const Configuration way{&scheme, grading};
-        const double moves = difference_of(*solve(way, steps), *solve(way, steps / 2), question_).largest;
-        if (std::isfinite(moves)) all.push_back({way, moves});
+        const Configuration configuration{&scheme, grading};
+        const double moves =
+            difference_of(*solve(configuration, steps), *solve(configuration, steps / 2), question_).largest;
+        if (std::isfinite(moves)) all.push_back({configuration, moves});
       }
     }
     std::ranges::stable_sort(all, {}, &ConfigurationChange::moves);
@@ -111,22 +117,23 @@ class Estimator {
     for (int steps = fewest; steps <= most; steps *= 4) {
       const auto all = configurations_with(steps);
       if (all.empty()) continue;
-      const auto& first = *all.front().way.scheme;
-      const auto other = [&](const ConfigurationChange& of) { return of.way.scheme != &first; };
+      const auto& first = *all.front().configuration.scheme;
+      const auto other = [&](const ConfigurationChange& of) { return of.configuration.scheme != &first; };
       const auto other_kind = [&](const ConfigurationChange& of) {
-        return of.way.scheme->needs.implicit != first.needs.implicit && of.moves < far * all.front().moves;
+        return of.configuration.scheme->capabilities.implicit != first.capabilities.implicit &&
+               of.moves < far * all.front().moves;
       };
       // Equal gradings avoid interpolation, which is inaccurate for a solution ~ t^g near 0.
       const auto at_the_same_times = [&](const ConfigurationChange& of) {
         return other_kind(of) && question_.kind.norm == Norm::maximum &&
-               of.way.grading == all.front().way.grading;
+               of.configuration.grading == all.front().configuration.grading;
       };
       auto second = std::ranges::find_if(all, at_the_same_times);
       if (second == all.end()) second = std::ranges::find_if(all, other_kind);
       if (second == all.end()) second = std::ranges::find_if(all, other);
       if (second == all.end()) continue;
-      estimate_.first = all.front().way;
-      estimate_.second = second->way;
+      estimate_.first = all.front().configuration;
+      estimate_.second = second->configuration;
       steps_ = steps_resolving_jumps(2 * steps);
       return;
     }
@@ -138,13 +145,14 @@ class Estimator {
   [[nodiscard]] int steps_resolving_jumps(int steps) const {
     constexpr int between = 8, most = 1 << 20;
     double shortest = scene_.problem.end, before = 0.0;
-    for (const double t : scene_.problem.jumps) shortest = std::min(shortest, t - std::exchange(before, t));
+    for (const double t : scene_.problem.jump_times)
+      shortest = std::min(shortest, t - std::exchange(before, t));
     while (steps * shortest < between * scene_.problem.end && steps <= most) steps *= 2;
     if (steps > most) throw no_estimate(fmt::format("its right-hand side jumps within {:g}", shortest));
     return steps;
   }
 
-  void climb() {
+  void refine() {
     constexpr double next_takes = 2.5;  // time of the next pair of runs over the time of this pair
     constexpr double most_values = 2e7;
     double before = infinity, ratio = 0.0;
@@ -155,7 +163,7 @@ class Estimator {
       first_ = solve(estimate_.first, steps);
       between_ = difference_of(*first_, *solve(estimate_.second, steps / 2), question_);
       estimate_.difference = between_.largest;
-      const double fallen = fall(before);
+      const double fallen = convergence_ratio(before);
       estimate_.factor = estimate_factor(std::min(ratio, fallen));
       if (estimate_.error() <= largest_estimate_fraction * question_.accuracy) return;
       before = between_.largest;
@@ -167,7 +175,7 @@ class Estimator {
   }
 
   // Ratio of the previous difference to this one; 0 if there is no previous one, infinity at rounding level.
-  [[nodiscard]] double fall(double before) const {
+  [[nodiscard]] double convergence_ratio(double before) const {
     if (between_.largest <= between_.rounding) return infinity;
     return std::isfinite(before) ? before / between_.largest : 0.0;
   }
@@ -184,20 +192,20 @@ class Estimator {
 
   [[nodiscard]] std::runtime_error no_estimate(const std::string& why) const {
     return std::runtime_error(
-        fmt::format("there is no reference ({}), and no estimate: {}", estimate_.missing, why));
+        fmt::format("there is no reference ({}), and no estimate: {}", estimate_.no_reference_reason, why));
   }
 
-  [[nodiscard]] Reference made() const {
+  [[nodiscard]] reference::Reference reference() const {
     const Vec bound = estimate_.error() * between_.divisors.unaryExpr([](double by) {
       return std::isfinite(by) ? by : 0.0;  // an infinite divisor excludes the value
     });
-    return {[run = first_, bound](double t) -> ReferenceValue { return {run->at(t), bound}; }};
+    return {[run = first_, bound](double t) -> reference::ReferenceValue { return {run->at(t), bound}; }};
   }
 
   const Scene& scene_;
   const AccuracyTarget& question_;
   double seconds_;
-  const SearchProgress& tell_;
+  const SearchProgress& progress_;
   Clock::time_point start_ = Clock::now();
   int steps_ = 0;
   std::shared_ptr<const InterpolatedRun> first_{};
@@ -213,21 +221,22 @@ double estimate_factor(double ratio) {
 }
 
 SearchReference estimated_reference(const Scene& scene, const AccuracyTarget& question,
-                                    const std::string& missing, double seconds, const SearchProgress& tell) {
-  return Estimator(scene, question, seconds, tell).run(missing);
+                                    const std::string& no_reference_reason, double seconds,
+                                    const SearchProgress& progress) {
+  return Estimator(scene, question, seconds, progress).run(no_reference_reason);
 }
 
 SearchReference reference_or_estimate(const Scene& scene, const AccuracyTarget& question, double seconds,
-                                      const SearchProgress& tell) {
+                                      const SearchProgress& progress) {
   try {
-    Reference known = reference_of(scene);
+    reference::Reference known = reference_of(scene);
     [[maybe_unused]] const auto at_end = known.at(scene.problem.end);
     return {.reference = std::move(known)};
-  } catch (const Singularity&) {
+  } catch (const reference::Singularity&) {
     throw;
   } catch (const std::runtime_error& missing) {
-    return estimated_reference(scene, question, missing.what(), seconds, tell);
+    return estimated_reference(scene, question, missing.what(), seconds, progress);
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

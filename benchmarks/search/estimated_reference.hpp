@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -7,14 +8,14 @@
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
 #include "fdebench/benchmarks/search/candidate_run.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // An error estimate for a scene without a reference: two runs of different schemes, the second with half the
 // steps, so that an error common to both rules shows in their difference too. The first, finer run replaces
 // the reference. The estimate is no bound.
 struct ErrorEstimate {
-  std::string missing{};            // why there is no reference
-  Configuration first{}, second{};  // `first` replaces the reference
+  std::string no_reference_reason{};  // why there is no reference
+  Configuration first{}, second{};    // `first` replaces the reference
   int first_steps = 0, second_steps = 0;
   double difference = 0.0;  // largest over the compared columns, on the scale of the question
   double factor = 0.0;      // estimated error of the first run = factor * difference
@@ -32,7 +33,7 @@ inline constexpr double largest_estimate_fraction = 0.1;
 
 // The reference of a search, with the estimate it rests on if it is not a known reference.
 struct SearchReference {
-  Reference reference{};
+  reference::Reference reference{};
   std::optional<ErrorEstimate> estimate{};
 };
 
@@ -44,10 +45,11 @@ struct SearchReference {
 // tenth of the interval. Throws Singularity if a singularity is the reason for the missing reference, and
 // std::runtime_error with both reasons if the two runs do not agree in time.
 SearchReference reference_or_estimate(const Scene& scene, const AccuracyTarget& question, double seconds,
-                                      const SearchProgress& tell);
+                                      const SearchProgress& progress);
 
-// The estimate alone, for a scene that has no reference for the reason `missing`.
+// The estimate alone, for a scene that has no reference for the reason `no_reference_reason`.
 SearchReference estimated_reference(const Scene& scene, const AccuracyTarget& question,
-                                    const std::string& missing, double seconds, const SearchProgress& tell);
+                                    const std::string& no_reference_reason, double seconds,
+                                    const SearchProgress& progress);
 
-}  // namespace fde
+}  // namespace fde::bench

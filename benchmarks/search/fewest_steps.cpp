@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/search/fewest_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-using Try = std::function<Attempt(int steps)>;
+using Try = std::function<CandidateRun(int steps)>;
 
 // The next multiple of `unit` above the steps rounded up to about three digits.
 int rounded_up(double steps, int unit) {
@@ -17,7 +18,7 @@ int rounded_up(double steps, int unit) {
 }
 
 // Secant in log N and log e: the N at which the line through both errors equals the accuracy.
-double steps_between(const Attempt& low, const Attempt& high, double accuracy) {
+double steps_between(const CandidateRun& low, const CandidateRun& high, double accuracy) {
   const double middle = std::sqrt(static_cast<double>(low.steps) * high.steps);
   if (!std::isfinite(low.error) || !(low.error > high.error) || !(high.error > 0.0)) return middle;
   const double rate =
@@ -26,7 +27,7 @@ double steps_between(const Attempt& low, const Attempt& high, double accuracy) {
 }
 
 // Narrows the bracket to 1.5 %: secant steps, every third one a bisection.
-Attempt between(Attempt low, Attempt high, double accuracy, int unit, const Try& attempt) {
+CandidateRun between(CandidateRun low, CandidateRun high, double accuracy, int unit, const Try& attempt) {
   constexpr int most_tries = 8;
   constexpr double close = 1.015, more = 1.003;
   for (int i = 0; i < most_tries && high.steps > close * low.steps; ++i) {
@@ -34,23 +35,23 @@ Attempt between(Attempt low, Attempt high, double accuracy, int unit, const Try&
     if (steps <= low.steps || steps >= high.steps || i % 3 == 2)
       steps = rounded_up(std::sqrt(static_cast<double>(low.steps) * high.steps), unit);
     if (steps <= low.steps || steps >= high.steps) break;
-    Attempt made = attempt(steps);
-    (made.within ? high : low) = std::move(made);
+    CandidateRun made = attempt(steps);
+    (made.meets_accuracy ? high : low) = std::move(made);
   }
   return high;
 }
 
-Attempt scanned_below(Attempt best, int unit, const Try& attempt) {
+CandidateRun scanned_below(CandidateRun best, int unit, const Try& attempt) {
   constexpr double ratio = 1.05, part = 16.0;
   const double last = best.steps / part;
-  Attempt before = best;
+  CandidateRun before = best;
   for (int steps = best.steps; steps > unit && steps > last;) {
     steps = std::min(steps - 1, static_cast<int>(steps / ratio)) / unit * unit;
     if (steps < 1) break;
-    Attempt made = attempt(steps);
-    if (made.within) {
+    CandidateRun made = attempt(steps);
+    if (made.meets_accuracy) {
       best = made;
-    } else if (!before.within && made.signed_error * before.signed_error < 0.0) {
+    } else if (!before.meets_accuracy && made.signed_error * before.signed_error < 0.0) {
       if (auto found = at_sign_change(made, before, unit, attempt)) best = std::move(*found);
     }
     before = std::move(made);
@@ -60,23 +61,25 @@ Attempt scanned_below(Attempt best, int unit, const Try& attempt) {
 
 }  // namespace
 
-std::optional<Attempt> at_sign_change(Attempt few, Attempt many, int unit, const Try& attempt) {
+std::optional<CandidateRun> at_sign_change(CandidateRun few, CandidateRun many, int unit,
+                                           const Try& attempt) {
   while (many.steps - few.steps > unit) {
-    Attempt made = attempt((few.steps + many.steps) / 2 / unit * unit);
+    CandidateRun made = attempt((few.steps + many.steps) / 2 / unit * unit);
     if (made.steps <= few.steps || !std::isfinite(made.error)) return std::nullopt;
-    if (made.within) return made;
+    if (made.meets_accuracy) return made;
     (made.signed_error * many.signed_error > 0.0 ? many : few) = std::move(made);
   }
   return std::nullopt;
 }
 
-Attempt fewest_steps(const std::vector<Attempt>& ladder, double accuracy, int unit, bool scan,
-                     const Try& attempt) {
-  Attempt best = ladder.back();
-  if (ladder.size() > 1) best = between(ladder[ladder.size() - 2], best, accuracy, unit, attempt);
+CandidateRun fewest_steps(const std::vector<CandidateRun>& refinements, double accuracy, int unit, bool scan,
+                          const Try& attempt) {
+  CandidateRun best = refinements.back();
+  if (refinements.size() > 1)
+    best = between(refinements[refinements.size() - 2], best, accuracy, unit, attempt);
   return scan ? scanned_below(std::move(best), unit, attempt) : best;
 }
 
 int more_steps(int steps, int unit) { return rounded_up(1.01 * steps + 1.0, unit); }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/search/interleaved_times.hpp"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -48,4 +49,4 @@ std::vector<MedianInterval> time_interleaved(const std::vector<std::function<voi
   return spreads;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,15 +1,17 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/search/interpolated_run.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace fde {
+namespace fde::bench {
 
-InterpolatedRun::InterpolatedRun(const Scene& scene, const Configuration& way, int steps, double budget)
-    : grid_{.end = scene.problem.end, .steps = steps, .grading = way.grading} {
-  const auto path = way.scheme->solve(scene.problem, grid_, {.budget = budget});
-  if (path.ending != Ending::finished) return;
+InterpolatedRun::InterpolatedRun(const Scene& scene, const Configuration& configuration, int steps,
+                                 double budget)
+    : grid_{.end = scene.problem.end, .steps = steps, .grading = configuration.grading} {
+  const auto path = configuration.scheme->solve(scene.problem, grid_, {.budget = budget});
+  if (path.status != SolveStatus::finished) return;
   Rows columns = columns_of(scene.outputs, path);
   if (columns.allFinite()) columns_ = std::move(columns);
 }
@@ -35,4 +37,4 @@ Rows InterpolatedRun::at(const std::vector<double>& times) const {
   return values;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/benchmarks/search/candidate_run.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A run on a grid as a function of time. Between the times t_n = T (n/N)^R each column of the scene is
 // interpolated by a cubic in n, the variable in which the grid is uniform, through the four nearest steps.
@@ -12,7 +13,7 @@ class InterpolatedRun {
  public:
   // Solves the scene; stops after `budget` seconds. Preconditions: steps >= 4, and the scheme accepts the
   // problem on this grid.
-  InterpolatedRun(const Scene& scene, const Configuration& way, int steps, double budget);
+  InterpolatedRun(const Scene& scene, const Configuration& configuration, int steps, double budget);
 
   // Whether the run reached the end time with finite values. Precondition of at().
   [[nodiscard]] bool finished() const { return columns_.cols() > 0; }
@@ -28,4 +29,4 @@ class InterpolatedRun {
   Rows columns_{};  // one row a column of the scene, one column a grid time; empty: not finished
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "fdebench/benchmarks/search/search_candidate.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Searches for `seconds` for the cheapest run of a scene within the accuracy of the question, over all
 // schemes, gradings and numbers of steps. Every configuration doubles its steps until its error is within the
@@ -14,6 +15,6 @@ namespace fde {
 // many steps as a record is. Returns all configurations: first those within the accuracy, the quickest first.
 // Throws std::runtime_error if the reference is missing or less accurate than requested.
 std::vector<SearchCandidate> search(const Scene& scene, const AccuracyTarget& question, double seconds,
-                                    const SearchProgress& tell);
+                                    const SearchProgress& progress);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -8,36 +9,36 @@
 #include "fdebench/benchmarks/search/candidate_run.hpp"
 #include "fdebench/benchmarks/search/error_model.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The outcome of the search for one configuration.
-enum class Found {
-  within,       // `best` is within the accuracy
-  slower,       // expected to take longer than another configuration
-  at_floor,     // the error no longer decreases
-  out_of_time,  // the time of the search ended first
-  repeats,      // gives the same bits as another configuration, whose entry names both
+enum class SearchOutcome {
+  accuracy_reached,  // `best` is within the accuracy
+  slower,            // expected to take longer than another configuration
+  stagnated,         // the error no longer decreases
+  out_of_time,       // the time of the search ended first
+  duplicate,         // gives the same bits as another configuration, whose entry names both
   refused,
   failed,
 };
 
 // All runs of one configuration and their outcome.
 struct SearchCandidate {
-  Configuration way{};
-  Found found = Found::out_of_time;
+  Configuration configuration{};
+  SearchOutcome outcome = SearchOutcome::out_of_time;
   std::string reason{};                      // why the scheme refused, or how the last run ended
   std::vector<std::string> names{};          // this scheme, then the schemes that give the same bits
-  std::vector<Attempt> ladder{};             // runs with doubled numbers of steps
-  Attempt best{};                            // the cheapest run within the accuracy
-  std::optional<Prediction> predicted{};     // error of `best` by the error model of `ladder`
+  std::vector<CandidateRun> refinements{};   // runs with doubled numbers of steps
+  CandidateRun best{};                       // the cheapest run within the accuracy
+  std::optional<Prediction> predicted{};     // error of `best` by the error model of `refinements`
   std::optional<MedianInterval> time{};      // of `best`, interleaved with the other quick configurations
   std::optional<double> rate{};              // observed
   std::optional<Prediction> steps_needed{};  // to reach the accuracy, where no run did
   double seconds_per_step = 0.0;             // per step, in the run with the most steps
-  double once_seconds = 0.0;                 // extra time of the first solve, which computes start weights
+  double setup_seconds = 0.0;                // extra time of the first solve, which computes starting weights
 };
 
-// The finite errors of the ladder, from coarse to fine.
+// The finite errors of the refinements, from coarse to fine.
 std::vector<TrialError> errors_of(const SearchCandidate& of);
 
 // Whether the asymptotic range is reached: the last error is below a tenth of the baseline's error.
@@ -46,7 +47,7 @@ bool is_asymptotic(const SearchCandidate& of);
 // Whether the last three errors, far below the size of the solution, no longer decrease.
 bool has_stagnated(const SearchCandidate& of);
 
-// Expected seconds of the next run of the ladder.
+// Expected seconds of the next refinement.
 double next_seconds(const SearchCandidate& of);
 
 // Expected seconds of a run within the accuracy, for the given end (`low`, `value`, `high`) of the interval
@@ -62,4 +63,4 @@ double lower_bound_of_seconds(const SearchCandidate& of, double accuracy);
 // scene's problem.
 std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm);
 
-}  // namespace fde
+}  // namespace fde::bench

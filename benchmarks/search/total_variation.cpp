@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/search/total_variation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 
 TotalVariation::TotalVariation(std::vector<double> times, const Rows& values, const Rows& divisors)
     : times_(std::move(times)), variation_(Rows::Zero(values.rows(), values.cols())) {
@@ -47,4 +48,4 @@ double TotalVariation::median_time(Eigen::Index column) const {
   return times_[static_cast<std::size_t>(std::max<Eigen::Index>(1, found - row.begin()))];
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -5,7 +6,7 @@
 #include "fdebench/schemes/problem/grid.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The scaled total variation of each column y of a solution up to a time: sum_k |y_k - y_{k-1}| / divisor.
 class TotalVariation {
@@ -28,4 +29,4 @@ class TotalVariation {
   Rows variation_;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
 
 #include <fmt/format.h>
@@ -6,11 +7,11 @@
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 std::vector<SceneVariant> default_scenes() {
   std::vector<SceneVariant> variants;
-  for (const auto& maker : scenes()) variants.push_back({.maker = &maker});
+  for (const auto& maker : built_in_scenes()) variants.push_back({.maker = &maker});
   for (const auto* text :
        {"relaxation:gamma=0.2", "relaxation:gamma=1.5", "power:p=0.7", "pendulum:alpha=1.25,beta=0.75",
         "pendulum:alpha=1.9,beta=0.1", "fractional_diffusion:components=8"}) {
@@ -40,14 +41,14 @@ std::vector<SceneVariant> sweep_scenes() {
 }
 
 RefinementPlan thorough_plan() {
-  RefinementPlan ladder;
-  for (int steps = 64; steps <= 524288; steps *= 2) ladder.rungs.emplace_back(steps);
+  RefinementPlan plan;
+  for (int steps = 64; steps <= 524288; steps *= 2) plan.resolutions.emplace_back(steps);
   for (const double error : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13})
-    ladder.rungs.emplace_back(Tolerance{error, error});
-  return ladder;
+    plan.resolutions.emplace_back(Tolerance{error, error});
+  return plan;
 }
 
-RefinementPlan default_plan() { return {thorough_plan().rungs, RefinementGoal{}}; }
+RefinementPlan default_plan() { return {thorough_plan().resolutions, RefinementGoal{}}; }
 
 std::vector<const Scheme*> sweep_schemes() {
   std::vector<const Scheme*> all;
@@ -60,4 +61,4 @@ std::vector<const Scheme*> graded_schemes() {
           find_scheme("product_trapezoidal")};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -6,7 +7,7 @@
 #include "fdebench/benchmarks/sweep/refinement_plan.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // All scenes, and some again with other parameters that change the ranking of the schemes: a small order, an
 // order above 1, a solution ~ t^0.7 near 0, pendulums whose commensurate expansion has many states.
@@ -17,7 +18,7 @@ std::vector<SceneVariant> default_scenes();
 std::vector<SceneVariant> sweep_scenes();
 
 // The numbers of steps (64, 128, ..., 2^19) and tolerances (1e-2, ..., 1e-13) of a thorough sweep; and the
-// same with a Goal that ends each refinement early.
+// same with a RefinementGoal that ends each refinement early.
 RefinementPlan thorough_plan();
 RefinementPlan default_plan();
 
@@ -26,4 +27,4 @@ RefinementPlan default_plan();
 std::vector<const Scheme*> sweep_schemes();
 std::vector<const Scheme*> graded_schemes();
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/sweep/forecast.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 double seconds_of(const std::function<void()>& work) {
@@ -22,14 +23,14 @@ double seconds_of(const std::function<void()>& work) {
 // Times and errors of two or three solves of one scheme on one scene, extrapolated to other resolutions.
 class Probe {
  public:
-  Probe(const Scene& scene, const Scheme& scheme, const RunSettings& setup, const RefinementPlan& ladder) {
-    if (!scheme.needs.solves_on_grid) {
+  Probe(const Scene& scene, const Scheme& scheme, const RunSettings& setup, const RefinementPlan& plan) {
+    if (scheme.capabilities.is_adaptive()) {
       probe_accuracy(scene, scheme, setup);
       return;
     }
     std::array<Vec, 3> results;
     for (std::size_t i = 0; i < results.size(); ++i) {
-      steps_ = fewest_steps(ladder) << i;
+      steps_ = fewest_steps(plan) << i;
       results[i] = solve(scene, scheme, setup, steps_);
     }
     if (failed_) return;
@@ -40,29 +41,30 @@ class Probe {
   }
 
   // The predicted run with this number of steps or tolerance.
-  [[nodiscard]] RefinementRun rung(const StepsOrTolerance& resolution) const {
-    if (const auto* asked = std::get_if<Tolerance>(&resolution)) return refinement_run(*asked);
+  [[nodiscard]] RefinementRun forecast(const StepsOrTolerance& resolution) const {
+    if (const auto* requested = std::get_if<Tolerance>(&resolution)) return refinement_run(*requested);
     const int steps = std::get<int>(resolution);
     const bool takes_no_grid = steps_ == 0;
-    RefinementRun rung{.steps = steps, .hopeless = refused_ || takes_no_grid};
-    if (failed_ || takes_no_grid) return rung;
+    RefinementRun run{.steps = steps, .fails_with_more_steps = refused_ || takes_no_grid};
+    if (failed_ || takes_no_grid) return run;
     const double ratio = static_cast<double>(steps_) / steps;
-    rung.seconds = seconds_ / ratio;
+    run.seconds = seconds_ / ratio;
     const auto falling = [&](std::optional<double> rate) {
       return ErrorWithRate{error_ * std::pow(ratio, rate.value_or(1.0)), rate};
     };
-    rung.end = falling(end_rate_);
-    rung.maximum = falling(maximum_rate_);
-    return rung;
+    run.end = falling(end_rate_);
+    run.maximum = falling(maximum_rate_);
+    return run;
   }
 
  private:
-  // The finest solve has four times these steps: at most 512, and a quarter of the ladder's largest number.
-  static int fewest_steps(const RefinementPlan& ladder) {
+  // The finest solve has four times these steps: at most 512, and a quarter of the largest number of the
+  // plan.
+  static int fewest_steps(const RefinementPlan& plan) {
     constexpr int most = 128, part = 16;
     int steps = 0;
-    for (const auto& rung : ladder.rungs) {
-      if (const auto* some = std::get_if<int>(&rung)) steps = std::max(steps, *some);
+    for (const auto& resolution : plan.resolutions) {
+      if (const auto* some = std::get_if<int>(&resolution)) steps = std::max(steps, *some);
     }
     return std::clamp(steps / part, 1, most);
   }
@@ -74,29 +76,29 @@ class Probe {
     longer_ = std::max(1.0, std::pow(seconds_ / before, 1.0 / std::log10(coarse_ / fine_)));
   }
 
-  [[nodiscard]] RefinementRun refinement_run(const Tolerance& asked) const {
-    RefinementRun rung{.hopeless = refused_};
+  [[nodiscard]] RefinementRun refinement_run(const Tolerance& requested) const {
+    RefinementRun run{.fails_with_more_steps = refused_};
     if (!failed_) {
-      rung.seconds =
-          seconds_ * std::pow(longer_, std::log10(fine_ / std::max(asked.relative, asked.absolute)));
+      run.seconds =
+          seconds_ * std::pow(longer_, std::log10(fine_ / std::max(requested.rtol, requested.atol)));
     }
-    return rung;
+    return run;
   }
 
   // Solves and returns the columns at the end time.
-  Vec solve(const Scene& scene, const Scheme& scheme, RunSettings setup, const StepsOrTolerance& asked) {
+  Vec solve(const Scene& scene, const Scheme& scheme, RunSettings setup, const StepsOrTolerance& requested) {
     constexpr double most_seconds = 2.0;
-    setup.resolution = asked;
+    setup.resolution = requested;
     setup.budget = std::min(setup.budget, most_seconds);
     const double end = scene.problem.end;
     const auto resolution = resolution_of(setup, end);
-    if (refusal(scheme, scene.problem, resolution)) refused_ = failed_ = true;
+    if (unsupported_reason(scheme, scene.problem, resolution)) refused_ = failed_ = true;
     if (failed_) return {};
     Options options = setup.options();
-    options.at = {end};
+    options.output_times = {end};
     Trajectory path;
     seconds_ = seconds_of([&] { path = scheme.solve(scene.problem, resolution, options); });
-    failed_ = path.ending != Ending::finished;
+    failed_ = path.status != SolveStatus::finished;
     if (failed_) return {};
     return columns_at(scene.outputs, end, path.y.rightCols(1));
   }
@@ -122,9 +124,9 @@ double seconds_of_reference(const Scene& scene) {
 }
 
 // The seconds of the timed solves of a run; 0 if it is not timed.
-double seconds_of_timing(const RefinementRun& rung, const TimingRepeats& repeats) {
-  if (!rung.seconds) return 0.0;
-  const double once = *rung.seconds;
+double seconds_of_timing(const RefinementRun& run, const TimingRepeats& repeats) {
+  if (!run.seconds) return 0.0;
+  const double once = *run.seconds;
   const double wanted = std::min(repeats.most * once, repeats.enough_seconds + once);
   return std::max({wanted, once, repeats.min_seconds});
 }
@@ -136,30 +138,30 @@ class RefinementSimulation {
                        const std::function<RecordedRun(const RunKey&)>& recorded)
       : name_(variant.key()), scene_(make_scene(variant)), sweep_(sweep), recorded_(recorded) {}
 
-  Forecast climb() {
+  Forecast simulate() {
     reference_ = seconds_of_reference(scene_);
     std::vector<ProbedLine> probes;
     for (const auto* scheme : sweep_.schemes) {
       for (const RunSettings& setup : setups_of(sweep_, *scheme, scene_.problem))
-        probes.push_back({scheme, setup, Probe(scene_, *scheme, setup, sweep_.ladder)});
+        probes.push_back({scheme, setup, Probe(scene_, *scheme, setup, sweep_.plan)});
     }
     const std::size_t count = probes.size() + sweep_.programs.size();
-    std::vector<Refinement> climbs(count);
+    std::vector<Refinement> refinements(count);
     std::vector<bool> ended(count, false);
-    const auto ladder_of = [&](std::size_t i) {
-      return plan_for(sweep_.ladder, i < probes.size() ? probes[i].scheme->needs : Capabilities{});
+    const auto plan_of = [&](std::size_t i) {
+      return plan_for(sweep_.plan, i < probes.size() ? probes[i].scheme->capabilities : Capabilities{});
     };
-    std::vector<RefinementPlan> ladders;
-    for (std::size_t i = 0; i < count; ++i) ladders.push_back(ladder_of(i));
-    for (std::size_t rung = 0; rung < sweep_.ladder.rungs.size(); ++rung) {
+    std::vector<RefinementPlan> plans;
+    for (std::size_t i = 0; i < count; ++i) plans.push_back(plan_of(i));
+    for (std::size_t level = 0; level < sweep_.plan.resolutions.size(); ++level) {
       for (std::size_t i = 0; i < count; ++i) {
         if (ended[i]) continue;
-        const auto& resolution = ladders[i].rungs[rung];
-        climbs[i].push_back(i < probes.size() ? take(probes[i], resolution)
-                                              : take(sweep_.programs[i - probes.size()], resolution));
+        const auto& resolution = plans[i].resolutions[level];
+        refinements[i].push_back(i < probes.size() ? take(probes[i], resolution)
+                                                   : take(sweep_.programs[i - probes.size()], resolution));
       }
       for (std::size_t i = 0; i < count; ++i)
-        ended[i] = ended[i] || is_finished(ladders[i], climbs, climbs[i]);
+        ended[i] = ended[i] || is_finished(plans[i], refinements, refinements[i]);
     }
     return std::move(expected_);
   }
@@ -176,9 +178,9 @@ class RefinementSimulation {
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
     if (recorded.amount() == RecordedAmount::everything) return refinement_run(key.setup, recorded);
-    const RefinementRun rung = line.probe.rung(resolution);
-    expected_[key] = seconds_of(rung) + seconds_of_timing(rung, sweep_.repeats);
-    return rung;
+    const RefinementRun run = line.probe.forecast(resolution);
+    expected_[key] = seconds_of(run) + seconds_of_timing(run, sweep_.repeats);
+    return run;
   }
 
   // Programs are not started for a forecast: one second per run is assumed.
@@ -194,10 +196,10 @@ class RefinementSimulation {
 
   // The seconds of an examination, divided by the number of scenes in parallel: its two solves and the
   // reference at times not evaluated before.
-  double seconds_of(const RefinementRun& rung) {
+  double seconds_of(const RefinementRun& run) {
     constexpr double least = 0.002, computed_reference = 0.5;
-    double seconds = least + 2.0 * rung.seconds.value_or(0.0);
-    const int times = rung.seconds ? std::min(rung.steps, max_comparison_steps) : 0;
+    double seconds = least + 2.0 * run.seconds.value_or(0.0);
+    const int times = run.seconds ? std::min(run.steps, max_comparison_steps) : 0;
     if (times > 0 && known_ == 0 && !scene_.reference.at) seconds += computed_reference;
     seconds += reference_ * std::max(0, times - known_);
     known_ = std::max(known_, times);
@@ -224,11 +226,11 @@ double total_seconds(const Forecast& forecast) {
 Forecast forecast(const Sweep& sweep, const std::function<RecordedRun(const RunKey&)>& recorded) {
   std::vector<Forecast> parts(sweep.scenes.size());
   in_parallel(parts.size(), sweep.threads, [&](std::size_t i) {
-    parts[i] = RefinementSimulation(sweep.scenes[i], sweep, recorded).climb();
+    parts[i] = RefinementSimulation(sweep.scenes[i], sweep, recorded).simulate();
   });
   Forecast all;
   for (auto& part : parts) all.merge(part);
   return all;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

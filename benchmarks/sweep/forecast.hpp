@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
 
 #include "fdebench/benchmarks/sweep/sweep.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 double total_seconds(const Forecast& forecast);
 
@@ -14,4 +15,4 @@ double total_seconds(const Forecast& forecast);
 // of the sweep; the seconds, those of references included, are a rough estimate.
 Forecast forecast(const Sweep& sweep, const std::function<RecordedRun(const RunKey&)>& recorded);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 
 #include <mpfr.h>
@@ -9,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
   std::atomic<std::size_t> next = 0;
@@ -34,4 +35,4 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
 #include <functional>
 
-namespace fde {
+namespace fde::bench {
 
 // Calls task(0), ..., task(count - 1), each once, on up to `threads` threads. After a task throws no new task
 // starts; the first exception is rethrown when all threads have ended.
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task);
 
-}  // namespace fde
+}  // namespace fde::bench

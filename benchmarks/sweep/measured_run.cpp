@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 
 #include <chrono>
@@ -16,7 +17,7 @@
 #include "fdebench/benchmarks/records/run_rows.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 namespace {
 
@@ -36,7 +37,7 @@ class Observers {
     if (drift_) drift_->observe(t, columns);
   }
 
-  void tell(RunObservations& observed) const {
+  void store_results(RunObservations& observed) const {
     if (energy_) observed.energy_residual = energy_->residual();
     if (!drift_) return;
     observed.internal_drift = drift_->internal();
@@ -63,9 +64,9 @@ RunWithColumns solve_shown(const Scene& scene, const Scheme& scheme, const Probl
     run.columns = columns_of(scene.outputs, run.path);
     return run;
   }
-  RetainedColumns kept(scene.outputs, options.at, unit);
+  RetainedColumns kept(scene.outputs, options.output_times, unit);
   Options observed = options;
-  observed.at = {problem.end};
+  observed.output_times = {problem.end};
   observed.observer = [&](double t, In y) {
     if (options.observer) options.observer(t, y);
     kept.observe(t, y);
@@ -84,7 +85,8 @@ Rows rounded_otherwise(const Scene& scene, const Scheme& scheme, const Resolutio
   const auto run =
       solve_shown(scene, scheme, rescaled_problem(unit, scene.problem), resolution, options, unit);
   const auto& other = run.path;
-  if (other.ending != Ending::finished || other.steps != path.steps || other.times != path.times) return {};
+  if (other.status != SolveStatus::finished || other.steps != path.steps || other.times != path.times)
+    return {};
   return run.columns;
 }
 
@@ -105,20 +107,20 @@ struct Examined {
 Examined solve_and_judge(const Scene& scene, MemoizedReference& reference, const Scheme& scheme,
                          const RunSettings& setup) {
   const Resolution resolution = resolution_of(setup, scene.problem.end);
-  if (auto reason = refusal(scheme, scene.problem, resolution))
-    return {.judgement = {{Ending::refused, std::move(*reason)}}};
+  if (auto reason = unsupported_reason(scheme, scene.problem, resolution))
+    return {.judgement = {{SolveStatus::refused, std::move(*reason)}}};
   RunObservations observed;
   if (const auto* grid = std::get_if<Grid>(&resolution)) observed.grid = *grid;
   Options options = setup.options();
-  options.at = observed.grid ? comparison_times(*observed.grid) : comparison_times(scene.problem);
+  options.output_times = observed.grid ? comparison_times(*observed.grid) : comparison_times(scene.problem);
   Options observing = options;
   Observers observers(scene, observed.grid);
   if (!observers.empty()) observing.observer = [&](double t, In y) { observers.observe(t, y); };
   auto [path, columns] = solve_shown(scene, scheme, scene.problem, resolution, observing, 1.0);
-  if (!scheme.needs.implicit) path.cost.newton_iterations.reset();  // an explicit scheme has none
-  if (path.ending == Ending::finished) {
+  if (!scheme.capabilities.implicit) path.cost.newton_iterations.reset();  // an explicit scheme has none
+  if (path.status == SolveStatus::finished) {
     observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path);
-    observers.tell(observed);
+    observers.store_results(observed);
     if (observed.grid) tell_rates(scene, scheme, *observed.grid, observed);
   }
   return {path.steps, judge(scene, path, columns, reference, observed)};
@@ -127,8 +129,8 @@ Examined solve_and_judge(const Scene& scene, MemoizedReference& reference, const
 // A row without its value. For a grid `steps` is the requested number, also if the run stopped earlier.
 Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& scheme, const RunSettings& setup,
               std::int64_t made) {
-  const auto* asked = std::get_if<int>(&setup.resolution);
-  const int steps = asked != nullptr ? *asked : static_cast<int>(made);
+  const auto* requested = std::get_if<int>(&setup.resolution);
+  const int steps = requested != nullptr ? *requested : static_cast<int>(made);
   return {.key = {.scene = name, .scheme = std::string(scheme.id), .setup = setup},
           .steps = steps,
           .h = steps > 0 ? scene.problem.end / steps : 0.0};
@@ -166,10 +168,10 @@ std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, c
                                 const RunSettings& setup, const TimingRepeats& repeats) {
   Options options = setup.options();
   options.budget = std::numeric_limits<double>::infinity();  // the examined run has finished
-  options.at = {scene.problem.end};
+  options.output_times = {scene.problem.end};
   const auto [steps, seconds] =
       solve_repeatedly(scheme, scene.problem, resolution_of(setup, scene.problem.end), options, repeats);
   return rows_of_times(row_of(name, scene, scheme, setup, steps), seconds);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

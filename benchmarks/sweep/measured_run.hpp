@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // All records of one run except its time: solves once within the budget, compares the run with the reference
 // at comparison_times, and returns one row per measure, the status of the run last. `name` is the scene's key
@@ -15,8 +16,8 @@ namespace fde {
 std::vector<Record> examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
                             const Scheme& scheme, const RunSettings& setup);
 
-// The number of timed repeats of a run: `most`; more while they take less than `min_seconds` in
-// total, no more once they have taken `enough_seconds`.
+// The number of timed repeats of a run: `most`; more while they take less than `min_seconds` in total, no
+// more once they have taken `enough_seconds`.
 struct TimingRepeats {
   int most = 3;
   double min_seconds = 0.01, enough_seconds = 10.0;
@@ -27,4 +28,4 @@ struct TimingRepeats {
 std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
                                 const RunSettings& setup, const TimingRepeats& repeats);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/sweep/shard.hpp"
 
 #include <cstddef>
@@ -6,7 +7,7 @@
 
 #include "fdebench/benchmarks/text/number_text.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 Shard parse_shard(std::string_view text) {
   constexpr int most = 10'000;
@@ -33,4 +34,4 @@ std::vector<Sweep> shard_of(std::vector<Sweep> sweeps, const Shard& shard) {
   return sweeps;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

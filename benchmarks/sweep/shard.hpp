@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string_view>
@@ -5,7 +6,7 @@
 
 #include "fdebench/benchmarks/sweep/sweep.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Part `number` (from 1) of `count` parts of a list of sweeps.
 struct Shard {
@@ -20,4 +21,4 @@ Shard parse_shard(std::string_view text);
 // independent of each other, and their union is all of the sweeps.
 std::vector<Sweep> shard_of(std::vector<Sweep> sweeps, const Shard& shard);
 
-}  // namespace fde
+}  // namespace fde::bench

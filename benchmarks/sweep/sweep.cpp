@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/sweep/sweep.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 #include "fdebench/schemes/stepping/optimal_grading.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 namespace {
 
@@ -19,7 +20,7 @@ namespace {
 struct RefinementSeries {
   std::variant<const Scheme*, const ExternalProgram*> solver;
   RunKey key;  // of the current run
-  RefinementPlan ladder{};
+  RefinementPlan plan{};
   RunSettings setup{};  // of the current run; a program's key has fewer settings
   RecordedRun run{};    // the current run
   bool ended = false;
@@ -30,14 +31,17 @@ struct SceneRefinements {
   SceneRefinements(SceneVariant swept, const Sweep& sweep)
       : variant(std::move(swept)), name(variant.key()), scene(make_scene(variant)) {
     for (const auto* scheme : sweep.schemes) {
-      for (const RunSettings& setup : setups_of(sweep, *scheme, scene.problem))
-        add({scheme, {name, std::string(scheme->id), setup}, plan_for(sweep.ladder, scheme->needs), setup});
+      for (const RunSettings& setup : setups_of(sweep, *scheme, scene.problem)) {
+        add({scheme,
+             {name, std::string(scheme->id), setup},
+             plan_for(sweep.plan, scheme->capabilities),
+             setup});
+      }
     }
     for (const auto& program : sweep.programs) {
-      add({&program, key_of(program, name, sweep.setup), plan_for(sweep.ladder, Capabilities{}),
-           sweep.setup});
+      add({&program, key_of(program, name, sweep.setup), plan_for(sweep.plan, Capabilities{}), sweep.setup});
     }
-    climbs.resize(lines.size());
+    refinements.resize(lines.size());
   }
 
   void add(RefinementSeries line) {
@@ -52,24 +56,25 @@ struct SceneRefinements {
   Scene scene;
   MemoizedReference reference{scene};
   std::vector<RefinementSeries> lines{};
-  std::vector<Refinement> climbs{};  // one entry for each of `lines`
+  std::vector<Refinement> refinements{};  // one entry for each of `lines`
 };
 
 // Whether solutions are not smooth at 0: every row has a fractional order and belongs to no multi-term chain
 // (whose first unknown is smooth).
 bool starts_singular(const Problem& problem) {
-  return problem.equations.empty() &&
-         std::ranges::none_of(problem.components, [](const auto& row) { return whole(row.order); });
+  return problem.equations.empty() && std::ranges::none_of(problem.components, [](const auto& row) {
+           return is_integer_order(row.order);
+         });
 }
 
-// The hooks, guarded by a mutex. After append() has thrown, all threads stop.
+// The callbacks, guarded by a mutex. After append() has thrown, all threads stop.
 class GuardedCallbacks {
  public:
-  explicit GuardedCallbacks(const SweepCallbacks& hooks) : hooks_(hooks) {}
+  explicit GuardedCallbacks(const SweepCallbacks& callbacks) : hooks_(callbacks) {}
 
-  void tell(SweepEvent::Kind kind, const RunKey& run) {
+  void on_event(SweepEvent::Kind kind, const RunKey& run) {
     const std::scoped_lock lock(mutex_);
-    hooks_.tell({kind, run});
+    hooks_.on_event({kind, run});
   }
   void append(const std::vector<Record>& rows) {
     const std::scoped_lock lock(mutex_);
@@ -91,8 +96,8 @@ class GuardedCallbacks {
 
 void append(const std::vector<Record>& rows, RefinementSeries& line, GuardedCallbacks& log) {
   log.append(rows);
-  for (const Record& row : rows) line.run.note(row);
-  if (line.run.amount() == RecordedAmount::everything) log.tell(SweepEvent::Kind::is_done, line.key);
+  for (const Record& row : rows) line.run.add(row);
+  if (line.run.amount() == RecordedAmount::everything) log.on_event(SweepEvent::Kind::is_done, line.key);
 }
 
 std::vector<Record> examine(SceneRefinements& of, const RefinementSeries& line) {
@@ -108,38 +113,39 @@ std::vector<Record> time_line(const SceneRefinements& of, const RefinementSeries
   return time_solves(of.name, of.scene, *std::get<const Scheme*>(line.solver), line.setup, repeats);
 }
 
-void examine_rung(SceneRefinements& of, GuardedCallbacks& log) {
+void examine_level(SceneRefinements& of, GuardedCallbacks& log) {
   for (RefinementSeries& line : of.lines) {
     if (log.failed()) return;
     if (line.ended || line.run.amount() != RecordedAmount::nothing) continue;
-    log.tell(SweepEvent::Kind::examines, line.key);
+    log.on_event(SweepEvent::Kind::examines, line.key);
     append(examine(of, line), line, log);
   }
 }
 
-void time_rung(SceneRefinements& of, const TimingRepeats& repeats, GuardedCallbacks& log) {
+void time_runs(SceneRefinements& of, const TimingRepeats& repeats, GuardedCallbacks& log) {
   for (RefinementSeries& line : of.lines) {
     if (line.ended || line.run.amount() == RecordedAmount::everything) continue;
-    log.tell(SweepEvent::Kind::times, line.key);
+    log.on_event(SweepEvent::Kind::times, line.key);
     append(time_line(of, line, repeats), line, log);
   }
 }
 
 // After all runs at one resolution: decides which refinements of the scene end.
-void climb(SceneRefinements& of, GuardedCallbacks& log) {
+void end_refinements(SceneRefinements& of, GuardedCallbacks& log) {
   for (std::size_t i = 0; i < of.lines.size(); ++i) {
-    if (!of.lines[i].ended) of.climbs[i].push_back(refinement_run(of.lines[i].key.setup, of.lines[i].run));
+    if (!of.lines[i].ended)
+      of.refinements[i].push_back(refinement_run(of.lines[i].key.setup, of.lines[i].run));
   }
   for (std::size_t i = 0; i < of.lines.size(); ++i) {
     RefinementSeries& line = of.lines[i];
-    if (line.ended || !is_finished(line.ladder, of.climbs, of.climbs[i])) continue;
+    if (line.ended || !is_finished(line.plan, of.refinements, of.refinements[i])) continue;
     line.ended = true;
-    log.tell(SweepEvent::Kind::refinement_ends, line.key);
+    log.on_event(SweepEvent::Kind::refinement_ends, line.key);
   }
 }
 
 // The forecast seconds of the scene's runs at the current resolution.
-double seconds_of_rung(const SceneRefinements& of, const Forecast& expected) {
+double seconds_of_level(const SceneRefinements& of, const Forecast& expected) {
   double seconds = 0.0;
   for (const RefinementSeries& line : of.lines) {
     const auto run = line.ended ? expected.end() : expected.find(line.key);
@@ -151,26 +157,26 @@ double seconds_of_rung(const SceneRefinements& of, const Forecast& expected) {
 // Longest forecast first, so that the threads finish at about the same time.
 std::vector<std::size_t> longest_first(const std::deque<SceneRefinements>& scenes, const Forecast& expected) {
   std::vector<double> seconds;
-  for (const auto& of : scenes) seconds.push_back(seconds_of_rung(of, expected));
+  for (const auto& of : scenes) seconds.push_back(seconds_of_level(of, expected));
   std::vector<std::size_t> order(scenes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return seconds[i]; });
   return order;
 }
 
-void take_rung(std::deque<SceneRefinements>& scenes, std::size_t rung, const Sweep& sweep,
-               const SweepCallbacks& hooks, const Forecast& expected, GuardedCallbacks& log) {
+void take_resolution(std::deque<SceneRefinements>& scenes, std::size_t level, const Sweep& sweep,
+                     const SweepCallbacks& callbacks, const Forecast& expected, GuardedCallbacks& log) {
   for (auto& of : scenes) {
     for (RefinementSeries& line : of.lines) {
       if (line.ended) continue;
-      line.key.setup.resolution = line.setup.resolution = line.ladder.rungs[rung];
-      line.run = hooks.recorded(line.key);
+      line.key.setup.resolution = line.setup.resolution = line.plan.resolutions[level];
+      line.run = callbacks.recorded(line.key);
     }
   }
   const auto order = longest_first(scenes, expected);
-  in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) { examine_rung(scenes[order[i]], log); });
-  for (auto& of : scenes) time_rung(of, sweep.repeats, log);
-  for (auto& of : scenes) climb(of, log);
+  in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) { examine_level(scenes[order[i]], log); });
+  for (auto& of : scenes) time_runs(of, sweep.repeats, log);
+  for (auto& of : scenes) end_refinements(of, log);
 }
 
 }  // namespace
@@ -187,21 +193,21 @@ std::vector<RunSettings> setups_of(const Sweep& sweep, const Scheme& scheme, con
   return setups;
 }
 
-void run_sweep(const Sweep& asked, const SweepCallbacks& hooks, const Forecast& expected) {
-  Sweep sweep = asked;
-  sweep.ladder.rungs.clear();
-  for (const auto& rung : asked.ladder.rungs) {
-    if (std::ranges::find(sweep.ladder.rungs, rung) == sweep.ladder.rungs.end())
-      sweep.ladder.rungs.push_back(rung);
+void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Forecast& expected) {
+  Sweep sweep = requested;
+  sweep.plan.resolutions.clear();
+  for (const auto& resolution : requested.plan.resolutions) {
+    if (std::ranges::find(sweep.plan.resolutions, resolution) == sweep.plan.resolutions.end())
+      sweep.plan.resolutions.push_back(resolution);
   }
   std::deque<SceneRefinements> scenes;
   for (const auto& variant : sweep.scenes) {
     if (std::ranges::find(scenes, variant.key(), &SceneRefinements::name) == scenes.end())
       scenes.emplace_back(variant, sweep);
   }
-  GuardedCallbacks log(hooks);
-  for (std::size_t rung = 0; rung < sweep.ladder.rungs.size(); ++rung)
-    take_rung(scenes, rung, sweep, hooks, expected, log);
+  GuardedCallbacks log(callbacks);
+  for (std::size_t level = 0; level < sweep.plan.resolutions.size(); ++level)
+    take_resolution(scenes, level, sweep, callbacks, expected, log);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -13,15 +14,15 @@
 #include "fdebench/benchmarks/sweep/refinement_plan.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The runs of a sweep: every scheme, and after these every external program, takes the resolutions of the
-// ladder on every scene. Programs take numbers of steps only.
+// plan on every scene. Programs take numbers of steps only.
 struct Sweep {
   std::vector<SceneVariant> scenes;
   std::vector<const Scheme*> schemes;
   std::vector<ExternalProgram> programs{};
-  RefinementPlan ladder;
+  RefinementPlan plan;
   RunSettings setup{.budget = 600.0};   // settings of all runs except the resolution
   bool optimal_grids = false;           // each scheme with optimal_grading() instead of the setup's grading
   std::vector<const Scheme*> graded{};  // these with both gradings, where solutions are not smooth at 0
@@ -44,21 +45,21 @@ struct SweepEvent {
   RunKey run;
 };
 
-// Callbacks of run_sweep(): lookup of recorded runs, output of rows, progress. `append` and `tell` are called
-// by one thread at a time.
+// Callbacks of run_sweep(): lookup of recorded runs, output of rows, progress. `append` and `on_event` are
+// called by one thread at a time.
 struct SweepCallbacks {
   std::function<RecordedRun(const RunKey&)> recorded;
   std::function<void(const std::vector<Record>&)> append;
-  std::function<void(const SweepEvent&)> tell;
+  std::function<void(const SweepEvent&)> on_event;
 };
 
-// Makes each run that is not recorded yet, once. For each resolution of the ladder in turn: the runs of all
+// Makes each run that is not recorded yet, once. For each resolution of the plan in turn: the runs of all
 // scenes are examined, one thread per scene; their solves are timed, one at a time; then is_finished()
 // decides which refinements go on, from recorded and new runs alike, so that a resumed sweep makes the same
 // runs. Rows are passed to `append` as soon as they are computed, in one call per examination and one per
 // timing. At one resolution the runs of a scene keep the order of the schemes; those of different scenes
 // interleave, the scene with the longest forecast first. The number of threads and the forecast change no row
 // except the times. An exception of `append` ends the sweep and is rethrown.
-void run_sweep(const Sweep& asked, const SweepCallbacks& hooks, const Forecast& expected = {});
+void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Forecast& expected = {});
 
-}  // namespace fde
+}  // namespace fde::bench

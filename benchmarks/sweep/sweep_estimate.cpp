@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/sweep/sweep_estimate.hpp"
 
 #include <fmt/format.h>
@@ -5,12 +6,12 @@
 #include <algorithm>
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 
 SweepEstimate::SweepEstimate(Forecast forecast)
     : left_(std::move(forecast)), seconds_left_(total_seconds(left_)) {}
 
-void SweepEstimate::hear(const SweepEvent& event) {
+void SweepEstimate::on_event(const SweepEvent& event) {
   switch (event.kind) {
     case SweepEvent::Kind::examines:
     case SweepEvent::Kind::times:
@@ -53,4 +54,4 @@ double SweepEstimate::seconds_left(double elapsed) const {
   return std::max(0.0, seconds_left_) * (elapsed + trusted) / (seconds_done_ + trusted);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

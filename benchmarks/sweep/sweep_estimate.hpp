@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -5,7 +6,7 @@
 
 #include "fdebench/benchmarks/sweep/forecast.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Progress of a sweep, from its events and the elapsed seconds.
 class SweepEstimate {
@@ -13,7 +14,7 @@ class SweepEstimate {
   explicit SweepEstimate(Forecast forecast);
 
   // To be called with every event of the sweep.
-  void hear(const SweepEvent& event);
+  void on_event(const SweepEvent& event);
 
   [[nodiscard]] std::size_t runs_done() const { return done_; }
   [[nodiscard]] std::size_t runs_expected() const { return done_ + left_.size(); }
@@ -37,4 +38,4 @@ class SweepEstimate {
   std::string at_hand_{};
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/sweep/trials.hpp"
 
 #include <initializer_list>
@@ -5,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::vector<Trial> all_trials() {
@@ -61,7 +62,7 @@ std::vector<Sweep> sweeps_of_trials(Sweep like, bool thorough) {
   for (const auto& trial : trials()) {
     if (trial.thorough && !thorough) continue;
     auto& sweep = by_steps.try_emplace(trial.steps, like).first->second;
-    sweep.ladder = {{trial.steps, trial_accuracy}};
+    sweep.plan = {{trial.steps, trial_accuracy}};
     sweep.scenes.push_back(trial.scene);
   }
   std::vector<Sweep> sweeps;
@@ -69,4 +70,4 @@ std::vector<Sweep> sweeps_of_trials(Sweep like, bool thorough) {
   return sweeps;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <span>
@@ -6,7 +7,7 @@
 
 #include "fdebench/benchmarks/sweep/sweep.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A scene on which schemes fail, with a number of steps. Schemes with adaptive step size get trial_accuracy.
 struct Trial {
@@ -26,4 +27,4 @@ std::span<const Trial> trials();
 // `thorough` are included on request.
 std::vector<Sweep> sweeps_of_trials(Sweep like, bool thorough);
 
-}  // namespace fde
+}  // namespace fde::bench

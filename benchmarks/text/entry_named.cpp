@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/text/entry_named.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Levenshtein distance.
@@ -26,7 +27,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
+std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates) {
   const auto distance = [=](std::string_view candidate) { return edit_distance(name, candidate); };
   const auto best = std::ranges::min_element(candidates, {}, distance);
   return best == candidates.end() ? "" : fmt::format(", did you mean '{}'?", *best);
@@ -40,9 +41,9 @@ void throw_unknown_id(std::string_view kind, std::string_view id, const std::vec
     listed.resize(shown);
   }
   throw std::invalid_argument(
-      fmt::format("{} {}: no such {}{}; {} {}", kind, id, kind, nearest(id, ids),
+      fmt::format("{} {}: no such {}{}; {} {}", kind, id, kind, did_you_mean(id, ids),
                   ids.size() > few ? fmt::format("the nearest of {} are", ids.size()) : "there are",
                   fmt::join(listed, ", ")));
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 
 // ", did you mean 'x'?" with the candidate at the least edit distance from `name`; empty without candidates.
-std::string nearest(std::string_view name, const std::vector<std::string_view>& candidates);
+std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates);
 
 // Throws std::invalid_argument: "KIND ID: no such KIND, did you mean 'X'?; there are ...". More than ten ids
 // are not all listed: only the three nearest.
@@ -25,4 +26,4 @@ const auto& entry_by_id(const Entries& entries, std::string_view kind, std::stri
   throw_unknown_id(kind, id, ids);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

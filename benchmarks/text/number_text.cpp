@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/text/number_text.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Parses the whole text; nullopt if it is not a number or is out of the range of the type (`error` says
@@ -181,4 +182,4 @@ std::vector<double> parse_numbers(std::string_view name, std::string_view text, 
   return numbers;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

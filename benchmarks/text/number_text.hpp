@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -7,7 +8,7 @@
 
 #include "fdebench/benchmarks/text/range.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The whole text as a number; nullopt if it is not a number or is out of the range of double.
 std::optional<double> try_parse_number(std::string_view text);
@@ -38,4 +39,4 @@ std::vector<std::string> expand_decimal_range(std::string_view name, std::string
 // "must".
 [[noreturn]] void reject_text(std::string_view name, std::string_view text, std::string_view allowed);
 
-}  // namespace fde
+}  // namespace fde::bench

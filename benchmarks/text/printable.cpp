@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/text/printable.hpp"
 
 #include <cstddef>
 
-namespace fde {
+namespace fde::bench {
 
-bool prints(std::string_view text) {
+bool is_printable(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   for (std::size_t i = 0; i < text.size();) {
     const unsigned first = byte(i);
@@ -58,4 +59,4 @@ std::string csv_names(const std::vector<std::string>& names) {
   return line;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

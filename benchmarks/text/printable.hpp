@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 
 // Whether the text is well-formed UTF-8 (RFC 3629: no overlong forms, surrogates or code points beyond
 // 10FFFF) without control characters.
-bool prints(std::string_view text);
+bool is_printable(std::string_view text);
 
 // The text without blanks, tabs and carriage returns at both ends.
 std::string_view trimmed(std::string_view text);
@@ -18,4 +19,4 @@ std::vector<std::string> split_names(std::string_view text);
 // The header line of CSV: a name that contains a comma is quoted.
 std::string csv_names(const std::vector<std::string>& names);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/text/range.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-namespace fde {
+namespace fde::bench {
 
 bool Range::contains(double value) const {
   return std::isfinite(value) && (open_low ? value > low : value >= low) &&
@@ -18,4 +19,4 @@ std::string Range::text() const {
   return fmt::format("a number in {}{}, {}{}", open_low ? '(' : '[', low, high, open_high ? ')' : ']');
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <limits>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 
 // An interval of allowed values. An open end is not allowed itself.
 struct Range {
@@ -24,4 +25,4 @@ constexpr Range order_up_to_two{.low = 0.0, .high = 2.0, .open_low = true};
 constexpr Range order_below_one{.low = 0.0, .high = 1.0, .open_low = true, .open_high = true};
 constexpr Range order_below_two{.low = 0.0, .high = 2.0, .open_low = true, .open_high = true};
 
-}  // namespace fde
+}  // namespace fde::bench

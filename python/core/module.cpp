@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <pybind11/complex.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -27,7 +28,7 @@
 // functions with their docstrings are in ../fdebench.
 namespace py = pybind11;
 
-namespace fde::python {
+namespace fde::bench::python {
 namespace {
 
 // Selects a scene: SCENE with its settings NAME=VALUE, or a problem defined in Python (if not nullptr).
@@ -38,9 +39,9 @@ struct SceneSelection {
 };
 
 // Equation files are read at every call, as they may have changed.
-Scenes named_scenes() { return with_equation_files(scenes()); }
+SceneRegistry named_scenes() { return with_equation_files(built_in_scenes()); }
 
-SceneVariant variant_of(const SceneSelection& named, const Scenes& known) {
+SceneVariant variant_of(const SceneSelection& named, const SceneRegistry& known) {
   return read_variant(SceneArguments{named.name, named.settings}, known);
 }
 
@@ -66,7 +67,7 @@ std::string command(const std::vector<std::string>& arguments, const Scene* prob
 // Tuple of id, column names, orders and end time.
 py::tuple facts(const SceneSelection& named) {
   const auto [id, scene] = without_gil([&]() -> std::pair<std::string, Scene> {
-    const Scenes all = named_scenes();
+    const SceneRegistry all = named_scenes();
     const auto variant = variant_of(named, all);
     Scene known = make_scene_unchecked(*variant.maker, variant.values);
     known.problem.end = variant.until.value_or(known.problem.end);
@@ -80,7 +81,7 @@ py::tuple facts(const SceneSelection& named) {
 // Tuple of names, times, values (one row a time), warning, cost as JSON, and the names of events or None.
 py::tuple solve(const SceneSelection& named, const RunArguments& arguments) {
   const SolvedTable table = without_gil([&] {
-    const Scenes all = named_scenes();
+    const SceneRegistry all = named_scenes();
     return solved_table(named.problem == nullptr ? make_scene(variant_of(named, all)) : *named.problem,
                         arguments);
   });
@@ -103,7 +104,7 @@ py::tuple mittag_leffler_of(const Reals& alpha, const Reals& beta, const Complex
   without_gil([=] {
     for (py::ssize_t i = 0; i < count; ++i) {
       report_progress(static_cast<std::size_t>(i), static_cast<std::size_t>(count));
-      const auto result = mittag_leffler(a[i], b[i], x[i]);
+      const auto result = reference::mittag_leffler(a[i], b[i], x[i]);
       value[i] = result.value;
       bound[i] = result.bound;
     }
@@ -113,7 +114,7 @@ py::tuple mittag_leffler_of(const Reals& alpha, const Reals& beta, const Complex
 
 py::tuple mittag_leffler_in_digits(const std::string& alpha, const std::string& beta, const std::string& re,
                                    const std::string& im, int digits) {
-  const auto value = without_gil([&] { return mittag_leffler(alpha, beta, re, im, digits); });
+  const auto value = without_gil([&] { return reference::mittag_leffler(alpha, beta, re, im, digits); });
   return py::make_tuple(value.re, value.im, value.bound);
 }
 
@@ -162,19 +163,19 @@ RunArguments run_arguments(const std::string& scheme, const std::map<std::string
   take("at", arguments.at);
   take("every", arguments.every);
   take("points", arguments.points);
-  take("grid", arguments.means.grid);
-  take("history", arguments.means.history);
-  take("tolerance", arguments.means.tolerance);
-  take("budget", arguments.means.budget);
+  take("grid", arguments.settings.grid);
+  take("history", arguments.settings.history);
+  take("tolerance", arguments.settings.tolerance);
+  take("budget", arguments.settings.budget);
   return arguments;
 }
 
 }  // namespace
-}  // namespace fde::python
+}  // namespace fde::bench::python
 
 PYBIND11_MODULE(_core, module) {
-  using namespace fde::python;
-  using fde::Scene;
+  using namespace fde::bench::python;
+  using fde::bench::Scene;
   py::register_exception_translator(translate);
   py::class_<Scene>(module, "Problem")
       .def(py::init([](const std::vector<double>& orders, const std::vector<std::vector<double>>& initial,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/python/core/python_problem.hpp"
 
 #include <fmt/format.h>
@@ -14,12 +15,12 @@
 
 namespace py = pybind11;
 
-namespace fde::python {
+namespace fde::bench::python {
 namespace {
 
 // A Python object that may be copied and destroyed without holding the interpreter lock.
-using Shared = std::shared_ptr<const py::object>;
-Shared shared(const py::object& object) {
+using SharedObject = std::shared_ptr<const py::object>;
+SharedObject shared(const py::object& object) {
   return {new py::object(object), [](const py::object* held) {
             const py::gil_scoped_acquire lock;
             delete held;
@@ -66,7 +67,7 @@ DenseJacobian jacobian_of(const py::object& function) {
 class LazyReference {
  public:
   explicit LazyReference(Problem problem) : problem_(std::move(problem)) {}
-  ReferenceValue at(double t) {
+  reference::ReferenceValue at(double t) {
     const std::scoped_lock lock(mutex_);
     if (!known_) known_ = computed_reference(problem_);
     return known_->at(t);
@@ -75,7 +76,7 @@ class LazyReference {
  private:
   Problem problem_;
   std::mutex mutex_{};
-  std::optional<Reference> known_{};
+  std::optional<reference::Reference> known_{};
 };
 
 }  // namespace
@@ -88,15 +89,15 @@ Scene python_scene(const ProblemData& facts, const py::object& rhs, const py::ob
   problem.rhs = rhs_of(rhs);
   if (!jacobian.is_none()) problem.derivatives = jacobian_of(jacobian);
   problem.end = facts.end;
-  problem.jumps = facts.jumps;
+  problem.jump_times = facts.jumps;
   scene.reference.at = [reference = std::make_shared<LazyReference>(problem)](double t) {
     return reference->at(t);
   };
   return scene;
 }
 
-Scenes with_problem(const Scene& scene) {
-  Scenes known;
+SceneRegistry with_problem(const Scene& scene) {
+  SceneRegistry known;
   known.add({.id = "problem",
              .title = "a problem of one's own",
              .source = "Python",
@@ -105,4 +106,4 @@ Scenes with_problem(const Scene& scene) {
   return known;
 }
 
-}  // namespace fde::python
+}  // namespace fde::bench::python

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde::python {
+namespace fde::bench::python {
 
 // The data of a problem given from Python, without its functions.
 struct ProblemData {
@@ -26,6 +27,6 @@ struct ProblemData {
 Scene python_scene(const ProblemData& facts, const pybind11::object& rhs, const pybind11::object& jacobian);
 
 // All scenes of the list, and this one under the id "problem".
-Scenes with_problem(const Scene& scene);
+SceneRegistry with_problem(const Scene& scene);
 
-}  // namespace fde::python
+}  // namespace fde::bench::python

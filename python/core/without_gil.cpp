@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/python/core/without_gil.hpp"
 
-namespace fde::python {
+namespace fde::bench::python {
 
 void SignalCheck::operator()(std::size_t /*done*/, std::size_t /*total*/) {
   using namespace std::chrono_literals;
@@ -11,4 +12,4 @@ void SignalCheck::operator()(std::size_t /*done*/, std::size_t /*total*/) {
   if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
 }
 
-}  // namespace fde::python
+}  // namespace fde::bench::python

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,7 +8,7 @@
 
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde::python {
+namespace fde::bench::python {
 
 // Progress callback that lets Python handle its signals, at most every 50 ms. Throws the exception of the
 // signal handler: KeyboardInterrupt for Ctrl-C.
@@ -24,8 +25,8 @@ class SignalCheck {
 template <typename Work>
 auto without_gil(const Work& work) {
   const pybind11::gil_scoped_release other_threads_run;
-  const ProgressScope listening{SignalCheck()};
+  const ProgressScope scope{SignalCheck()};
   return work();
 }
 
-}  // namespace fde::python
+}  // namespace fde::bench::python

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Which numerical scheme to use for a fractional differential equation, with proof.
 
 >>> import fdebench

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The compiled half: texts and arrays in, texts and arrays out. Raises ValueError and NumericalFailure."""
 
 from collections.abc import Callable, Sequence

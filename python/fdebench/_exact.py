@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What is known of solutions, and the functions that it is made of."""
 
 from __future__ import annotations
@@ -44,10 +45,10 @@ def exact(scene: str | os.PathLike[str] | Scene | Problem, times: ArrayLike, *, 
     that share nothing are compared, and the bound is an estimate. Raises NumericalFailure where there is nothing to be known,
     ValueError for times before 0 or beyond a problem.
     """
-    asked = numpy.atleast_1d(_reals("times", times))
-    if asked.ndim != 1 or asked.size == 0:
-        raise ValueError(f"times: must be a list of numbers, not of shape {asked.shape}")
-    distinct, places = numpy.unique(asked, return_inverse=True)
+    requested = numpy.atleast_1d(_reals("times", times))
+    if requested.ndim != 1 or requested.size == 0:
+        raise ValueError(f"times: must be a list of numbers, not of shape {requested.shape}")
+    distinct, places = numpy.unique(requested, return_inverse=True)
     options = ["--bounds", "--at", ",".join(map(repr, distinct.tolist()))]
     if digits is not None:
         options += ["--digits", _text("digits", digits)]
@@ -58,7 +59,7 @@ def exact(scene: str | os.PathLike[str] | Scene | Problem, times: ArrayLike, *, 
     last = names.index("bound")
     columns = {name: values[:, i] for i, name in enumerate(names[:last]) if i > 0}
     bounds = {name.removeprefix("bound_"): values[:, i] for i, name in enumerate(names) if i > last}
-    return Exact(asked, columns, bounds)
+    return Exact(requested, columns, bounds)
 
 
 def mittag_leffler(

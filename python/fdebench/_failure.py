@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What a solve or a reference raises that did not come to its end, and what it warns of."""
 
 from __future__ import annotations

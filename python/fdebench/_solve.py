@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Solutions by a scheme, and which scheme to take."""
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ class Solution(Mapping[str, NDArray[numpy.float64]]):
 
     ``values`` has a row for each time and a column for each name. ``cost`` has what the solve used: seconds, calls of the
     right-hand side, memory, the rate that theory expects. ``warning`` says what speaks against the numbers, "" if nothing does.
-    ``events``: the name of the event at each time, where events were asked for; otherwise None.
+    ``events``: the name of the event at each time, where events were requested; otherwise None.
     """
 
     def __init__(self, names: list[str], times: NDArray[numpy.float64], values: NDArray[numpy.float64], warning: str, cost: str,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/linear_equation.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 
 #include "fdebench/reference/linear/linear_solution.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr const char* name = "linear equation";
@@ -86,4 +87,4 @@ Reference linear_reference(const LinearEquation& equation, const std::vector<dou
       name, [equation = checked(equation, orders), orders] { return transform_of(equation, orders); });
 }
 
-}  // namespace fde
+}  // namespace fde::reference

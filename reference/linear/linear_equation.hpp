@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -5,7 +6,7 @@
 #include "fdebench/reference/linear/load.hpp"
 #include "fdebench/reference/reference.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // One term coefficient * time_scale^order * D^order u of a linear equation; order 0 is u itself. The power is
 // computed at the requested precision; a product in double would be wrong after 16 digits.
@@ -28,4 +29,4 @@ struct LinearEquation {
 // ceil(highest order).
 Reference linear_reference(const LinearEquation& equation, const std::vector<double>& orders);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/linear_solution.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "fdebench/reference/linear/transfer_functions/linear_response.hpp"
 #include "fdebench/reference/special_functions/laplace/adaptive_precision_contour.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 class LinearSolution {
@@ -26,7 +27,7 @@ class LinearSolution {
  private:
   [[nodiscard]] std::size_t size() const { return transform_.groups.front().numerators.size(); }
   [[nodiscard]] LinearValues<long double> in_long_double(double t) const;
-  [[nodiscard]] std::vector<Sum<BigReal>> in_digits(double t, int digits) const;
+  [[nodiscard]] std::vector<BoundedSum<BigReal>> in_digits(double t, int digits) const;
   [[nodiscard]] int phase_digits(double t) const;
   void require_resolvable_clusters(double t) const;
 
@@ -40,31 +41,31 @@ class LinearSolution {
 }
 
 template <class Real>
-LinearValues<Real> nothing(std::size_t outputs) {
-  return {std::vector<Sum<Real>>(outputs), std::vector<Complex<Real>>(outputs, Complex<Real>(0))};
+LinearValues<Real> zero_values(std::size_t outputs) {
+  return {std::vector<BoundedSum<Real>>(outputs), std::vector<Complex<Real>>(outputs, Complex<Real>(0))};
 }
 
 // The terms of the conjugate nodes cancel the imaginary part.
 template <class Real>
-void drop_imaginary_parts(std::vector<Sum<Real>>& sums) {
+void drop_imaginary_parts(std::vector<BoundedSum<Real>>& sums) {
   for (auto& sum : sums) sum.value = Complex<Real>(real_part<Real>(sum.value));
 }
 
 LinearValues<long double> LinearSolution::in_long_double(double t) const {
-  auto values = nothing<long double>(size());
-  const auto since_start = decimal<long double>(t);
+  auto values = zero_values<long double>(size());
+  const auto since_start = from_shortest_decimal<long double>(t);
   for (const auto& group : rounded_.groups) {
-    const long double time = since_start - group.from;
+    const long double time = since_start - group.start_time;
     if (time == 0.0L) rounded_.add_start_values(group, values.sums);
     if (time <= 0.0L) continue;
-    auto part = nothing<long double>(size());
+    auto part = zero_values<long double>(size());
     std::vector<Complex<long double>> log_poles;
     for (const auto& zero : zeros_) log_poles.push_back(zero.log + std::log(time));
     const auto& contour = contour_away_from(log_poles);
     LinearResponse<long double> response(rounded_, group, time);
     response.add_to(part, zeros_, contour);
     response.add_discretisation(part, contour);
-    // Cancellation in t - from gives an error of the time.
+    // Cancellation in t - start_time gives an error of the time.
     const long double time_ulps = since_start / time;
     for (std::size_t j = 0; j < size(); ++j) {
       const long double rate = std::abs(part.rates[j].real());
@@ -77,13 +78,13 @@ LinearValues<long double> LinearSolution::in_long_double(double t) const {
   return values;
 }
 
-std::vector<Sum<BigReal>> LinearSolution::in_digits(double t, int digits) const {
+std::vector<BoundedSum<BigReal>> LinearSolution::in_digits(double t, int digits) const {
   const RoundedTransform<BigReal> transform(transform_);
-  const auto zeros = polished(transform.characteristic, zeros_);
+  const auto zeros = newton_refined(transform.characteristic, zeros_);
   const Contour<BigReal>& contour = contour_for(digits);
-  auto values = nothing<BigReal>(size());
+  auto values = zero_values<BigReal>(size());
   for (const auto& group : transform.groups) {
-    const BigReal time = decimal<BigReal>(t) - group.from;
+    const BigReal time = from_shortest_decimal<BigReal>(t) - group.start_time;
     if (time == 0) transform.add_start_values(group, values.sums);
     if (time > 0) LinearResponse<BigReal>(transform, group, time).add_to(values, zeros, contour);
   }
@@ -102,7 +103,7 @@ int LinearSolution::phase_digits(double t) const {
 
 void LinearSolution::require_resolvable_clusters(double t) const {
   for (const auto& group : rounded_.groups) {
-    const long double time = decimal<long double>(t) - group.from;
+    const long double time = from_shortest_decimal<long double>(t) - group.start_time;
     const auto turns = [&](const Zero<long double>& zero) {
       return is_unresolvable_cluster(zero, std::log(time));
     };
@@ -123,7 +124,7 @@ std::optional<std::vector<BoundedDouble>> LinearSolution::quick(double t) const 
     const auto& sum = sums[j];
     const long double scale = std::max(std::abs(sum.value.real()), std::abs(rates[j].real()));
     const bool settled = std::isfinite(sum.error) && sum.error <= double_tolerance * scale;
-    if (!sum.infinite && !settled) return std::nullopt;
+    if (!sum.overflows && !settled) return std::nullopt;
     values.push_back(to_double(sum.value, sum.error));
   }
   return values;
@@ -174,4 +175,4 @@ Reference linear_reference(const char* name, std::function<LinearTransform()> tr
   return linear_reference(linear_evaluation(name, std::move(transform)));
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -5,7 +6,7 @@
 #include "fdebench/reference/linear/closed_forms/evaluation.hpp"
 #include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The outputs of a linear problem by inverse Laplace transform: residues at the zeros of the denominator on
 // the principal sheet, and a parabolic contour around the branch cut on the negative axis. At t = 0 and where
@@ -21,4 +22,4 @@ Evaluation linear_evaluation(const char* name, std::function<LinearTransform()> 
 Reference linear_reference(const Evaluation& evaluation);
 Reference linear_reference(const char* name, std::function<LinearTransform()> transform);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/linear_system.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 #include "fdebench/reference/linear/linear_solution.hpp"
 #include "fdebench/reference/linear/linear_system_transform.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr const char* name = "linear system";
@@ -140,4 +141,4 @@ Reference linear_reference(const LinearSystem& system) {
   return linear_reference(Evaluation{.name = name, .quick = quick, .precise = precise});
 }
 
-}  // namespace fde
+}  // namespace fde::reference

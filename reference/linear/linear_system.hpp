@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -6,7 +7,7 @@
 #include "fdebench/reference/reference.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // D^(orders[i]) x_i = sum_j matrix(i, j) x_j + sum_k loads[i][k](t): Caputo derivatives from 0,
 // x_i^(k)(0) = initial[i][k] for k < ceil(orders[i]); loads may be empty. Up to 12 components.
@@ -27,4 +28,4 @@ struct LinearSystem {
 // form, and where the algebraic rows do not determine every unknown.
 Reference linear_reference(const LinearSystem& system);
 
-}  // namespace fde
+}  // namespace fde::reference

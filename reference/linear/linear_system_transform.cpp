@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/linear_system_transform.hpp"
 
 #include "fdebench/reference/linear/transfer_functions/determinant.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 // The matrix diag(s^g) - A of (diag(s^g) - A) X = R, R_j = sum_k s^(g_j-1-k) x_j^(k)(0) + sum of loads c
@@ -64,4 +65,4 @@ LinearTransform transform_of(const LinearSystem& system) {
 
 bool is_regular(const LinearSystem& system) { return !determinant(matrix_of(system)).empty(); }
 
-}  // namespace fde
+}  // namespace fde::reference

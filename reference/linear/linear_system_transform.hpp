@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/linear/linear_system.hpp"
 #include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The Laplace transforms of the outputs, by Cramer's rule with exact determinants. Precondition: the system
 // has the form of linear_system.hpp, with one list of loads per row and explicit outputs.
@@ -12,4 +13,4 @@ LinearTransform transform_of(const LinearSystem& system);
 // Whether the determinant of the transformed system is nonzero: whether the solution is unique.
 bool is_regular(const LinearSystem& system);
 
-}  // namespace fde
+}  // namespace fde::reference

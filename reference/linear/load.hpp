@@ -1,24 +1,26 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>
 #include <optional>
 
-namespace fde {
+namespace fde::reference {
 
-// The load coefficient * (t - from)^power for t >= from, power > -1. Power 0 is a constant; a second load
-// with the opposite sign switches it off.
+// The load coefficient * (t - start_time)^power for t >= start_time, power > -1. Power 0 is a constant; a
+// second load with the opposite sign switches it off.
 struct Load {
   double coefficient;
   double power = 0.0;
-  double from = 0.0;
+  double start_time = 0.0;
 };
 
 // The error message for an invalid load; nullopt for a valid one.
 inline std::optional<const char*> validation_error(const Load& load) {
   if (!std::isfinite(load.coefficient)) return "loads have to be finite";
   if (!(load.power > -1.0 && std::isfinite(load.power))) return "powers of loads have to be above -1";
-  if (!(load.from >= 0.0 && std::isfinite(load.from))) return "loads have to start at a time from 0 on";
+  if (!(load.start_time >= 0.0 && std::isfinite(load.start_time)))
+    return "loads have to start at a time from 0 on";
   return std::nullopt;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/collocation.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@
 #include "fdebench/reference/nonlinear/march/supported_problem.hpp"
 #include "fdebench/schemes/problem/multipliers.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -30,7 +31,7 @@ void require_affordable(const Problem& problem) {
                                        max_unknowns, problem.size()));
 }
 
-// Lengths of the first panel and the first step, and PanelOptions::weightless, relative to the end.
+// Lengths of the first panel and the first step, and PanelOptions::negligible_before, relative to the end.
 struct InitialLengths {
   double panel = 1e-32, step = 1e-20, weightless = 1e-18;
 };
@@ -44,11 +45,11 @@ InitialLengths initial_lengths(const Problem& problem) {
   constexpr double rounding = 1e-17, before_grids = 1e-66, early = 1e-6, shortest = 1e-270;
   double order = 1.0;
   for (const auto& component : problem.components) {
-    if (!algebraic(component)) order = std::min(order, component.order);
+    if (!is_algebraic(component)) order = std::min(order, component.order);
   }
   InitialLengths usual;
   const double unseen = std::min(usual.panel, std::pow(rounding, 1.0 / order));
-  if (std::ranges::none_of(problem.components, algebraic)) {
+  if (std::ranges::none_of(problem.components, is_algebraic)) {
     usual.panel = std::max(unseen, before_grids);
     return usual;
   }
@@ -68,12 +69,12 @@ InitialLengths initial_lengths(const Problem& problem) {
 Vec initial_bound(const Problem& problem) {
   constexpr double infinity = std::numeric_limits<double>::infinity(), rounding = 1e-14;
   Vec bound = Vec::Zero(problem.size());
-  if (std::ranges::none_of(problem.components, algebraic)) return bound;
+  if (std::ranges::none_of(problem.components, is_algebraic)) return bound;
   const Vec start = taylor_part(problem, 0.0), f = rhs_at(problem, 0.0, start);
   const double size = std::max(1.0, start.lpNorm<Eigen::Infinity>());
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < problem.size(); ++i)
-    if (algebraic(problem.components[static_cast<std::size_t>(i)])) rows.push_back(i);
+    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) rows.push_back(i);
   const bool held = std::ranges::all_of(rows, [&](auto i) { return std::abs(f[i]) <= rounding * size; });
   for (const auto i : held ? multipliers(problem) : rows) bound[i] = infinity;
   return bound;
@@ -86,7 +87,7 @@ Reference reference_from_table(PanelTable table, const Problem& problem) {
 }
 
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
-  require_posed(problem);
+  require_supported(problem);
   require_affordable(problem);
   const InitialLengths starts = initial_lengths(problem);
   const auto solve = [&](int points, double shortest) -> PiecewiseSolution {
@@ -95,11 +96,11 @@ PanelTable reference_table(const Problem& problem, const CollocationOptions& opt
              .first_panel = shortest * starts.panel,
              .first_after_jump = shortest * first_after_jump,
              .tolerance = options.tolerance,
-             .weightless = starts.weightless}};
+             .negligible_before = starts.weightless}};
   };
   const auto solution = solve(20, 1.0), other = solve(16, 3.0);
   const auto second =
-      diffusive_solution(problem, {.first_step = starts.step, .weightless = starts.weightless});
+      diffusive_solution(problem, {.first_step = starts.step, .negligible_before = starts.weightless});
   const auto estimates = error_estimates(problem, solution, other, second);
   PanelTable table;
   for (const Panel& panel : solution.panels()) {
@@ -113,4 +114,4 @@ Reference reference_solution(const Problem& problem, const CollocationOptions& o
   return reference_from_table(reference_table(problem, options), problem);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

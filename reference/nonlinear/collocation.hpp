@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/nonlinear/panel_table.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Reference solution of a nonlinear multi-order system by piecewise collocation, independent of every scheme.
 // On each panel of a mesh graded towards t = 0, f(t, y(t)) is a polynomial through Gauss points, and
@@ -14,11 +15,11 @@ struct CollocationOptions {
   double tolerance = 1e-13;  // relative, of the resolution of the panels; rounding limits it to about 1e-14
 };
 
-// Orders are in [0, 2], those of algebraic rows 0; f is continuous except at problem.jumps and for terms with
-// unknowns of algebraic rows, and smooth for other t > 0. ReferenceValue::bound is an estimate. Throws
+// Orders are in [0, 2], those of algebraic rows 0; f is continuous except at problem.jump_times and for terms
+// with unknowns of algebraic rows, and smooth for other t > 0. ReferenceValue::bound is an estimate. Throws
 // std::runtime_error if one of the two methods does not converge (naming the method and the time), if an
 // order is too small for a problem with algebraic rows, or if there are more than 200 unknowns. Throws
-// std::invalid_argument for a problem that require_posed() rejects and, from Reference::at, for a time
+// std::invalid_argument for a problem that require_supported() rejects and, from Reference::at, for a time
 // outside [0, problem.end].
 Reference reference_solution(const Problem& problem, const CollocationOptions& options = {});
 
@@ -28,4 +29,4 @@ Reference reference_solution(const Problem& problem, const CollocationOptions& o
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options = {});
 Reference reference_from_table(PanelTable table, const Problem& problem);
 
-}  // namespace fde
+}  // namespace fde::reference

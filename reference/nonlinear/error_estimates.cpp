@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/error_estimates.hpp"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reference/nonlinear/march/jumps.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -74,4 +75,4 @@ std::vector<Vec> error_estimates(const Problem& problem, const PiecewiseSolution
   return estimates;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

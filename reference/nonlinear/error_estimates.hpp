@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -5,7 +6,7 @@
 #include "fdebench/reference/nonlinear/collocation/piecewise_solution.hpp"
 #include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // An estimate of the error of a solution on each of its panels: twice the larger of its differences from
 // another resolution and from a second method, plus an allowance for the rounding of f, which all three
@@ -15,4 +16,4 @@ namespace fde {
 std::vector<Vec> error_estimates(const Problem& problem, const PiecewiseSolution& solution,
                                  const PiecewiseSolution& other, const DiffusiveSolution& second);
 
-}  // namespace fde
+}  // namespace fde::reference

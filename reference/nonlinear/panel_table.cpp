@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/panel_table.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 
 #include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -44,4 +45,4 @@ Reference reference_from_panels(PanelTable table, Vec initial_bound) {
   return {.at = [reference](double t) { return reference->at(t); }};
 }
 
-}  // namespace fde
+}  // namespace fde::reference

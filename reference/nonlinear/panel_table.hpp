@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "fdebench/reference/reference.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // A panel of a solution: y is the polynomial through its values at the start of the panel, at the
 // Gauss-Legendre points and at the end.
@@ -23,4 +24,4 @@ struct PanelTable {
 // for a time outside the panels. Precondition: at least one panel, all with the same number of points.
 Reference reference_from_panels(PanelTable table, Vec initial_bound);
 
-}  // namespace fde
+}  // namespace fde::reference

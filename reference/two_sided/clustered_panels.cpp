@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/two_sided/clustered_panels.hpp"
 
 #include <cmath>
 #include <memory>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr int quadrature_points = 24;
@@ -47,7 +48,7 @@ class ClusteredPanels {
 
   [[nodiscard]] Vec row(double order, const Rule& singular, RelativeTime t) const {
     Vec row = Vec::Zero(std::ssize(nodes_));
-    const double x = time_.undone(t).from_start;
+    const double x = time_.inverse(t).from_start;
     for (int k = 0; k < panels_; ++k) {
       const double from = static_cast<double>(k) / panels_, to = (k + 1.0) / panels_;
       if (from >= x - same_place) break;
@@ -74,7 +75,7 @@ class ClusteredPanels {
       const RelativeTime y = share(from + length * rule.nodes[q]);
       const double kernel =
           std::pow(distance(time_.at(y), t), order - 1.0) / std::pow(1.0 - rule.nodes[q], rule.power);
-      const double weight = length * rule.weights[q] * kernel * time_.rate(y);
+      const double weight = length * rule.weights[q] * kernel * time_.derivative(y);
       add_interpolated(panel, y.from_start * panels_ - panel, weight, row);
     }
   }
@@ -107,7 +108,7 @@ double ClusteringMap::slope(double x) const {
   return 6.0 * bend_ + 2.0 / power_ - 24.0 * bend_ * x * (1.0 - x);
 }
 
-double ClusteringMap::rate(RelativeTime x) const {
+double ClusteringMap::derivative(RelativeTime x) const {
   const RelativeTime t = at(x);
   return power_ * t.from_start * t.from_end * slope(x.from_start) / (cubic(x.from_start) * cubic(x.from_end));
 }
@@ -118,7 +119,7 @@ RelativeTime ClusteringMap::at(RelativeTime x) const {
 }
 
 // Newton's method for the share of the nearer end, where v is convex.
-RelativeTime ClusteringMap::undone(RelativeTime t) const {
+RelativeTime ClusteringMap::inverse(RelativeTime t) const {
   const double start = std::pow(t.from_start, 1.0 / power_), end = std::pow(t.from_end, 1.0 / power_);
   const double nearer = std::min(start, end) / (start + end);
   double x = nearer / slope(0.0);
@@ -138,4 +139,4 @@ NodalBasis clustered_panels(const PanelBasis& panel, int panels, const Clusterin
           }};
 }
 
-}  // namespace fde
+}  // namespace fde::reference

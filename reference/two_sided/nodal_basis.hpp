@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
 
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // A time in [0, end] as its distances from both ends, relative to end: they sum to 1. Near an end the
 // distance from it keeps its relative accuracy.
@@ -22,4 +23,4 @@ struct NodalBasis {
   std::function<Row(double order)> rows;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/two_sided/nodal_equations.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
 #include "fdebench/schemes/problem/jacobian.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 double NodalValues::size() const {
   const double of_y = y.cwiseAbs().maxCoeff();
@@ -20,10 +21,11 @@ double NodalResidual::norm() const {
 
 NodalEquations::NodalEquations(const Problem& problem, const NodalBasis& basis)
     : problem_(problem), basis_(basis) {
-  std::map<Kind, Matrix> at_nodes;
+  std::map<KernelKey, Matrix> at_nodes;
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
     const auto& [order, initial, side] = component(i);
-    if (algebraic(component(i))) throw std::invalid_argument("a two-sided reference takes no algebraic rows");
+    if (is_algebraic(component(i)))
+      throw std::invalid_argument("a two-sided reference takes no algebraic rows");
     for (std::size_t k = initial.size(); k < initial_count(order); ++k)
       unknown_.push_back({i, static_cast<int>(k)});
     auto& weights = at_nodes[{order, side}];
@@ -135,7 +137,7 @@ NodalValues NodalEquations::increment(const NodalValues& values, const NodalResi
 }
 
 Vec NodalEquations::at(RelativeTime t, const Matrix& f, In unknown) const {
-  std::map<Kind, Vec> weights;
+  std::map<KernelKey, Vec> weights;
   for (const auto& [kind, row] : rows_) weights[kind] = row(t);
   Vec y = taylor_part_at(t, unknown);
   for (Eigen::Index i = 0; i < y.size(); ++i)
@@ -143,4 +145,4 @@ Vec NodalEquations::at(RelativeTime t, const Matrix& f, In unknown) const {
   return y;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

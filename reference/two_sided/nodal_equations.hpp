@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
@@ -6,7 +7,7 @@
 
 #include "fdebench/reference/two_sided/nodal_basis.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Values of y at all nodes, one row per node, and the unknown initial values of a problem.
 struct NodalValues {
@@ -45,7 +46,7 @@ class NodalEquations {
   [[nodiscard]] Vec at(RelativeTime t, const Matrix& f, In unknown) const;
 
  private:
-  using Kind = std::pair<double, Side>;  // rows of the same order and side share their weights
+  using KernelKey = std::pair<double, Side>;  // rows of the same order and side share their weights
 
   [[nodiscard]] Eigen::Index nodes() const { return std::ssize(basis_.nodes); }
   [[nodiscard]] RelativeTime node(Eigen::Index m) const { return basis_.nodes[static_cast<std::size_t>(m)]; }
@@ -66,8 +67,8 @@ class NodalEquations {
   const Problem& problem_;
   const NodalBasis& basis_;
   std::vector<Unknown> unknown_;
-  std::map<Kind, NodalBasis::Row> rows_;  // the weights of f in y at any time
-  std::vector<Matrix> weights_;           // at the nodes, for each component
+  std::map<KernelKey, NodalBasis::Row> rows_;  // the weights of f in y at any time
+  std::vector<Matrix> weights_;                // at the nodes, for each component
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/two_sided/nodal_solution.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include "fdebench/schemes/problem/initial_guess.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr std::size_t most_iterations = 60;
@@ -20,7 +21,7 @@ constexpr double rounding = 1e-13, small = 1e-9;
 // Damped Newton step: adds the increment, or the largest of its half, quarter, ... that decreases the
 // residual. Returns the size of the full increment, since damped iterations have not converged. Small
 // increments are always added in full: their effect on the residual is rounding.
-double advance(const NodalEquations& equations, NodalValues& values) {
+double damped_newton_step(const NodalEquations& equations, NodalValues& values) {
   const NodalResidual residual = equations.residual(values);
   const NodalValues increment = equations.increment(values, residual);
   const double size = increment.size();
@@ -49,7 +50,7 @@ NodalValues solved(const NodalEquations& equations, NodalValues values) {
   double before = std::numeric_limits<double>::infinity();
   for (std::size_t iteration = 0; iteration < most_iterations; ++iteration) {
     report_progress(iteration);
-    const double moved = advance(equations, values), size = std::max(1.0, values.size());
+    const double moved = damped_newton_step(equations, values), size = std::max(1.0, values.size());
     if (moved <= rounding * size || (moved >= before / 2 && moved <= 1e3 * rounding * size)) return values;
     before = moved;
   }
@@ -88,4 +89,4 @@ NodalSolution smallest_solution(const Problem& problem, const NodalBasis& basis)
   return std::move(*smallest);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

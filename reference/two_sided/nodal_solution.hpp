@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reference/two_sided/nodal_equations.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Solution of a problem with left and right derivatives, unknown initial values and conditions, at all nodes
 // of a basis at once by Newton's method. The problem and the basis must outlive this object.
@@ -32,4 +33,4 @@ class NodalSolution {
 // the result.
 NodalSolution smallest_solution(const Problem& problem, const NodalBasis& basis);
 
-}  // namespace fde
+}  // namespace fde::reference

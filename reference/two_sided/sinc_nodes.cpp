@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/two_sided/sinc_nodes.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -95,4 +96,4 @@ NodalBasis sinc_nodes(double step) {
           }};
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/two_sided/nodal_basis.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Sinc basis in x with t = 1 / (1 + e^(-pi sinh x)): functions of t that start and end like a small power,
 // minus the straight line between their end values, decay doubly exponentially in x and are sums of
@@ -10,4 +11,4 @@ namespace fde {
 // Takahasi & M. Mori, 1974). Integrals are computed by the trapezoidal rule after the same map.
 NodalBasis sinc_nodes(double step);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/two_sided/solution.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 #include "fdebench/reference/two_sided/nodal_solution.hpp"
 #include "fdebench/reference/two_sided/sinc_nodes.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr int points = 14, coarse_points = 12;
@@ -25,7 +26,7 @@ ClusteringMap time_of(const Problem& problem) {
   constexpr double smooth = 4.0, usual = 8.0, most = 32.0;
   double smallest = 1.0;
   for (const auto& component : problem.components)
-    if (!algebraic(component)) smallest = std::min(smallest, component.order);
+    if (!is_algebraic(component)) smallest = std::min(smallest, component.order);
   return ClusteringMap(std::clamp(smooth / smallest, usual, most));
 }
 
@@ -49,7 +50,7 @@ std::vector<RelativeTime> dense_times(const PanelBasis& basis, int panel, int pa
 }
 
 // The largest difference on a panel and its neighbours, since errors change sign.
-std::vector<Vec> spread(const std::vector<Vec>& differences) {
+std::vector<Vec> max_over_neighbours(const std::vector<Vec>& differences) {
   std::vector<Vec> result = differences;
   for (std::size_t k = 0; k < differences.size(); ++k) {
     if (k > 0) result[k] = result[k].cwiseMax(differences[k - 1]);
@@ -64,7 +65,7 @@ NodalSolution solution_on(const Problem& problem, const NodalBasis& basis, const
   try {
     return {problem, basis};
   } catch (const std::runtime_error&) {
-    if (linear(problem)) throw;
+    if (is_linear(problem)) throw;
     const PanelBasis few(few_points, PanelPoints::legendre);
     const NodalBasis of_few = clustered_panels(few, count_of(few_panels, time), time);
     const NodalSolution rough = smallest_solution(problem, of_few);
@@ -102,7 +103,7 @@ PanelTable two_sided_table(const Problem& problem) {
     const auto edge = [&](double number) { return problem.end * (number / panels); };
     table.panels.push_back({edge(k), edge(k + 1.0), values, {}});
   }
-  const auto spread_differences = spread(differences);
+  const auto spread_differences = max_over_neighbours(differences);
   for (std::size_t k = 0; k < table.panels.size(); ++k)
     table.panels[k].bound = 2.0 * spread_differences[k] + roundings * size;
   return table;
@@ -115,8 +116,8 @@ Reference two_sided_reference(PanelTable table, const Problem& problem) {
            time = time_of(problem)](double t) -> ReferenceValue {
     if (!(t >= 0.0 && t <= end))
       throw std::invalid_argument(fmt::format("t = {}: must be in [0, {}]", t, end));
-    return clustered_times.at(end * time.undone({t / end, (end - t) / end}).from_start);
+    return clustered_times.at(end * time.inverse({t / end, (end - t) / end}).from_start);
   }};
 }
 
-}  // namespace fde
+}  // namespace fde::reference

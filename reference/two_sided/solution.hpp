@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/nonlinear/panel_table.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Reference solution of a problem with right derivatives or conditions at both ends, at all times at once: by
 // collocation on panels clustered at both ends by a change of variable, and by sinc functions after another
@@ -17,4 +18,4 @@ namespace fde {
 PanelTable two_sided_table(const Problem& problem);
 Reference two_sided_reference(PanelTable table, const Problem& problem);
 
-}  // namespace fde
+}  // namespace fde::reference

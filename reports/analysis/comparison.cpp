@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/analysis/comparison.hpp"
 
 #include <algorithm>
@@ -6,32 +7,34 @@
 #include <map>
 #include <optional>
 
-namespace fde {
+#include "fdebench/benchmarks/measures/measures.hpp"
+
+namespace fde::bench {
 namespace {
 
-// The uncertainty of an error of a run, on the absolute scale.
-double doubt(const MeasuredRun& run, std::string_view quantity) {
+// The uncertainty of an error of a run in this norm, on the absolute scale.
+double uncertainty(const MeasuredRun& run, Norm norm) {
   constexpr double samples = 4.0;
   const double at_end = run["reference_bound"].value_or(0.0);  // older results have this bound only
-  const double bound =
-      quantity.starts_with("error_maximum") ? run["reference_bound_maximum"].value_or(at_end) : at_end;
+  const double bound = norm == Norm::maximum ? run["reference_bound_maximum"].value_or(at_end) : at_end;
   return samples * run["rounding"].value_or(0.0) + bound;
 }
 
-// The ratio of an error of this quantity to the absolute error at the end; 1 for absolute errors.
-double unit_of(const MeasuredRun& run, std::string_view quantity, double error) {
+// The ratio of an error on this scale to the absolute error at the end; 1 for absolute errors.
+double unit_of(const MeasuredRun& run, Scale scale, double error) {
   const double at_end = run["error_end"].value_or(0.0);
-  const bool is_absolute = quantity == "error_end" || quantity == "error_maximum";
-  return is_absolute || at_end == 0.0 ? 1.0 : error / at_end;
+  return scale == Scale::absolute || at_end == 0.0 ? 1.0 : error / at_end;
 }
 
-std::optional<ErrorChange> moved(const CommonRun& run, std::string_view quantity, double before, double now) {
+std::optional<ErrorChange> change_of(const CommonRun& run, const Measure& measure, double before,
+                                     double now) {
   constexpr double part = 0.01;
-  const double unknown = std::max(doubt(*run.before, quantity), doubt(*run.now, quantity)) *
-                         std::min(unit_of(*run.before, quantity, before), unit_of(*run.now, quantity, now));
+  const auto [norm, scale] = *measure.error;
+  const double unknown = std::max(uncertainty(*run.before, norm), uncertainty(*run.now, norm)) *
+                         std::min(unit_of(*run.before, scale, before), unit_of(*run.now, scale, now));
   if (std::abs(now - before) <= unknown) return std::nullopt;
   if (std::max(now, before) <= (1.0 + part) * std::min(now, before)) return std::nullopt;
-  return ErrorChange{.run = run, .quantity = quantity, .before = before, .now = now};
+  return ErrorChange{.run = run, .quantity = measure.id, .before = before, .now = now};
 }
 
 double growth(const ErrorChange& error) {
@@ -40,10 +43,10 @@ double growth(const ErrorChange& error) {
 
 void compare_errors(const CommonRun& run, std::vector<ErrorChange>& all) {
   std::optional<ErrorChange> worst;
-  for (const auto& [quantity, before] : run.before->values) {
-    const auto now = (*run.now)[quantity];
-    if (!quantity.starts_with("error_") || !now) continue;
-    const auto found = moved(run, quantity, before, *now);
+  for (const Measure* measure : measures()) {
+    const auto before = (*run.before)[measure->id], now = (*run.now)[measure->id];
+    if (!measure->error || !before || !now) continue;
+    const auto found = change_of(run, *measure, *before, *now);
     if (found && (!worst || growth(*found) > growth(*worst))) worst = found;
   }
   if (worst) all.push_back(*worst);
@@ -63,13 +66,13 @@ void compare_times(const CommonRun& run, Comparison& of) {
 }
 
 void compare_endings(const CommonRun& run, std::vector<EndingChange>& all) {
-  const Verdict before = verdict(*run.before), now = verdict(*run.now);
+  const TrialResult before = trial_result(*run.before), now = trial_result(*run.now);
   if (before != now || run.before->ending.kind != run.now->ending.kind)
     all.push_back({.run = run, .before = before, .now = now});
 }
 
 // Larger is better. The verdicts with rank 1 are not comparable with each other.
-int rank(const Verdict& verdict) {
+int rank(const TrialResult& verdict) {
   if (verdict == survives || verdict == stops) return 2;
   return verdict == fails ? 0 : 1;
 }
@@ -92,10 +95,11 @@ std::map<RunKey, const MeasuredRun*> by_key(const Runs& runs) {
 
 }  // namespace
 
-bool EndingChange::fell() const { return rank(now) < rank(before); }
+bool EndingChange::is_worse() const { return rank(now) < rank(before); }
 
 bool Comparison::is_worse() const {
-  return std::ranges::any_of(errors, &ErrorChange::grew) || std::ranges::any_of(endings, &EndingChange::fell);
+  return std::ranges::any_of(errors, &ErrorChange::grew) ||
+         std::ranges::any_of(endings, &EndingChange::is_worse);
 }
 
 std::ptrdiff_t Comparison::slower_than(double factor) const {
@@ -120,4 +124,4 @@ Comparison compare(const Runs& before, const Runs& now) {
   return comparison;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -7,9 +8,9 @@
 
 #include "fdebench/reports/analysis/line_names.hpp"
 #include "fdebench/reports/analysis/runs.hpp"
-#include "fdebench/reports/analysis/verdict.hpp"
+#include "fdebench/reports/analysis/trial_result.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A run that is in both sets of results.
 struct CommonRun {
@@ -43,9 +44,9 @@ struct ErrorChange {
 // other, and from `inaccurate`, `refuses` or `not judged` to `fails`.
 struct EndingChange {
   CommonRun run;
-  Verdict before, now;
+  TrialResult before, now;
 
-  [[nodiscard]] bool fell() const;
+  [[nodiscard]] bool is_worse() const;
 };
 
 // The comparison of two sets of results over their common runs, each list sorted from the worst change on.
@@ -56,7 +57,7 @@ struct Comparison {
   std::vector<ErrorChange> errors{};
   std::vector<EndingChange> endings{};
 
-  // Whether an error grew or a verdict fell.
+  // Whether an error grew or a verdict got worse.
   [[nodiscard]] bool is_worse() const;
 
   // The number of runs whose time grew by more than `factor`, by the lower end of the interval of the ratio.
@@ -73,4 +74,4 @@ Comparison compare(const Runs& before, const Runs& now);
 // Text with a table of each kind of change (its first rows) and totals.
 std::string comparison_text(const Comparison& comparison, const LineNames& names);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include "fdebench/reports/analysis/comparison.hpp"
 #include "fdebench/reports/analysis/text.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::size_t most_rows = 20;  // per table
@@ -34,10 +35,10 @@ std::string table(const std::string& heading, const std::vector<Row>& rows, cons
 }
 
 std::string ending_text(const EndingChange& change) {
-  const auto words = [](const MeasuredRun& run, const Verdict& verdict) {
+  const auto words = [](const MeasuredRun& run, const TrialResult& verdict) {
     return fmt::format("{} ({})", verdict.word, sentence(run.ending));
   };
-  return fmt::format("{:<7}  {} -> {} :", change.fell() ? "fell" : "changed",
+  return fmt::format("{:<7}  {} -> {} :", change.is_worse() ? "worse" : "changed",
                      words(*change.run.before, change.before), words(*change.run.now, change.now));
 }
 
@@ -85,7 +86,7 @@ std::string comparison_text(const Comparison& comparison, const LineNames& names
   std::ranges::copy_if(times, std::back_inserter(beyond_noise),
                        [](const TimeRatio& time) { return time.slower() || time.faster(); });
   const auto grew = std::ranges::count_if(errors, &ErrorChange::grew);
-  const auto fell = std::ranges::count_if(endings, &EndingChange::fell);
+  const auto worse = std::ranges::count_if(endings, &EndingChange::is_worse);
   const auto slower = std::ranges::count_if(times, &TimeRatio::slower);
   const auto faster = std::ranges::count_if(times, &TimeRatio::faster);
   return table("verdicts and endings that changed", endings, names, ending_text) +
@@ -95,11 +96,11 @@ std::string comparison_text(const Comparison& comparison, const LineNames& names
                      only_now) +
          (timed_before == 0 ? ""
                             : fmt::format("{} runs in both are timed in the first only\n", timed_before)) +
-         fmt::format("verdicts: {} fell, {} changed otherwise\n", fell, std::ssize(endings) - fell) +
+         fmt::format("verdicts: {} worse, {} changed otherwise\n", worse, std::ssize(endings) - worse) +
          fmt::format("errors: {} grew, {} fell\n", grew, std::ssize(errors) - grew) +
          fmt::format("times: {} slower, {} faster, {} within the spread of their repeats\n", slower, faster,
                      std::ssize(times) - slower - faster) +
          sum_of_times(times);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

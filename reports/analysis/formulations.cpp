@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/analysis/formulations.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::string_view choice_of_form = "formulation";
@@ -105,4 +106,4 @@ BestInTimes best_in_time(const ConstrainedScene& scene) {
   return best;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reports/analysis/runs.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The runs of one scene in one formulation for which the drift was measured, runs without a reference
 // included.
@@ -46,4 +47,4 @@ struct BestInTimes {
 };
 BestInTimes best_in_time(const ConstrainedScene& scene);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/analysis/line_names.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::array<std::string, 4> means_of(const RunSettings& setup, bool one_grading = false) {
@@ -19,7 +20,7 @@ std::array<std::string, 4> means_of(const RunSettings& setup, bool one_grading =
 }
 
 // The selected settings, joined by commas.
-std::string told(const RunSettings& setup, const std::array<bool, 4>& which, bool one_grading) {
+std::string differing_settings(const RunSettings& setup, const std::array<bool, 4>& which, bool one_grading) {
   const auto means = means_of(setup, one_grading);
   std::vector<std::string> words;
   for (std::size_t i = 0; i < means.size(); ++i) {
@@ -64,7 +65,8 @@ LineNames::LineNames(const Runs& runs) {
 
 std::string LineNames::name(const std::string& scheme, const RunSettings& setup) const {
   constexpr std::array grid_alone{false, true, false, false};
-  const auto means = told(setup, external_.contains(scheme) ? grid_alone : differ_, one_grading_);
+  const auto means =
+      differing_settings(setup, external_.contains(scheme) ? grid_alone : differ_, one_grading_);
   return means.empty() ? scheme : fmt::format("{}, {}", scheme, means);
 }
 
@@ -78,4 +80,4 @@ std::string LineNames::grid(const RunSettings& setup) const {
   return one_grading_ && setup.grading != 1.0 ? grid_text(setup.grading) : "";
 }
 
-}  // namespace fde
+}  // namespace fde::bench

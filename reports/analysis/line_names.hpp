@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@
 
 #include "fdebench/reports/analysis/runs.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Names of lines: the scheme, and those settings (history, grid, tolerance, budget) that differ between runs
 // of our schemes. A uniform grid is not mentioned. For external programs only the requested grid is known.
@@ -30,4 +31,4 @@ class LineNames {
   std::set<std::string, std::less<>> external_{};  // names of external programs
 };
 
-}  // namespace fde
+}  // namespace fde::bench

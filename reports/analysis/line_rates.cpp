@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/analysis/line_rates.hpp"
 
 #include <algorithm>
 #include <variant>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::size_t most_fitted = 5;
@@ -50,4 +51,4 @@ std::vector<RateRow> rates(const Runs& runs) {
   return rows;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "fdebench/reports/analysis/runs.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Theoretical and observed rate of one line in one norm. fit.points = 0: too few errors above rounding.
 struct NormRate {
@@ -37,4 +38,4 @@ Fit observed_rate(RunSpan line, std::string_view quantity);
 // One row per line, in the order of the runs. Lines with adaptive step size are left out: they have no rate.
 std::vector<RateRow> rates(const Runs& runs);
 
-}  // namespace fde
+}  // namespace fde::bench

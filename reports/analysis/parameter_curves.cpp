@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/analysis/parameter_curves.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr auto end_name = "until";
@@ -116,4 +117,4 @@ std::vector<ParameterCurves> parameter_curves(const Runs& runs) {
   return curves;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reports/analysis/runs.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A run at one value of the parameter.
 struct CurvePoint {
@@ -27,4 +28,4 @@ struct ParameterCurves {
 inline constexpr std::size_t fewest_values = 3;
 std::vector<ParameterCurves> parameter_curves(const Runs& runs);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -10,18 +11,18 @@
 #include "fdebench/benchmarks/search/search.hpp"
 #include "fdebench/reports/analysis/recommended_run.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Which scheme to use for a scene and an accuracy, and why.
 struct Recommendation {
   SceneSettings scene{};
   ErrorKind kind{};
   double accuracy = 0.0;
-  std::vector<std::string> columns{};  // the compared columns; empty: all
-  std::vector<Option> options{};       // within the accuracy, the quickest first
-  std::vector<Option> expected{};      // predictions for other schemes, which are slower and were not run
-  std::vector<std::string> others{};   // one text per other scheme: its outcome
-  bool constant = false;               // the solution equals its initial value at all times
+  std::vector<std::string> columns{};      // the compared columns; empty: all
+  std::vector<RecommendedRun> options{};   // within the accuracy, the quickest first
+  std::vector<RecommendedRun> expected{};  // predictions for other schemes, which are slower and were not run
+  std::vector<std::string> others{};       // one text per other scheme: its outcome
+  bool constant = false;                   // the solution equals its initial value at all times
   std::optional<ErrorEstimate> estimate{};  // the basis of all errors; nullopt: there is a reference
 };
 
@@ -43,13 +44,13 @@ std::vector<std::string> within_noise(const Recommendation& made);
 
 // The first option of another scheme, otherwise the first expected one; nullptr if there is none.
 // Precondition: there is an option.
-const Option* runner_up(const Recommendation& made);
+const RecommendedRun* runner_up(const Recommendation& made);
 
 // The options of `fdebench solve`, after --scheme, that repeat the run; empty for an external program.
-std::string options_of(const Option& option);
+std::string options_of(const RecommendedRun& option);
 
 // The command that repeats the run; empty for an external program.
-std::string command_of(const SceneSettings& scene, const Option& option);
+std::string command_of(const SceneSettings& scene, const RecommendedRun& option);
 
 // A sentence that says how the errors were estimated.
 std::string estimate_text(const ErrorEstimate& estimate);
@@ -58,7 +59,7 @@ std::string estimate_text(const ErrorEstimate& estimate);
 std::string kind_text(const ErrorKind& kind);
 
 // "l1 = commensurate_l1, graded:2".
-std::string name_of(const Option& option);
+std::string name_of(const RecommendedRun& option);
 
 // The recommendation as text. Precondition: there is an option.
 std::string to_text(const Recommendation& made);
@@ -66,4 +67,4 @@ std::string to_text(const Recommendation& made);
 // The recommendation as one JSON object; docs/command.md lists the fields. Precondition: there is an option.
 std::string json_of(const Recommendation& made);
 
-}  // namespace fde
+}  // namespace fde::bench

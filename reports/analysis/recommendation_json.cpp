@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
 #include "fdebench/reports/analysis/recommendation.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-nlohmann::json json_of(const Configuration& way, int steps) {
-  return {{"scheme", way.scheme->id}, {"grid", grid_text(way.grading)}, {"steps", steps}};
+nlohmann::json json_of(const Configuration& configuration, int steps) {
+  return {{"scheme", configuration.scheme->id}, {"grid", grid_text(configuration.grading)}, {"steps", steps}};
 }
 
 nlohmann::json json_of(const ErrorEstimate& estimate) {
-  return {{"missing", estimate.missing},
+  return {{"missing", estimate.no_reference_reason},
           {"runs",
            {json_of(estimate.first, estimate.first_steps), json_of(estimate.second, estimate.second_steps)}},
           {"difference", estimate.difference},
@@ -21,7 +22,7 @@ nlohmann::json json_of(const ErrorEstimate& estimate) {
 
 std::string json_of(const Recommendation& made) {
   using Json = nlohmann::json;
-  const Option& first = made.options.front();
+  const RecommendedRun& first = made.options.front();
   const auto* second = runner_up(made);
   Json json{{"scene", label_of(made.scene)},
             {"scheme", first.schemes.front()},
@@ -41,8 +42,8 @@ std::string json_of(const Recommendation& made) {
             {"runner_up", nullptr},
             {"factor", nullptr},
             {"command", nullptr}};
-  if (const auto* asked = std::get_if<Tolerance>(&first.setup.resolution)) {
-    json["asked"] = asked->relative;
+  if (const auto* accuracy = std::get_if<Tolerance>(&first.setup.resolution)) {
+    json["asked"] = accuracy->rtol;
   } else {
     json["grid"] = grid_text(first.setup.grading);
   }
@@ -51,7 +52,7 @@ std::string json_of(const Recommendation& made) {
     json["estimated"] = true;
     json["estimate"] = json_of(*made.estimate);
   }
-  if (first.once_seconds > 0.0) json["once_seconds"] = first.once_seconds;
+  if (first.setup_seconds > 0.0) json["once_seconds"] = first.setup_seconds;
   if (made.constant) json["constant"] = true;
   if (first.wall_clock) json["wall_clock"] = true;
   if (first.predicted_error) json["predicted_error"] = *first.predicted_error;
@@ -63,4 +64,4 @@ std::string json_of(const Recommendation& made) {
   return json.dump() + '\n';
 }
 
-}  // namespace fde
+}  // namespace fde::bench

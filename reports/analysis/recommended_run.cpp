@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/analysis/recommended_run.hpp"
 
 #include <fmt/format.h>
@@ -7,27 +8,27 @@
 
 #include "fdebench/reports/analysis/text.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // nullopt if the run has no error of this kind.
-std::optional<Option> option_of(const MeasuredRun& run, const ErrorKind& kind) {
+std::optional<RecommendedRun> option_of(const MeasuredRun& run, const ErrorKind& kind) {
   const auto error = run[error_measure(kind)];
   if (!error) return std::nullopt;
-  Option option{.schemes = {run.key.scheme},
-                .setup = run.key.setup,
-                .steps = run.steps,
-                .error = *error,
-                .session = run.session,
-                .external = run.key.external,
-                .wall_clock = run.wall_clock};
+  RecommendedRun option{.schemes = {run.key.scheme},
+                        .setup = run.key.setup,
+                        .steps = run.steps,
+                        .error = *error,
+                        .session = run.session,
+                        .external = run.key.external,
+                        .wall_clock = run.wall_clock};
   option.time = time_of(run).value_or(MedianInterval{});
   return option;
 }
 
-bool is_timed(const Option& option) { return option.time.median > 0.0; }
+bool is_timed(const RecommendedRun& option) { return option.time.median > 0.0; }
 
-bool is_quicker(const Option& a, const Option& b) {
+bool is_quicker(const RecommendedRun& a, const RecommendedRun& b) {
   return std::tie(a.time.median, a.error) < std::tie(b.time.median, b.error);
 }
 
@@ -45,8 +46,8 @@ std::vector<TrialError> errors_of(RunSpan line, const ErrorKind& kind, int below
   return errors;
 }
 
-std::optional<Option> quickest_within(RunSpan line, const ErrorKind& kind, double accuracy) {
-  std::optional<Option> best;
+std::optional<RecommendedRun> quickest_within(RunSpan line, const ErrorKind& kind, double accuracy) {
+  std::optional<RecommendedRun> best;
   for (const MeasuredRun& run : line) {
     const auto option = option_of(run, kind);
     if (!option || option->error > accuracy || !is_timed(*option) || !counts(run, kind)) continue;
@@ -101,8 +102,8 @@ std::size_t count_untimed(RunSpan runs, const ErrorKind& kind, double accuracy) 
 SceneLines::SceneLines(const Runs& runs, const SceneSettings& scene)
     : runs_(of_scene(runs.finished, scene)), lines_(named_lines(runs_)) {}
 
-std::vector<Option> SceneLines::within(const ErrorKind& kind, double accuracy) const {
-  std::vector<Option> ranked;
+std::vector<RecommendedRun> SceneLines::within(const ErrorKind& kind, double accuracy) const {
+  std::vector<RecommendedRun> ranked;
   for (const auto& [line, names] : lines_) {
     auto best = quickest_within(line, kind, accuracy);
     if (!best) continue;
@@ -113,7 +114,8 @@ std::vector<Option> SceneLines::within(const ErrorKind& kind, double accuracy) c
   return ranked;
 }
 
-Option with_prediction(Option option, const Runs& runs, const SceneSettings& scene, const ErrorKind& kind) {
+RecommendedRun with_prediction(RecommendedRun option, const Runs& runs, const SceneSettings& scene,
+                               const ErrorKind& kind) {
   for (const RunSpan line : by_line(of_scene(runs.finished, scene))) {
     const RunKey& key = line.front().key;
     if (key.scheme != option.schemes.front() || !same_series(key.setup, option.setup)) continue;
@@ -130,7 +132,8 @@ std::vector<ErrorForecast> SceneLines::forecasts(const ErrorKind& kind) const {
     const MeasuredRun& finest = line.back();
     ErrorModel errors(errors_of(line, kind, finest.steps + 1));
     if (errors.empty()) continue;
-    all.push_back({finest.steps, option_of(finest, kind).value_or(Option{.schemes = {finest.key.scheme}}),
+    all.push_back({finest.steps,
+                   option_of(finest, kind).value_or(RecommendedRun{.schemes = {finest.key.scheme}}),
                    std::move(errors)});
   }
   return all;
@@ -138,7 +141,7 @@ std::vector<ErrorForecast> SceneLines::forecasts(const ErrorKind& kind) const {
 
 std::optional<Shortfall> SceneLines::shortfall(const ErrorKind& kind, double accuracy,
                                                std::span<const ErrorForecast> forecasts) const {
-  std::optional<Option> best;
+  std::optional<RecommendedRun> best;
   for (const MeasuredRun& run : runs_) {
     const auto option = option_of(run, kind);
     if (option && (!best || option->error < best->error)) best = option;
@@ -157,17 +160,17 @@ std::optional<Shortfall> SceneLines::shortfall(const ErrorKind& kind, double acc
   return found;
 }
 
-std::string run_text(const Option& option, std::string_view error) {
+std::string run_text(const RecommendedRun& option, std::string_view error) {
   const auto* accuracy = std::get_if<Tolerance>(&option.setup.resolution);
-  const auto asked = accuracy != nullptr ? fmt::format("accuracy {}, ", error_text(accuracy->relative)) : "";
+  const auto requested = accuracy != nullptr ? fmt::format("accuracy {}, ", error_text(accuracy->rtol)) : "";
   std::string text =
-      fmt::format("{}N = {}, {} {}", asked, count_text(option.steps), error, error_text(option.error));
+      fmt::format("{}N = {}, {} {}", requested, count_text(option.steps), error, error_text(option.error));
   if (!is_timed(option)) return text + ", not timed";
   const auto& [median, low, high] = option.time;
   text += fmt::format(", {} ({} ... {}){}", time_text(median), time_text(low), time_text(high),
                       clock_note(option.wall_clock));
-  if (option.once_seconds > median)
-    text += fmt::format(", the first time {} more for start weights", time_text(option.once_seconds));
+  if (option.setup_seconds > median)
+    text += fmt::format(", the first time {} more for start weights", time_text(option.setup_seconds));
   return text;
 }
 
@@ -177,4 +180,4 @@ std::string needed_text(const std::string& name, const Prediction& steps) {
                      rough_count_text(steps.high));
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -11,17 +12,17 @@
 #include "fdebench/benchmarks/search/error_model.hpp"
 #include "fdebench/reports/analysis/runs.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A run with its error and time, measured or predicted.
-struct Option {
+struct RecommendedRun {
   std::vector<std::string> schemes{};  // the scheme that ran, then those with equal bits on this scene
   RunSettings setup{};
   int steps = 0;
   double error = 0.0;
   std::optional<double> predicted_error{};  // from the errors with other numbers of steps
   MedianInterval time{};
-  double once_seconds = 0.0;     // extra time of the first solve, which computes start weights
+  double setup_seconds = 0.0;    // extra time of the first solve, which computes starting weights
   std::optional<double> rate{};  // observed
   std::size_t session = 0;       // index into Results::sessions, for recorded runs
   bool external = false;         // run of an external program
@@ -31,20 +32,21 @@ struct Option {
 };
 
 // The option with predicted_error and rate from the coarser runs of its line.
-Option with_prediction(Option option, const Runs& runs, const SceneSettings& scene, const ErrorKind& kind);
+RecommendedRun with_prediction(RecommendedRun option, const Runs& runs, const SceneSettings& scene,
+                               const ErrorKind& kind);
 
 // The best results if no run is within an accuracy.
 struct Shortfall {
-  Option best{};                             // the smallest error; `time` is 0 if it is not timed
+  RecommendedRun best{};                     // the smallest error; `time` is 0 if it is not timed
   std::optional<Prediction> steps_needed{};  // predicted for `line`, the line that needs the fewest
-  Option line{};
+  RecommendedRun line{};
   std::size_t untimed = 0;  // runs within the accuracy that are not timed yet
 };
 
 // The error model of a line, to extrapolate its errors to more steps.
 struct ErrorForecast {
-  int finest = 0;  // largest number of steps so far
-  Option line{};   // the finest run of the line
+  int finest = 0;         // largest number of steps so far
+  RecommendedRun line{};  // the finest run of the line
   ErrorModel errors;
 };
 
@@ -61,7 +63,7 @@ class SceneLines {
 
   // The quickest run of each line that is within the accuracy and better than the baselines y = 0 and y =
   // y(0). Sorted by time, then by error.
-  [[nodiscard]] std::vector<Option> within(const ErrorKind& kind, double accuracy) const;
+  [[nodiscard]] std::vector<RecommendedRun> within(const ErrorKind& kind, double accuracy) const;
 
   // The forecasts of the lines with enough runs.
   [[nodiscard]] std::vector<ErrorForecast> forecasts(const ErrorKind& kind) const;
@@ -78,9 +80,9 @@ class SceneLines {
 
 // "N = 64, error 1.2e-7, 12.3 µs (12.1 ... 12.6)", with clock_note() and without the name of the scheme;
 // `error` is the word for the error.
-std::string run_text(const Option& option, std::string_view error = "error");
+std::string run_text(const RecommendedRun& option, std::string_view error = "error");
 
 // "l1, graded:2 would need about N = 35 000 (33 000 ... 37 000), by its errors so far".
 std::string needed_text(const std::string& name, const Prediction& steps);
 
-}  // namespace fde
+}  // namespace fde::bench

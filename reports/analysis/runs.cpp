@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/analysis/runs.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Index of an id in a list; its length for an unknown id, which is sorted last.
@@ -33,7 +34,7 @@ std::tuple<int, double, double> fineness(const RunSettings& setup) {
 auto order_of(const RunKey& key) {
   RunSettings line = key.setup;
   line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrTolerance(0) : Tolerance{};
-  return std::tuple(position(scenes(), &SceneFactory::id, key.scene.id), key.scene,
+  return std::tuple(position(built_in_scenes(), &SceneFactory::id, key.scene.id), key.scene,
                     position(schemes(), &Scheme::id, key.scheme), key.scheme, line, fineness(key.setup));
 }
 using Order = decltype(order_of({}));
@@ -92,7 +93,7 @@ class Collector {
       std::erase_if(made, [](const auto& one) { return !one.second.ended; });  // without an examination
       if (made.empty()) continue;
       auto& run = made.back().second.run;
-      (run.ending.kind == Ending::finished ? runs.finished : runs.failed).push_back(std::move(run));
+      (run.ending.kind == SolveStatus::finished ? runs.finished : runs.failed).push_back(std::move(run));
     }
     return runs;
   }
@@ -140,7 +141,7 @@ Runs runs_of(const Results& results) {
   return std::move(collector).runs();
 }
 
-ReadRuns read_runs(const std::filesystem::path& file, const Scenes& known) {
+ReadRuns read_runs(const std::filesystem::path& file, const SceneRegistry& known) {
   Collector collector;
   scan_results(file,
                {.session = [&](const Session& session, auto) { collector.begin(session); },
@@ -171,4 +172,4 @@ RunSpan of_scene(RunSpan runs, const SceneSettings& scene) {
   return {};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
@@ -12,7 +13,7 @@
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // All values of one run, collected from its rows.
 struct MeasuredRun {
@@ -46,7 +47,7 @@ struct ReadRuns {
   std::vector<Session> sessions{};
   Runs runs{};
 };
-ReadRuns read_runs(const std::filesystem::path& file, const Scenes& known = scenes());
+ReadRuns read_runs(const std::filesystem::path& file, const SceneRegistry& known = built_in_scenes());
 ReadRuns read_runs(const Results& results);
 
 // Contiguous runs: of the same scene; or of the same scene, scheme and setup except the resolution. The
@@ -58,4 +59,4 @@ std::vector<RunSpan> by_line(RunSpan runs);
 // The contiguous runs of this scene; empty if there are none.
 RunSpan of_scene(RunSpan runs, const SceneSettings& scene);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/analysis/text.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Unit {
@@ -72,4 +73,4 @@ std::string error_title(const ErrorKind& kind) {
                                 : fmt::format("{}maximum error", scale);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -5,7 +6,7 @@
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Number formats of the report and the command line.
 
@@ -30,4 +31,4 @@ std::string rough_count_text(double count);
 // "maximum error", "relative error at the end", "mixed maximum error".
 std::string error_title(const ErrorKind& kind);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/arguments.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 
 #include "fdebench/benchmarks/text/number_text.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 ComplexText split_complex(std::string_view text) {
   const auto comma = text.find(',');
@@ -34,7 +35,7 @@ void add_scene(Subcommand& command, SceneArguments& arguments, const std::string
   command.list("--set", arguments.settings, "a parameter of the scene, NAME=VALUE");
 }
 
-SceneVariant read_variant(const SceneArguments& arguments, const Scenes& known) {
+SceneVariant read_variant(const SceneArguments& arguments, const SceneRegistry& known) {
   return read_variant(arguments.scene, arguments.settings, known);
 }
 
@@ -65,7 +66,7 @@ std::vector<double> sorted_times(std::string_view name, std::string_view text) {
 
 Tolerance parse_accuracy(std::string_view text) {
   const double error = parse_number("--accuracy", text, positive);
-  return {.relative = error, .absolute = error};
+  return {.rtol = error, .atol = error};
 }
 
 bool requests_optimal_grading(const RunSettingsArguments& arguments) {
@@ -81,4 +82,4 @@ RunSettings parse_run_settings(const RunSettingsArguments& arguments) {
   return setup;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

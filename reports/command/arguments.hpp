@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -10,7 +11,7 @@
 #include "fdebench/reports/command/command_line.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Parsers of command-line arguments. Each throws std::invalid_argument naming the argument, the text and what
 // is allowed.
@@ -31,7 +32,7 @@ struct SceneArguments {
   std::vector<std::string> settings;
 };
 void add_scene(Subcommand& command, SceneArguments& arguments, const std::string& what = "id of the scene");
-SceneVariant read_variant(const SceneArguments& arguments, const Scenes& known);
+SceneVariant read_variant(const SceneArguments& arguments, const SceneRegistry& known);
 
 // Options of `solve` and `run` that set how a scheme runs.
 struct RunSettingsArguments {
@@ -57,4 +58,4 @@ Tolerance parse_accuracy(std::string_view text);  // one number, relative and ab
 inline constexpr int max_digits = 100'000;
 inline constexpr int most_steps = 1'000'000'000;  // the weights are tested up to this lag
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/checkpoint_file.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 #include "fdebench/benchmarks/references/atomic_file.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,7 +49,7 @@ class ChecksummedOutput {
   void finish() {
     flush();
     file_.write(sum_.digest());
-    file_.finish();
+    file_.commit();
   }
 
   // Number of bytes in the file after the buffer is flushed.
@@ -72,7 +73,7 @@ class ChecksummedOutput {
 };
 
 // Whether the last bytes of a file are the checksum of the bytes before them.
-bool is_integer(std::ifstream& stream, std::uintmax_t size) {
+bool has_valid_checksum(std::ifstream& stream, std::uintmax_t size) {
   if (size < digest_size) return false;
   Sha256 sum;
   std::string bytes(piece, '\0');
@@ -90,7 +91,7 @@ bool is_integer(std::ifstream& stream, std::uintmax_t size) {
 }  // namespace
 
 CheckpointFile::CheckpointFile(fs::path path, std::chrono::duration<double> between, RunFacts facts,
-                               State observers, std::function<void(const std::string&)> say)
+                               fde::StateArchiver observers, std::function<void(const std::string&)> say)
     : path_(std::move(path)),
       between_(between),
       facts_(std::move(facts)),
@@ -107,7 +108,7 @@ void CheckpointFile::check() const {
   if (!stream.read(begin.data(), static_cast<std::streamsize>(begin.size())) || begin != begin_of_header)
     reject_file(path_, "is no checkpoint, and is not replaced by one");
   stream.seekg(0);
-  if (!is_integer(stream, fs::file_size(path_)))
+  if (!has_valid_checksum(stream, fs::file_size(path_)))
     reject_file(path_, "is damaged: its checksum is of something else");
   stream.seekg(0);
   std::string header;
@@ -126,7 +127,7 @@ void CheckpointFile::compare(const std::string& header) const {
   }
 }
 
-bool CheckpointFile::resume(const State& state) {
+bool CheckpointFile::resume(const fde::StateArchiver& state) {
   if (!is_there(path_)) return false;
   std::ifstream stream(path_, std::ios::binary);
   std::string header;
@@ -149,7 +150,7 @@ bool CheckpointFile::resume(const State& state) {
   return true;
 }
 
-void CheckpointFile::offer(const State& state) {
+void CheckpointFile::offer(const fde::StateArchiver& state) {
   if (Clock::now() - written_ < between_) return;
   try {
     write(state);
@@ -161,7 +162,7 @@ void CheckpointFile::offer(const State& state) {
   written_ = Clock::now();
 }
 
-void CheckpointFile::write(const State& state) {
+void CheckpointFile::write(const fde::StateArchiver& state) {
   const auto start = Clock::now();
   ChecksummedOutput bytes(path_);
   Json run;
@@ -180,4 +181,4 @@ void CheckpointFile::remove() const {
   fs::remove(path_, ignored);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

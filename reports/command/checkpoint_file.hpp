@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <chrono>
@@ -10,7 +11,7 @@
 
 #include "fdebench/schemes/stepping/checkpoints.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // What identifies a run, as names and values: runs with equal facts have the same bits.
 using RunFacts = std::vector<std::pair<std::string, std::string>>;
@@ -24,11 +25,11 @@ class CheckpointFile final : public CheckpointStore {
   // if the file cannot be written, is no checkpoint, is damaged, or is of another run (the message names the
   // difference).
   CheckpointFile(std::filesystem::path path, std::chrono::duration<double> between, RunFacts facts,
-                 State observers, std::function<void(const std::string&)> say);
+                 fde::StateArchiver observers, std::function<void(const std::string&)> say);
 
   // Throws std::invalid_argument naming the path if the file contains no state of this run.
-  bool resume(const State& state) override;
-  void offer(const State& state) override;
+  bool resume(const fde::StateArchiver& state) override;
+  void offer(const fde::StateArchiver& state) override;
 
   // Whether the run continues from a stored state.
   [[nodiscard]] bool resumed() const { return resumed_; }
@@ -48,16 +49,16 @@ class CheckpointFile final : public CheckpointStore {
   using Clock = std::chrono::steady_clock;
   void check() const;
   void compare(const std::string& header) const;
-  void write(const State& state);
+  void write(const fde::StateArchiver& state);
 
   std::filesystem::path path_;
   std::chrono::duration<double> between_;
   RunFacts facts_;
-  State observers_;
+  fde::StateArchiver observers_;
   std::function<void(const std::string&)> say_;
   Clock::time_point written_ = Clock::now();
   bool failed_ = false, resumed_ = false;
   WriteCost spent_;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,7 +20,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct ChooseArguments {
@@ -39,16 +40,16 @@ std::vector<std::string> settings_of(const ChooseArguments& arguments) {
   return settings;
 }
 
-SceneVariant chosen_scene(const ChooseArguments& arguments, const Scenes& known) {
+SceneVariant chosen_scene(const ChooseArguments& arguments, const SceneRegistry& known) {
   return parse_variant(arguments.scene.scene, settings_of(arguments), known);
 }
 
-// The columns named in `asked`, or all.
-std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional<std::string>& asked) {
-  if (!asked) return all_columns(scene);
+// The columns named in `requested`, or all.
+std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional<std::string>& requested) {
+  if (!requested) return all_columns(scene);
   const auto& names = scene.outputs.names;
   std::vector<Eigen::Index> columns;
-  for (const auto& name : split_names(*asked)) {
+  for (const auto& name : split_names(*requested)) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end()) reject_text("--columns", name, fmt::format("of {}", fmt::join(names, ", ")));
     columns.push_back(found - names.begin());
@@ -93,23 +94,23 @@ std::optional<SceneSettings> settings_without_file(const ChooseArguments& argume
 // The requested scene among `scenes`. If its equation file does not exist, the scene with the same name
 // matches, whatever its checksum.
 SceneSettings scene_among(const std::set<SceneSettings>& scenes, const ChooseArguments& arguments,
-                          const Scenes& known) {
-  auto asked = settings_without_file(arguments);
-  const bool current_run = !asked;
-  if (current_run) asked = chosen_scene(arguments, known).key();
+                          const SceneRegistry& known) {
+  auto requested = settings_without_file(arguments);
+  const bool current_run = !requested;
+  if (current_run) requested = chosen_scene(arguments, known).key();
   std::vector<SceneSettings> found;
   const SceneSettings* other = nullptr;
   for (const auto& scene : scenes) {
     auto same_name = scene;
-    same_name.checksum = asked->checksum;
-    if (same_name != *asked) continue;
-    const bool same_file = !current_run || scene.checksum == asked->checksum;
+    same_name.checksum = requested->checksum;
+    if (same_name != *requested) continue;
+    const bool same_file = !current_run || scene.checksum == requested->checksum;
     same_file ? found.push_back(scene) : void(other = &scene);
   }
   if (found.size() == 1) return found.front();
   throw std::invalid_argument(fmt::format(
       "--results = {}: has {} {}{}", *arguments.results,
-      found.empty() ? "no run of" : "runs of more than one file that was", label_of(*asked),
+      found.empty() ? "no run of" : "runs of more than one file that was", label_of(*requested),
       other == nullptr
           ? ""
           : fmt::format(" as it is, only of another file of this name ({})", short_checksum(*other))));
@@ -117,7 +118,7 @@ SceneSettings scene_among(const std::set<SceneSettings>& scenes, const ChooseArg
 
 // A recommendation from recorded runs: these have no errors of single columns and need no search time.
 Recommendation recorded(const ErrorKind& kind, double accuracy, const ChooseArguments& arguments,
-                        const Scenes& known) {
+                        const SceneRegistry& known) {
   if (arguments.columns)
     reject_text("--columns", *arguments.columns, "without --results, which has all columns");
   if (arguments.max_time) reject_text("--max-time", *arguments.max_time, "without --results");
@@ -125,7 +126,7 @@ Recommendation recorded(const ErrorKind& kind, double accuracy, const ChooseArgu
   return recommend(runs, scene_among(scenes_of(runs), arguments, known), kind, accuracy);
 }
 
-void choose(const ChooseArguments& arguments, const Streams& streams, const Scenes& known) {
+void choose(const ChooseArguments& arguments, const Streams& streams, const SceneRegistry& known) {
   const double accuracy = parse_number("--error", arguments.error, accuracies);
   const ErrorKind kind{parse_norm(arguments.norm), parse_scale(arguments.scale)};
   const double seconds =
@@ -150,7 +151,7 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
 
 }  // namespace
 
-void add_choose_command(CommandLine& program, const Streams& streams, const Scenes& known) {
+void add_choose_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto arguments = std::make_shared<ChooseArguments>();
   Subcommand command(program, "choose", "The scheme, grid and steps to use for a scene and an accuracy");
   add_scene(command, arguments->scene);
@@ -165,4 +166,4 @@ void add_choose_command(CommandLine& program, const Streams& streams, const Scen
   command.callback([=, &known] { choose(*arguments, streams, known); });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/command.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 #include "fdebench/benchmarks/scenes/parameters.hpp"
 #include "fdebench/reports/command/command_line.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int worse_results = 1;
@@ -56,14 +57,15 @@ void check_subcommand(const CommandLine& program, const std::vector<std::string>
   const auto names = program.subcommands();
   if (std::ranges::find(names, arguments.front()) != names.end()) return;
   throw std::invalid_argument(fmt::format("command {}: no such command{}; there are {}", arguments.front(),
-                                          nearest(arguments.front(), {names.begin(), names.end()}),
+                                          did_you_mean(arguments.front(), {names.begin(), names.end()}),
                                           fmt::join(names, ", ")));
 }
 
 }  // namespace
 
-int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams, const Scenes& known) {
-  const Scenes named = with_equation_files(known);
+int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
+                 const SceneRegistry& known) {
+  const SceneRegistry named = with_equation_files(known);
   CommandLine program("fdebench",
                       "Which numerical scheme to use for a fractional differential equation, with proof",
                       this_session().version);
@@ -96,4 +98,4 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& strea
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

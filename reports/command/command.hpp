@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <iosfwd>
@@ -7,7 +8,7 @@
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 class CommandLine;
 
@@ -32,11 +33,12 @@ struct Streams {
 // exit code: 0 done, 1 worse results, 2 bad input or output that cannot be written, 3 numerical failure; all
 // but 0 with one line on err. `known`: the scenes that arguments may name besides equation files.
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
-                 const Scenes& known = scenes());
+                 const SceneRegistry& known = built_in_scenes());
 
 // Each file of list.def defines add_<file>(), which adds its subcommands to the program.
-#define FDE_COMMAND(file) void add_##file(CommandLine& program, const Streams& streams, const Scenes& known);
+#define FDE_COMMAND(file) \
+  void add_##file(CommandLine& program, const Streams& streams, const SceneRegistry& known);
 #include "fdebench/reports/command/list.def"
 #undef FDE_COMMAND
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/command_line.hpp"
 
 #include <CLI/CLI.hpp>
@@ -7,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 
 namespace {
 
@@ -84,4 +85,4 @@ void Subcommand::need(Option one, Option other) { one->needs(other); }
 
 void Subcommand::callback(std::function<void()> action) { command_->callback(std::move(action)); }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -12,7 +13,7 @@ class App;
 class Option;
 }  // namespace CLI
 
-namespace fde {
+namespace fde::bench {
 
 // A program with subcommands. Hides CLI11, which takes ten seconds to compile: only command_line.cpp includes
 // it.
@@ -67,4 +68,4 @@ class Subcommand {
   CLI::App* command_;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

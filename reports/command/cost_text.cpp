@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/cost_text.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include "fdebench/schemes/stepping/rates.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 std::string cost_text(const Scene& scene, const RequestedRun& run, const Cost& cost, double seconds,
                       const CheckpointFile* checkpoints) {
@@ -16,11 +17,11 @@ std::string cost_text(const Scene& scene, const RequestedRun& run, const Cost& c
   add("newton", cost.newton_iterations);
   if (!run.automatic_grid.empty()) shown["grid"] = run.automatic_grid;
   if (run.grid && cost.history_bytes)
-    shown["history"] = name(resolve(run.options.history, step_plan(*run.grid)));
+    shown["history"] = name(resolved_kind(run.options.history, step_plan(*run.grid)));
   add("history_bytes", cost.history_bytes);
-  add("states", cost.states);
+  add("states", cost.components);
   if (!cost.linear_solver.empty()) shown["linear_solver"] = cost.linear_solver;
-  add("start_weights", cost.start_weights);
+  add("start_weights", cost.starting_weights);
   add("rejected_steps", cost.rejected_steps);
   if (checkpoints != nullptr) {
     const auto& write_cost = checkpoints->write_cost();
@@ -34,4 +35,4 @@ std::string cost_text(const Scene& scene, const RequestedRun& run, const Cost& c
   return shown.dump();
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int largest_every = 1'000'000;
@@ -42,7 +43,7 @@ void print(const TableCheck& verdict, std::ostream& out) {
     out << fmt::format("  worst: line {}, {}{}\n    {}\n", verdict.worst_line, describe(verdict.worst),
                        verdict.worst.holds() ? "" : " WRONG", verdict.worst_row);
   }
-  for (const auto& what : verdict.absent) out << fmt::format("  absent: {}\n", what);
+  for (const auto& what : verdict.assumptions) out << fmt::format("  absent: {}\n", what);
 }
 
 // The summary if no row is wrong. Without a description, scene and parameters of a table are assumed.
@@ -90,7 +91,7 @@ void reference(const ReferenceArguments& arguments, const Streams& streams) {
 
 }  // namespace
 
-void add_data_commands(CommandLine& program, const Streams& streams, const Scenes& /*known*/) {
+void add_data_commands(CommandLine& program, const Streams& streams, const SceneRegistry& /*known*/) {
   auto arguments = std::make_shared<ReferenceArguments>();
   Subcommand command(program, "reference", "Write the tables of reference data, or check a folder of them");
   Subcommand action = command.one_of();
@@ -101,4 +102,4 @@ void add_data_commands(CommandLine& program, const Streams& streams, const Scene
   command.callback([=] { reference(*arguments, streams); });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

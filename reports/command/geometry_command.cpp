@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,7 +12,7 @@
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct GeometryArguments {
@@ -19,7 +20,7 @@ struct GeometryArguments {
   std::optional<std::string> place, velocity;
 };
 
-// n numbers of an argument, or what stands at t = 0.
+// n numbers of an argument, or the initial value.
 Vec state_of(std::string_view name, const std::optional<std::string>& text, In at_start) {
   if (!text) return at_start;
   const auto numbers = parse_numbers(name, *text, any_number);
@@ -101,19 +102,19 @@ Vec velocity_at(In q, const StateGeometry& geometry, const std::optional<std::st
   return allowed;
 }
 
-void print_geometry(const GeometryArguments& arguments, const Streams& streams, const Scenes& known) {
+void print_geometry(const GeometryArguments& arguments, const Streams& streams, const SceneRegistry& known) {
   const auto variant = read_variant(arguments.scene, known);
   const Scene scene = make_scene_unchecked(*variant.maker, variant.values);
   if (!scene.geometry)
     reject_text("scene", variant.maker->id, "one of mechanics with a metric and constraints");
-  const Vec q = state_of("--place", arguments.place, scene.geometry.place),
+  const Vec q = state_of("--place", arguments.place, scene.geometry.position),
             v = velocity_at(q, scene.geometry, arguments.velocity);
   streams.out << geometry_text(scene.geometry.coordinates, scene.geometry.at(q, v));
 }
 
 }  // namespace
 
-void add_geometry_command(CommandLine& program, const Streams& streams, const Scenes& known) {
+void add_geometry_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto arguments = std::make_shared<GeometryArguments>();
   Subcommand command(program, "geometry",
                      "Metric, Christoffel symbols, connection and semispray of a scene; CSV");
@@ -124,4 +125,4 @@ void add_geometry_command(CommandLine& program, const Streams& streams, const Sc
   command.callback([=, &known] { print_geometry(*arguments, streams, known); });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <chrono>
@@ -24,7 +25,7 @@
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct JudgeArguments {
@@ -95,7 +96,7 @@ void print(const SceneVariant& scene, const std::vector<Record>& rows, std::ostr
   }
 }
 
-void judge(const JudgeArguments& arguments, const Streams& streams, const Scenes& known) {
+void judge(const JudgeArguments& arguments, const Streams& streams, const SceneRegistry& known) {
   auto variant = read_variant(arguments.scene, known);
   Scene scene = make_scene(variant);
   const auto name = arguments.name.value_or(std::filesystem::path(arguments.file).stem().string());
@@ -121,7 +122,7 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const Scenes
 
 }  // namespace
 
-void add_judge_command(CommandLine& program, const Streams& streams, const Scenes& known) {
+void add_judge_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto arguments = std::make_shared<JudgeArguments>();
   Subcommand command(program, "judge", "Judge a trajectory that another program wrote");
   add_scene(command, arguments->scene);
@@ -133,4 +134,4 @@ void add_judge_command(CommandLine& program, const Streams& streams, const Scene
   command.callback([=, &known] { judge(*arguments, streams, known); });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/command_line.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -32,7 +33,7 @@ std::vector<std::string> capabilities(const Scene& scene) {
   std::vector<std::string> names;
   if (scene.reference.at) names.emplace_back("exact");
   if (has_jacobian(scene.problem)) names.emplace_back("jacobian");
-  if (linear(scene.problem)) names.emplace_back("linear");
+  if (is_linear(scene.problem)) names.emplace_back("linear");
   if (scene.energy) names.emplace_back("energy");
   if (scene.constraint) names.emplace_back("constraint");
   return names;
@@ -57,7 +58,7 @@ Json describe(const Parameter& parameter) {
   return {{"name", parameter.name},
           {"default", std::visit(as_json, parameter.value)},
           {"allowed", parameter.allowed()},
-          {"meaning", parameter.meaning}};
+          {"meaning", parameter.description}};
 }
 
 Json describe(const SceneFactory& maker) {
@@ -74,23 +75,23 @@ Json describe(const SceneFactory& maker) {
           {"reference", evidence_of(scene)}};
 }
 
-Json needs_of(const Scheme& scheme) {
-  return {{"implicit", scheme.needs.implicit},
-          {"algebraic_rows", scheme.needs.algebraic_rows},
-          {"uniform_grid", scheme.needs.uniform_grid},
-          {"largest_order", scheme.needs.max_order},
-          {"two_sided", scheme.needs.is_two_sided},
-          {"takes_grid", scheme.needs.solves_on_grid},
-          {"takes_accuracy", scheme.needs.takes_accuracy},
-          {"discretises_equations", scheme.needs.discretises_equations},
-          {"checkpoints", scheme.needs.checkpoints},
+Json capabilities_of(const Scheme& scheme) {
+  return {{"implicit", scheme.capabilities.implicit},
+          {"algebraic_rows", scheme.capabilities.algebraic_rows},
+          {"uniform_grid", scheme.capabilities.uniform_grid},
+          {"largest_order", scheme.capabilities.max_order},
+          {"two_sided", scheme.capabilities.is_two_sided},
+          {"takes_grid", !scheme.capabilities.is_adaptive()},
+          {"takes_accuracy", scheme.capabilities.is_adaptive()},
+          {"discretises_equations", scheme.capabilities.discretises_equations},
+          {"checkpoints", scheme.capabilities.checkpoints},
           {"start_weights", bool(scheme.starting_powers)}};
 }
 
 Json describe(const Scheme& scheme) {
   Json facts{{"id", scheme.id}, {"title", scheme.title}, {"source", scheme.source}};
   if (!scheme.alias.empty()) facts["other_name"] = scheme.alias;
-  facts.update(needs_of(scheme));
+  facts.update(capabilities_of(scheme));
   return facts;
 }
 
@@ -122,12 +123,13 @@ std::vector<Row> titles(const Entries& entries) {
   return rows;
 }
 
-std::vector<Row> parameters_of(const Scenes& known) {
+std::vector<Row> parameters_of(const SceneRegistry& known) {
   std::vector<Row> rows{{"scene", "parameter", "default", "allowed", "meaning"}};
   for (const auto& maker : known) {
     std::string id = maker.id;
     for (const auto& parameter : maker.parameters) {
-      rows.push_back({id, parameter.name, to_text(parameter.value), parameter.allowed(), parameter.meaning});
+      rows.push_back(
+          {id, parameter.name, to_text(parameter.value), parameter.allowed(), parameter.description});
       id.clear();
     }
   }
@@ -139,13 +141,13 @@ std::string need_text(const Json& value) {
   return fmt::format("{}", value.get<double>());
 }
 
-std::vector<Row> needs_of_all(std::span<const Scheme> known) {
+std::vector<Row> capabilities_of_all(std::span<const Scheme> known) {
   std::vector<Row> rows{{"scheme"}};
-  const Json of_first = needs_of(known.front());
+  const Json of_first = capabilities_of(known.front());
   for (const auto& [need, value] : of_first.items()) rows.front().push_back(need);
   for (const auto& scheme : known) {
     rows.push_back({std::string(scheme.id)});
-    for (const auto& value : needs_of(scheme)) {
+    for (const auto& value : capabilities_of(scheme)) {
       rows.back().push_back(need_text(value));
     }
   }
@@ -157,9 +159,11 @@ void print_one(const SceneFactory& maker, std::ostream& out) {
   const Scene scene = make_scene_unchecked(maker);
   std::vector<std::string> over_grids, to_accuracies;
   for (const auto& scheme : schemes()) {
-    if (!scene.refusal.empty()) break;
-    if (!refusal(scheme, scene.problem, Grid{scene.problem.end, 1024})) over_grids.emplace_back(scheme.id);
-    if (!refusal(scheme, scene.problem, Tolerance{1e-6, 1e-6})) to_accuracies.emplace_back(scheme.id);
+    if (!scene.ill_posed_reason.empty()) break;
+    if (!unsupported_reason(scheme, scene.problem, Grid{scene.problem.end, 1024}))
+      over_grids.emplace_back(scheme.id);
+    if (!unsupported_reason(scheme, scene.problem, Tolerance{1e-6, 1e-6}))
+      to_accuracies.emplace_back(scheme.id);
   }
   out << fmt::format(
       "{}: {}\nsource: {}\nend: {}\ncolumns: {}\nhas: {}\nreference: {}\nschemes: {}\n"
@@ -170,7 +174,7 @@ void print_one(const SceneFactory& maker, std::ostream& out) {
   if (!maker.parameters.empty()) {
     std::vector<Row> rows{{"parameter", "default", "allowed", "meaning"}};
     for (const auto& parameter : maker.parameters)
-      rows.push_back({parameter.name, to_text(parameter.value), parameter.allowed(), parameter.meaning});
+      rows.push_back({parameter.name, to_text(parameter.value), parameter.allowed(), parameter.description});
     out << '\n';
     print_table(rows, out);
   }
@@ -189,7 +193,7 @@ void print_one(const Scheme& scheme, std::ostream& out) {
   if (!scheme.alias.empty()) out << fmt::format("other name: {}\n", scheme.alias);
   out << '\n';
   std::vector<Row> rows;
-  const Json needs = needs_of(scheme);
+  const Json needs = capabilities_of(scheme);
   for (const auto& [need, value] : needs.items()) rows.push_back({need, need_text(value)});
   print_table(rows, out);
 }
@@ -204,34 +208,34 @@ struct ListArguments {
 template <typename Entries, typename Named, typename Details>
 void add_list(Subcommand command, const std::string& detail, const std::string& help, Entries entries,
               Named named, Details details, std::ostream& out) {
-  auto asked = std::make_shared<ListArguments>();
-  auto* json = command.flag("--json", asked->json, "everything about each, as JSON");
-  Subcommand::exclude(command.flag(detail, asked->detail, help), json);
-  command.option("id", asked->id, "one of them, in full");
+  auto arguments = std::make_shared<ListArguments>();
+  auto* json = command.flag("--json", arguments->json, "everything about each, as JSON");
+  Subcommand::exclude(command.flag(detail, arguments->detail, help), json);
+  command.option("id", arguments->id, "one of them, in full");
   command.callback([=, &out] {
-    if (asked->id) {
-      const auto& one = named(*asked->id);
-      if (asked->json || asked->detail) reject_text("id", *asked->id, "alone");
+    if (arguments->id) {
+      const auto& one = named(*arguments->id);
+      if (arguments->json || arguments->detail) reject_text("id", *arguments->id, "alone");
       print_one(one, out);
-    } else if (asked->json) {
+    } else if (arguments->json) {
       print_json(entries(), out);
     } else {
-      print_table(asked->detail ? details(entries()) : titles(entries()), out);
+      print_table(arguments->detail ? details(entries()) : titles(entries()), out);
     }
   });
 }
 
 }  // namespace
 
-void add_list_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
+void add_list_commands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   add_list(
       Subcommand(program, "scenes", "List the scenes"), "--parameters",
       "the parameters of each, with defaults and what is allowed",
-      [&known]() -> const Scenes& { return known; },
+      [&known]() -> const SceneRegistry& { return known; },
       [&known](const std::string& id) -> const SceneFactory& { return known.named(id); }, parameters_of,
       streams.out);
   add_list(Subcommand(program, "schemes", "List the schemes"), "--needs",
-           "what each takes and asks of a problem", schemes, scheme_named, needs_of_all, streams.out);
+           "what each takes and needs of a problem", schemes, scheme_named, capabilities_of_all, streams.out);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

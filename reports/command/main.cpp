@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -20,6 +21,6 @@ int columns_of_terminal() {
 
 int main(int count, char** arguments) {
   std::ios::sync_with_stdio(false);
-  return fde::run_fdebench({arguments + 1, arguments + count},
-                           {.out = std::cout, .err = std::cerr, .columns = columns_of_terminal()});
+  return fde::bench::run_fdebench({arguments + 1, arguments + count},
+                                  {.out = std::cout, .err = std::cerr, .columns = columns_of_terminal()});
 }

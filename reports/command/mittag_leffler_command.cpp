@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/reference_progress.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Arguments {
@@ -57,11 +58,11 @@ std::optional<int> digits_of(const Arguments& x) {
 }
 
 // A multiprecision value without a finite bound exceeds the exponent range of its type.
-void require_known(const DecimalComplex& value) {
+void require_known(const reference::DecimalComplex& value) {
   if (!is_finite_bound(value.bound)) throw NumericalFailure("the value is beyond all exponents of --digits");
 }
 
-void print(const DecimalComplex& value, std::ostream& out) {
+void print(const reference::DecimalComplex& value, std::ostream& out) {
   require_known(value);
   out << fmt::format("{} {} {}\n", value.re, value.im, value.bound);
 }
@@ -75,27 +76,28 @@ void print(std::complex<double> value, double bound, std::ostream& out) {
                      bound_text(bound_of_decimal(value.imag(), bound_of_decimal(value.real(), bound))));
 }
 
-DecimalComplex in_digits(const Arguments& x, const ComplexText& z, int digits) {
+reference::DecimalComplex in_digits(const Arguments& x, const ComplexText& z, int digits) {
   if (x.derivative) {
-    const int k = parse_count("--derivative", *x.derivative, 0, max_derivative);
-    return mittag_leffler_derivative(k, x.alpha, x.beta, z.re, z.im, digits);
+    const int k = parse_count("--derivative", *x.derivative, 0, reference::max_derivative);
+    return reference::mittag_leffler_derivative(k, x.alpha, x.beta, z.re, z.im, digits);
   }
-  return x.gamma ? prabhakar(x.alpha, x.beta, *x.gamma, z.re, z.im, digits)
-                 : mittag_leffler(x.alpha, x.beta, z.re, z.im, digits);
+  return x.gamma ? reference::prabhakar(x.alpha, x.beta, *x.gamma, z.re, z.im, digits)
+                 : reference::mittag_leffler(x.alpha, x.beta, z.re, z.im, digits);
 }
 
 // The value in double. Takes microseconds if every argument is exactly a double (0.5, not 0.1).
-MittagLefflerValue evaluate_in_double(const Arguments& x, const ComplexText& text) {
-  if (!x.derivative && !x.gamma) return mittag_leffler_in_double(x.alpha, x.beta, text.re, text.im);
-  const auto alpha = exact_double(x.alpha), beta = exact_double(x.beta),
-             gamma = exact_double(x.gamma.value_or("1")), re = exact_double(text.re),
-             im = exact_double(text.im);
+reference::MittagLefflerValue evaluate_in_double(const Arguments& x, const ComplexText& text) {
+  if (!x.derivative && !x.gamma)
+    return reference::mittag_leffler_in_double(x.alpha, x.beta, text.re, text.im);
+  const auto alpha = reference::exact_double(x.alpha), beta = reference::exact_double(x.beta),
+             gamma = reference::exact_double(x.gamma.value_or("1")), re = reference::exact_double(text.re),
+             im = reference::exact_double(text.im);
   if (!alpha || !beta || !gamma || !re || !im)
     return rounded_to_double(in_digits(x, text, digits_of_doubles));
   const std::complex<double> z(*re, *im);
-  if (x.gamma) return prabhakar(*alpha, *beta, *gamma, z);
-  const int k = parse_count("--derivative", *x.derivative, 0, max_derivative);
-  return mittag_leffler_derivative(k, *alpha, *beta, z);
+  if (x.gamma) return reference::prabhakar(*alpha, *beta, *gamma, z);
+  const int k = parse_count("--derivative", *x.derivative, 0, reference::max_derivative);
+  return reference::mittag_leffler_derivative(k, *alpha, *beta, z);
 }
 
 void of_number(const Arguments& x, std::ostream& out) {
@@ -108,14 +110,14 @@ void of_number(const Arguments& x, std::ostream& out) {
 }
 
 // The entries of "1,2;3,4", row by row.
-std::vector<DecimalComplex> entries_of(const std::string& text) {
+std::vector<reference::DecimalComplex> entries_of(const std::string& text) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t begin = 0; begin <= text.size();) {
     const auto end = std::min(text.find(';', begin), text.size());
     rows.push_back(split_list(std::string_view(text).substr(begin, end - begin)));
     begin = end + 1;
   }
-  std::vector<DecimalComplex> entries;
+  std::vector<reference::DecimalComplex> entries;
   for (const auto& row : rows) {
     if (row.size() != rows.size()) {
       reject_option("--matrix", text,
@@ -131,7 +133,8 @@ std::vector<DecimalComplex> entries_of(const std::string& text) {
   return entries;
 }
 
-void print(const std::vector<DecimalComplex>& entries, std::size_t size, bool in_double, std::ostream& out) {
+void print(const std::vector<reference::DecimalComplex>& entries, std::size_t size, bool in_double,
+           std::ostream& out) {
   std::ranges::for_each(entries, require_known);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto place = fmt::format("{} {} ", i / size + 1, i % size + 1);
@@ -146,7 +149,7 @@ void print(const std::vector<DecimalComplex>& entries, std::size_t size, bool in
   }
 }
 
-void print(const MatrixValue& matrix, std::ostream& out) {
+void print(const reference::MatrixValue& matrix, std::ostream& out) {
   const auto& [value, bound] = matrix;
   if (!value.allFinite() || !bound.allFinite()) refuse_overflow();
   for (Eigen::Index i = 0; i < value.rows(); ++i) {
@@ -158,10 +161,11 @@ void print(const MatrixValue& matrix, std::ostream& out) {
 }
 
 // The matrix in double; nullopt if an entry is not exactly a double.
-std::optional<ComplexMatrix> exact_matrix(const std::vector<DecimalComplex>& entries, Eigen::Index size) {
+std::optional<ComplexMatrix> exact_matrix(const std::vector<reference::DecimalComplex>& entries,
+                                          Eigen::Index size) {
   ComplexMatrix matrix(size, size);
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const auto re = exact_double(entries[i].re), im = exact_double(entries[i].im);
+    const auto re = reference::exact_double(entries[i].re), im = reference::exact_double(entries[i].im);
     if (!re || !im) return std::nullopt;
     const auto at = static_cast<Eigen::Index>(i);
     matrix(at / size, at % size) = {*re, *im};
@@ -173,15 +177,17 @@ void of_matrix(const Arguments& x, std::ostream& out) {
   const auto entries = entries_of(*x.matrix);
   const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
   const auto digits = digits_of(x);
-  const auto alpha = exact_double(x.alpha), beta = exact_double(x.beta);
+  const auto alpha = reference::exact_double(x.alpha), beta = reference::exact_double(x.beta);
   const auto matrix = exact_matrix(entries, static_cast<Eigen::Index>(size));
-  if (!digits && alpha && beta && matrix) return print(mittag_leffler(*alpha, *beta, *matrix), out);
+  if (!digits && alpha && beta && matrix)
+    return print(reference::mittag_leffler(*alpha, *beta, *matrix), out);
   print(mittag_leffler(x.alpha, x.beta, entries, digits.value_or(digits_of_doubles)), size, !digits, out);
 }
 
 }  // namespace
 
-void add_mittag_leffler_command(CommandLine& program, const Streams& streams, const Scenes& /*known*/) {
+void add_mittag_leffler_command(CommandLine& program, const Streams& streams,
+                                const SceneRegistry& /*known*/) {
   auto arguments = std::make_shared<Arguments>();
   Subcommand command(program, "mittag-leffler", "E_{ALPHA,BETA}(Z) as: re im bound");
   command.required("ALPHA", arguments->alpha, "in (0, 5]");
@@ -207,4 +213,4 @@ void add_mittag_leffler_command(CommandLine& program, const Streams& streams, co
   });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -27,7 +28,7 @@
 #include "fdebench/reports/command/plot_data.hpp"
 #include "fdebench/reports/page/assets.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct PlotArguments {
@@ -39,35 +40,35 @@ struct PlotArguments {
 
 // The source of a figure's data.
 enum class FigureData { runs, drifts, solution, regions };
-struct Kind {
+struct FigureKind {
   std::string_view name, chart,
       family;  // the charts of the page that it draws: for one scene; for several values of a parameter
   FigureData of;
   bool depends_on_columns_only = false;
 };
-constexpr std::array kinds{Kind{"work-precision", "error-against-time", "", FigureData::runs},
-                           Kind{"memory", "error-against-memory", "", FigureData::runs},
-                           Kind{"rate", "error-against-step", "", FigureData::runs},
-                           Kind{"accuracy", "delivered-against-asked", "", FigureData::runs},
-                           Kind{"energy", "energy-against-step", "", FigureData::runs},
-                           Kind{"drift", "drift-against-step", "", FigureData::drifts},
-                           Kind{"drift-over-time", "drift-over-time", "", FigureData::drifts},
-                           Kind{"solution", "solution", "family", FigureData::solution, true},
-                           Kind{"phase", "phase-portrait", "family-phase", FigureData::solution, true},
-                           Kind{"motion", "motion", "", FigureData::solution},
-                           Kind{"stability", "stability-regions", "", FigureData::regions}};
+constexpr std::array kinds{FigureKind{"work-precision", "error-against-time", "", FigureData::runs},
+                           FigureKind{"memory", "error-against-memory", "", FigureData::runs},
+                           FigureKind{"rate", "error-against-step", "", FigureData::runs},
+                           FigureKind{"accuracy", "delivered-against-requested", "", FigureData::runs},
+                           FigureKind{"energy", "energy-against-step", "", FigureData::runs},
+                           FigureKind{"drift", "drift-against-step", "", FigureData::drifts},
+                           FigureKind{"drift-over-time", "drift-over-time", "", FigureData::drifts},
+                           FigureKind{"solution", "solution", "family", FigureData::solution, true},
+                           FigureKind{"phase", "phase-portrait", "family-phase", FigureData::solution, true},
+                           FigureKind{"motion", "motion", "", FigureData::solution},
+                           FigureKind{"stability", "stability-regions", "", FigureData::regions}};
 constexpr double most_seconds = 120.0;
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20;
 
-const Kind& kind_named(const std::string& name) {
-  const auto* const found = std::ranges::find(kinds, name, &Kind::name);
+const FigureKind& kind_named(const std::string& name) {
+  const auto* const found = std::ranges::find(kinds, name, &FigureKind::name);
   if (found != kinds.end()) return *found;
   std::vector<std::string_view> names;
-  for (const Kind& kind : kinds) names.push_back(kind.name);
+  for (const FigureKind& kind : kinds) names.push_back(kind.name);
   throw std::invalid_argument(fmt::format("--kind = {}: must be one of {}", name, fmt::join(names, ", ")));
 }
 
-void check(const PlotArguments& arguments, const Kind& kind) {
+void check(const PlotArguments& arguments, const FigureKind& kind) {
   const auto& out = arguments.out;
   if (!out.ends_with(".svg") && !out.ends_with(".pdf") && !out.ends_with(".vl.json"))
     throw std::invalid_argument(fmt::format("--out = {}: must end in .svg, .pdf or .vl.json", out));
@@ -86,7 +87,7 @@ void check(const PlotArguments& arguments, const Kind& kind) {
   }
 }
 
-nlohmann::json data_of(const PlotArguments& arguments, const Kind& kind, const Scenes& known) {
+nlohmann::json data_of(const PlotArguments& arguments, const FigureKind& kind, const SceneRegistry& known) {
   const auto& [scene, settings] = arguments.scene;
   switch (kind.of) {
     case FigureData::runs:
@@ -102,8 +103,8 @@ nlohmann::json data_of(const PlotArguments& arguments, const Kind& kind, const S
 }
 
 // Throws std::invalid_argument if a requested scheme is not among the schemes with data.
-void require_schemes(const std::vector<std::string>& asked, const std::set<std::string>& there) {
-  for (const auto& name : asked) {
+void require_schemes(const std::vector<std::string>& requested, const std::set<std::string>& there) {
+  for (const auto& name : requested) {
     if (!there.contains(name)) reject_text("--scheme", name, fmt::format("of {}", fmt::join(there, ", ")));
   }
 }
@@ -118,7 +119,7 @@ std::set<std::string> schemes_in(const nlohmann::json& data) {
   return names;
 }
 
-std::vector<std::string> columns_in(const PlotArguments& arguments, const Kind& kind) {
+std::vector<std::string> columns_in(const PlotArguments& arguments, const FigureKind& kind) {
   auto names = arguments.columns ? split_names(*arguments.columns) : std::vector<std::string>();
   if (kind.name == "phase" && !names.empty() && names.size() != 2)
     throw std::invalid_argument(fmt::format("--columns = {}: must be two", *arguments.columns));
@@ -141,7 +142,7 @@ void draw(const std::string& program, const std::string& command, const std::fil
   const TemporaryFile complained(".txt");
   const auto end = run_command(command, argument.string(), said.descriptor(), complained.descriptor(),
                                {most_seconds, most_bytes});
-  if (end.how == CommandResult::How::exited && end.code == 0) return;
+  if (end.status == CommandResult::Status::exited && end.code == 0) return;
   const auto complaint = first_line_of(complained.path());
   throw std::invalid_argument(fmt::format(
       "{}: cannot be drawn by {}: {}", out, program,
@@ -155,11 +156,11 @@ void print_on_paper(const std::filesystem::path& svg, const std::string& out) {
   const std::string bytes(std::istreambuf_iterator<char>(stream), {});
   AtomicFile file(out);
   file.write(bytes);
-  file.finish();
+  file.commit();
 }
 
-void plot(const PlotArguments& arguments, const Streams& streams, const Scenes& known) {
-  const Kind& kind = kind_named(arguments.kind);
+void plot(const PlotArguments& arguments, const Streams& streams, const SceneRegistry& known) {
+  const FigureKind& kind = kind_named(arguments.kind);
   check(arguments, kind);
   const auto columns = columns_in(arguments, kind);
   const auto data = data_of(arguments, kind, known);
@@ -188,7 +189,7 @@ void plot(const PlotArguments& arguments, const Streams& streams, const Scenes& 
 
 }  // namespace
 
-void add_plot_command(CommandLine& program, const Streams& streams, const Scenes& known) {
+void add_plot_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto arguments = std::make_shared<PlotArguments>();
   Subcommand command(program, "plot", "A figure of a scene for a paper of two columns");
   add_scene(command, arguments->scene);
@@ -204,4 +205,4 @@ void add_plot_command(CommandLine& program, const Streams& streams, const Scenes
   command.callback([=, &known] { plot(*arguments, streams, known); });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/plot_data.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/reports/page/stability_curves.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -58,7 +59,7 @@ json member(const SceneVariant& of, const std::string& parameter) {
 
 }  // namespace
 
-json data_of_runs(const std::string& results, const SceneVariant& of, const Scenes& known) {
+json data_of_runs(const std::string& results, const SceneVariant& of, const SceneRegistry& known) {
   const SceneSettings scene = of.key();
   ReadRuns read = read_runs(results, known);
   for (auto* some : {&read.runs.finished, &read.runs.failed})
@@ -72,18 +73,18 @@ json data_of_runs(const std::string& results, const SceneVariant& of, const Scen
   return data;
 }
 
-json data_of_drifts(const std::string& results, const SceneVariant& of, const Scenes& known) {
-  SceneSettings asked = of.key();
-  asked.values.erase("formulation");
+json data_of_drifts(const std::string& results, const SceneVariant& of, const SceneRegistry& known) {
+  SceneSettings requested = of.key();
+  requested.values.erase("formulation");
   ReadRuns read = read_runs(results, known);
   PageInput page{.sessions = std::move(read.sessions), .names = LineNames::of_several_scenes(read.runs)};
   page.runs = std::move(read.runs);
   for (const auto& scene : constrained_scenes(page.runs)) {
-    if (scene.scene != asked) continue;
-    return page_of({{"id", section_of(asked)}, {"drifts", {drift_charts(page, scene)}}});
+    if (scene.scene != requested) continue;
+    return page_of({{"id", section_of(requested)}, {"drifts", {drift_charts(page, scene)}}});
   }
   throw std::invalid_argument(
-      fmt::format("{}: has no run of {} with a drift from constraints", results, label_of(asked)));
+      fmt::format("{}: has no run of {} with a drift from constraints", results, label_of(requested)));
 }
 
 json data_of_solutions(const std::vector<SceneVariant>& scenes) {
@@ -116,4 +117,4 @@ json data_of_regions(const SceneVariant& of) {
       {{"id", "regions"}, {"regions", stability_curves(all_schemes(), {*orders.begin()}, points)}});
 }
 
-}  // namespace fde
+}  // namespace fde::bench

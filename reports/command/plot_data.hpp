@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,16 +7,16 @@
 
 #include "fdebench/benchmarks/scenes/variant.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The JSON data of the page, restricted to one section, for a figure. All throw std::invalid_argument if
 // there is nothing to draw.
 
 // The runs of a scene in a results file.
-nlohmann::json data_of_runs(const std::string& results, const SceneVariant& of, const Scenes& known);
+nlohmann::json data_of_runs(const std::string& results, const SceneVariant& of, const SceneRegistry& known);
 
 // The drifts of a scene in all its formulations.
-nlohmann::json data_of_drifts(const std::string& results, const SceneVariant& of, const Scenes& known);
+nlohmann::json data_of_drifts(const std::string& results, const SceneVariant& of, const SceneRegistry& known);
 
 // The reference solution; for several scenes a family over the one parameter in which they differ.
 nlohmann::json data_of_solutions(const std::vector<SceneVariant>& scenes);
@@ -23,4 +24,4 @@ nlohmann::json data_of_solutions(const std::vector<SceneVariant>& scenes);
 // The stability regions of all schemes for the order of the scene.
 nlohmann::json data_of_regions(const SceneVariant& of);
 
-}  // namespace fde
+}  // namespace fde::bench

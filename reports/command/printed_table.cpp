@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/printed_table.hpp"
 
 #include <fmt/format.h>
@@ -6,12 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fdebench/benchmarks/measures/ending.hpp"
+#include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/observers/reaction_path.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/schemes/diagnostics/warnings.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // A state may be finite and its energy not: throws NumericalFailure then.
@@ -76,7 +77,7 @@ void add_others(SolvedTable& table, const Scene& scene, const RequestedRun& run,
                 const std::vector<Trajectory>& others) {
   table.solutions.emplace(table.times.size(), 1);
   for (const auto& path : others) {
-    if (path.ending != Ending::finished) continue;
+    if (path.status != SolveStatus::finished) continue;
     const SolvedTable other = table_of(scene, run, path, path.times, columns_of(scene.outputs, path));
     table.solutions->insert(table.solutions->end(), other.times.size(), table.solutions->back() + 1);
     table.times.insert(table.times.end(), other.times.begin(), other.times.end());
@@ -86,4 +87,4 @@ void add_others(SolvedTable& table, const Scene& scene, const RequestedRun& run,
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
@@ -7,9 +8,10 @@
 
 #include "fdebench/reports/command/requested_run.hpp"
 
-namespace fde {
+namespace fde::bench {
 
-// What is printed of a run: at all its times, at those asked for, or at its events; or of several solutions.
+// What is printed of a run: at all its times, at the requested ones, or at its events; or of several
+// solutions.
 struct SolvedTable {
   std::vector<std::string> names{};
   std::vector<double> times{};
@@ -17,7 +19,7 @@ struct SolvedTable {
   std::optional<std::vector<int>> solutions{};       // of each row, from 1, where all are printed
   std::string ended{};    // by which event and when the run ended before its end; empty: it did not
   Rows values{};          // one row a name, one column a time
-  Rows field{};           // the unknowns, one column a time, where they are asked for
+  Rows field{};           // the unknowns, one column a time, where they are requested
   std::string warning{};  // of all that speaks against them; empty: nothing
   std::string cost{};     // one JSON object: time, calls, memory, rate
   std::filesystem::path checkpoint{};  // of no use once the table is written; empty: there is none
@@ -42,4 +44,4 @@ SolvedTable table_of_events(const Scene& scene, const Scheme& scheme, const Traj
 void add_others(SolvedTable& table, const Scene& scene, const RequestedRun& run,
                 const std::vector<Trajectory>& others);
 
-}  // namespace fde
+}  // namespace fde::bench

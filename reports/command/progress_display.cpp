@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/progress_display.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include <ostream>
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using std::chrono::duration;
@@ -96,10 +97,10 @@ SweepProgress::~SweepProgress() {
   if (line_is_open_) streams_.err << std::endl;
 }
 
-void SweepProgress::hear(const SweepEvent& event) {
+void SweepProgress::on_event(const SweepEvent& event) {
   using namespace std::chrono_literals;
   const std::scoped_lock lock(mutex_);
-  remaining_.hear(event);
+  remaining_.on_event(event);
   const bool soon = line_is_open_ && Clock::now() - shown_ < 100ms;
   if (streams_.columns > 0 && !soon) show();
 }
@@ -114,4 +115,4 @@ void SweepProgress::show() {
                        .current_run = remaining_.current_run()});
 }
 
-}  // namespace fde
+}  // namespace fde::bench

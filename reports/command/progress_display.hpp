@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <chrono>
@@ -12,7 +13,7 @@
 #include "fdebench/benchmarks/sweep/sweep_estimate.hpp"
 #include "fdebench/reports/command/command.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Progress of a long computation.
 struct Progress {
@@ -49,7 +50,7 @@ class SweepProgress {
   ~SweepProgress();  // ends the line
 
   // To be called with every event of the sweep.
-  void hear(const SweepEvent& event);
+  void on_event(const SweepEvent& event);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -64,4 +65,4 @@ class SweepProgress {
   std::jthread lines_{};  // prints the lines if err is no terminal
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/reference_progress.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct ExactArguments {
@@ -65,12 +66,13 @@ std::vector<std::string> bound_texts(In values, In bounds, double t) {
 std::string rows_in_double(const Scene& scene, const std::vector<double>& times, bool each_bound,
                            ReferenceProgress& work) {
   auto names = printed_names(scene);
-  if (scene.reactions.known()) std::ranges::copy(reaction_names(scene), std::back_inserter(names));
+  if (scene.reactions.has_exact_multipliers())
+    std::ranges::copy(reaction_names(scene), std::back_inserter(names));
   std::string rows = header(names, scene.outputs.names, each_bound);
-  work.begin(time_text(scene.problem.end));
-  const Reference exact = reference_of(scene);
+  work.set_place(time_text(scene.problem.end));
+  const reference::Reference exact = reference_of(scene);
   for (const double t : times) {
-    work.begin(time_text(t));
+    work.set_place(time_text(t));
     const auto [value, bounds] = exact.at(t);
     report_progress(1, 1);
     require_finite(value.allFinite(), "exact solution", "double", t);
@@ -78,7 +80,7 @@ std::string rows_in_double(const Scene& scene, const std::vector<double>& times,
     for (Eigen::Index c = value.size(); c < values.size(); ++c)
       require_finite(std::isfinite(values[c]), "exact " + names[static_cast<std::size_t>(c)], "double", t);
     rows += fmt::format("{:.17g},{:.17g}", t, fmt::join(values, ","));
-    if (scene.reactions.known())
+    if (scene.reactions.has_exact_multipliers())
       rows += fmt::format(",{:.17g}", fmt::join(exact_reactions(scene, t, value), ","));
     rows += fmt::format(",{}\n", bounds_text(bound_texts(value, bounds, t), each_bound));
   }
@@ -90,7 +92,7 @@ std::string rows_in_digits(const Scene& scene, const std::vector<double>& times,
                            ReferenceProgress& work) {
   std::string rows = header(scene.outputs.names, scene.outputs.names, each_bound);
   for (const double t : times) {
-    work.begin(time_text(t));
+    work.set_place(time_text(t));
     const auto decimals = scene.reference.digits(t, digits);
     report_progress(1, 1);
     rows += fmt::format("{}", t);
@@ -114,7 +116,7 @@ std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& sc
       "--digits = {}: scene {} has no exact solution in digits, only what is known in double", digits, id));
 }
 
-void exact(const ExactArguments& arguments, const Streams& streams, const Scenes& known) {
+void exact(const ExactArguments& arguments, const Streams& streams, const SceneRegistry& known) {
   const auto variant = read_variant(arguments.scene, known);
   Scene scene = make_scene_unchecked(*variant.maker, variant.values);
   const auto times = sorted_times("--at", arguments.at);
@@ -137,7 +139,7 @@ void exact(const ExactArguments& arguments, const Streams& streams, const Scenes
 
 }  // namespace
 
-void add_reference_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
+void add_reference_commands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto of_exact = std::make_shared<ExactArguments>();
   Subcommand command(program, "exact", "What is known about a scene: its columns and a bound; CSV");
   add_scene(command, of_exact->scene);
@@ -148,4 +150,4 @@ void add_reference_commands(CommandLine& program, const Streams& streams, const 
   command.callback([=, &known] { exact(*of_exact, streams, known); });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/reference_progress.hpp"
 
 #include <fmt/format.h>
@@ -7,13 +8,13 @@
 
 #include "fdebench/reports/command/progress_display.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 ReferenceProgress::ReferenceProgress(const Streams& streams, std::optional<double> budget, std::string sought)
     : streams_(streams),
       budget_(budget),
       sought_(std::move(sought)),
-      listening_([this](std::size_t done, std::size_t total) { hear(done, total); }) {}
+      listening_([this](std::size_t done, std::size_t total) { on_progress(done, total); }) {}
 
 ReferenceProgress::~ReferenceProgress() {
   if (line_is_open_) streams_.err << fmt::format("\r{:{}}\r", "", streams_.columns - 1);
@@ -24,7 +25,7 @@ void ReferenceProgress::fail() const {
                                      place_.empty() ? "" : " at " + place_));
 }
 
-void ReferenceProgress::hear(std::size_t done, std::size_t total) {
+void ReferenceProgress::on_progress(std::size_t done, std::size_t total) {
   using namespace std::chrono_literals;
   const auto now = Clock::now();
   if (budget_ && std::chrono::duration<double>(now - start_).count() > *budget_) throw Cancelled();
@@ -35,4 +36,4 @@ void ReferenceProgress::hear(std::size_t done, std::size_t total) {
   show_work(streams_, done, total, place_);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <chrono>
@@ -8,7 +9,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Monitors evaluations of references while the object exists: shows progress on streams.err (on a terminal
 // after a second in one line, otherwise a line per minute) and cancels them with Cancelled when the budget is
@@ -22,13 +23,13 @@ class ReferenceProgress {
   ~ReferenceProgress();  // erases the progress line
 
   // Sets the place of the following evaluations for messages, "t = 1".
-  void begin(std::string place) { place_ = std::move(place); }
+  void set_place(std::string place) { place_ = std::move(place); }
   // Throws NumericalFailure: the budget ran out, at which place.
   [[noreturn]] void fail() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  void hear(std::size_t done, std::size_t total);
+  void on_progress(std::size_t done, std::size_t total);
 
   const Streams& streams_;
   std::optional<double> budget_;
@@ -38,4 +39,4 @@ class ReferenceProgress {
   ProgressScope listening_;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/requested_checkpoint.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/schemes/history/block_kernels.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The option that selects the output times.
@@ -47,7 +48,7 @@ std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const Req
   const double between = arguments.checkpoint_every
                              ? parse_number("--checkpoint-every", *arguments.checkpoint_every, not_negative)
                              : usual;
-  if (const auto reason = refusal_of_checkpoints(run.scheme, scene.problem)) {
+  if (const auto reason = unsupported_checkpoints_reason(run.scheme, scene.problem)) {
     reject_text("--checkpoint", *arguments.checkpoint,
                 fmt::format("left out: {} {}", run.scheme.id, *reason));
   }
@@ -56,4 +57,4 @@ std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const Req
       facts_of(scene, run, arguments), [&kept](Archive& archive) { archive(kept); }, say);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -8,7 +9,7 @@
 #include "fdebench/reports/command/checkpoint_file.hpp"
 #include "fdebench/reports/command/requested_run.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The file of --checkpoint, with the columns `kept` as part of the state; nullopt without --checkpoint. `say`
 // is called with a message if the file cannot be written. The file is valid for runs with the same scene,
@@ -18,4 +19,4 @@ std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const Req
                                                    const RunArguments& arguments, RetainedColumns& kept,
                                                    const std::function<void(const std::string&)>& say);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/requested_run.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/stepping/optimal_grading.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int most_direct_steps = 1 << 21;  // more steps take hours
@@ -25,19 +26,19 @@ RunSettings parse_setup(const RunArguments& arguments) {
   StepsOrTolerance resolution;
   if (arguments.accuracy) {
     resolution = parse_accuracy(*arguments.accuracy);
-    if (arguments.means.grid != RunSettingsArguments{}.grid)
-      reject_text("--grid", arguments.means.grid, "without --accuracy, whose schemes choose their times");
+    if (arguments.settings.grid != RunSettingsArguments{}.grid)
+      reject_text("--grid", arguments.settings.grid, "without --accuracy, whose schemes choose their times");
   } else {
     resolution = parse_count("--steps", *arguments.steps, 1, most_steps);
   }
-  RunSettings setup = parse_run_settings(arguments.means);
+  RunSettings setup = parse_run_settings(arguments.settings);
   setup.resolution = resolution;
   return setup;
 }
 
 // Throws std::invalid_argument if direct sums would take hours.
 void require_affordable(const Grid& grid, HistoryKind history) {
-  if (resolve(history, step_plan(grid)) == HistoryKind::direct && grid.steps > most_direct_steps) {
+  if (resolved_kind(history, step_plan(grid)) == HistoryKind::direct && grid.steps > most_direct_steps) {
     throw std::invalid_argument(
         fmt::format("--history = direct: takes up to {} steps, its work grows with their square, not {}",
                     most_direct_steps, grid.steps));
@@ -47,7 +48,7 @@ void require_affordable(const Grid& grid, HistoryKind history) {
 // The grid time that equals t up to rounding. Throws std::invalid_argument naming the neighbours if t is not
 // a grid time.
 double time_at(const Grid& grid, double t) {
-  const int nearest = grid.number(t);
+  const int nearest = grid.nearest_index(t);
   if (std::abs(grid.time(nearest) - t) <= rounding * t) return grid.time(nearest);
   const int below = std::clamp(grid.time(nearest) < t ? nearest : nearest - 1, 0, grid.steps - 1);
   reject("--at", t,
@@ -127,7 +128,7 @@ void require_events(const Scene& scene, const RunArguments& arguments) {
   if (arguments.at || arguments.points)
     throw std::invalid_argument("--events: is not taken with --at and --points");
   if (scene.events.empty())
-    throw std::invalid_argument("--events: the scene has none; those of a file stand under [event.NAME]");
+    throw std::invalid_argument("--events: the scene has none; a file declares them under [event.NAME]");
 }
 
 // Throws std::invalid_argument if --field is given with more than 2e8 values, or with an option that excludes
@@ -162,7 +163,7 @@ RequestedRun requested_run(const Scene& scene, const RunArguments& arguments) {
   if (!arguments.steps && !arguments.accuracy) throw std::invalid_argument("--steps is required");
   const auto& scheme = scheme_named(arguments.scheme);
   RunSettings setup = parse_setup(arguments);
-  const bool chosen = requests_optimal_grading(arguments.means);
+  const bool chosen = requests_optimal_grading(arguments.settings);
   if (chosen) setup.grading = optimal_grading(scheme, scene.problem);
   const Resolution resolution = resolution_of(setup, scene.problem.end);
   Options options = setup.options();
@@ -174,7 +175,7 @@ RequestedRun requested_run(const Scene& scene, const RunArguments& arguments) {
   require_several(scene, arguments);
   auto times = times_of(arguments, resolution, scene.problem.end);
   require_field(scene, arguments, times, grid);
-  if (const auto reason = refusal(scheme, scene.problem, resolution))
+  if (const auto reason = unsupported_reason(scheme, scene.problem, resolution))
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
   return {scheme,
           setup,
@@ -186,4 +187,4 @@ RequestedRun requested_run(const Scene& scene, const RunArguments& arguments) {
           chosen ? grid_text(setup.grading) : ""};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -8,13 +9,13 @@
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The options of `solve` for a run, as texts. --until is part of the scene.
 struct RunArguments {
   std::string scheme;
   std::optional<std::string> steps, accuracy, at, every, points, threads, checkpoint, checkpoint_every, field;
-  RunSettingsArguments means{.budget = "3600"};
+  RunSettingsArguments settings{.budget = "3600"};
   bool check = false;
   bool events = false;  // print the events instead of output times
   bool all = false;     // all solutions that a search finds, of a problem at both ends
@@ -35,4 +36,4 @@ struct RequestedRun {
 // Throws std::invalid_argument naming the argument, the text and what is allowed.
 RequestedRun requested_run(const Scene& scene, const RunArguments& arguments);
 
-}  // namespace fde
+}  // namespace fde::bench

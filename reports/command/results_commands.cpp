@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/command_line.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // "machine, compiler, commit" of each build, without repetitions.
@@ -45,7 +46,7 @@ struct CompareArguments {
 std::vector<std::string> complaints(const Comparison& comparison, const std::optional<double>& max_slowdown,
                                     bool require_all) {
   std::vector<std::string> all;
-  if (comparison.is_worse()) all.emplace_back("an error grew or a verdict fell");
+  if (comparison.is_worse()) all.emplace_back("an error grew or a verdict got worse");
   const auto slower = max_slowdown ? comparison.slower_than(*max_slowdown) : 0;
   if (slower > 0) all.push_back(fmt::format("{} times grew by more than {}", slower, *max_slowdown));
   if (require_all && !comparison.has_all()) {
@@ -55,7 +56,7 @@ std::vector<std::string> complaints(const Comparison& comparison, const std::opt
   return all;
 }
 
-void compare_files(const CompareArguments& arguments, const Streams& streams, const Scenes& known) {
+void compare_files(const CompareArguments& arguments, const Streams& streams, const SceneRegistry& known) {
   const auto& [first, second, slowdown, require_all] = arguments;
   constexpr Range factors{.low = 1.0};
   std::optional<double> most;
@@ -76,7 +77,7 @@ void compare_files(const CompareArguments& arguments, const Streams& streams, co
 }
 
 void merge_files(const std::vector<std::string>& files, const std::string& out, const Streams& streams,
-                 const Scenes& known) {
+                 const SceneRegistry& known) {
   const auto merged = merge_results({files.begin(), files.end()}, out, known);
   streams.out << fmt::format("{}\n{} sessions, {} rows, {} repeated rows left out\n",
                              std::filesystem::absolute(out).string(), merged.sessions, merged.rows,
@@ -85,7 +86,7 @@ void merge_files(const std::vector<std::string>& files, const std::string& out, 
 
 }  // namespace
 
-void add_results_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
+void add_results_commands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto compared = std::make_shared<CompareArguments>();
   Subcommand compare_command(program, "compare", "What is worse or better in the second results file");
   compare_command.required("first", compared->first, "results file, before");
@@ -107,4 +108,4 @@ void add_results_commands(CommandLine& program, const Streams& streams, const Sc
   });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/run_warnings.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@
 #include "fdebench/schemes/diagnostics/stored_path.hpp"
 #include "fdebench/schemes/diagnostics/warnings.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The column that shows a component as it is, "" where none does: seen where all components differ.
@@ -60,7 +61,7 @@ std::optional<std::string> large_drift(const Scene& scene, const Grid& grid, con
     drift = std::max(drift, scene.constraint.drift(t, columns));
     terms = std::max(terms, scene.constraint.terms(t, columns));
   }
-  if (!(drift > doubtful_part * terms)) return std::nullopt;
+  if (!(drift > significant_part * terms)) return std::nullopt;
   return fmt::format("constraint is {:.3g} in the last quarter, and its terms up to {:.3g}", drift, terms);
 }
 
@@ -91,12 +92,12 @@ std::optional<std::string> accuracy_warning(const Scene& scene, const RequestedR
   other.options.events.clear();
   other.options.checkpoints = nullptr;
   other.options.budget = std::max(most_times * seconds, min_seconds);
-  other.options.at = times_to_return(scene, other);
+  other.options.output_times = times_to_return(scene, other);
   Problem problem = scene.problem;
-  if (path.ending == Ending::event) problem.end = other.options.at.back();
-  const auto values = [&](const Tolerance& asked) -> std::optional<Rows> {
-    const auto solved = run.scheme.solve(problem, asked, other.options);
-    if (solved.ending != Ending::finished) return std::nullopt;
+  if (path.status == SolveStatus::terminal_event) problem.end = other.options.output_times.back();
+  const auto values = [&](const Tolerance& requested) -> std::optional<Rows> {
+    const auto solved = run.scheme.solve(problem, requested, other.options);
+    if (solved.status != SolveStatus::finished) return std::nullopt;
     try {
       return table_of(scene, other, solved, solved.times, columns_of(scene.outputs, solved)).values;
     } catch (const NumericalFailure&) {
@@ -106,7 +107,7 @@ std::optional<std::string> accuracy_warning(const Scene& scene, const RequestedR
   const auto accuracy = std::get<Tolerance>(run.resolution);
   const auto missed = missed_accuracy(accuracy, table.values(Eigen::all, columns), values, check);
   if (!missed) return std::nullopt;
-  return fmt::format("{} at t = {:.6g} is off by about {:.2g} times the accuracy that is asked",
+  return fmt::format("{} at t = {:.6g} is off by about {:.2g} times the requested accuracy",
                      table.names[static_cast<std::size_t>(missed->row)],
                      other.times[static_cast<std::size_t>(missed->column)], missed->times);
 }
@@ -116,7 +117,7 @@ std::optional<std::string> accuracy_warning(const Scene& scene, const RequestedR
 std::string warning_line(const Scene& scene, const RequestedRun& run, const Trajectory& path, bool check) {
   std::vector<std::string> texts;
   for (const auto& event : scene.events) {
-    if (!event.ends) continue;
+    if (!event.terminal) continue;
     texts.push_back(fmt::format("event {} does not end this run: {} steps over a grid and locates none",
                                 event.name, run.scheme.id));
   }
@@ -135,9 +136,9 @@ std::string warning_line(const Scene& scene, const RequestedRun& run, const Solv
   constexpr double rounding = std::numeric_limits<double>::epsilon();
   const auto accuracy = std::get<Tolerance>(run.resolution);
   std::vector<std::string> texts;
-  if (accuracy.relative < rounding) {
+  if (accuracy.rtol < rounding) {
     texts.push_back(
-        fmt::format("an accuracy of {:.3g} is asked, and a double has {:.2g}", accuracy.relative, rounding));
+        fmt::format("an accuracy of {:.3g} is requested, and a double has {:.2g}", accuracy.rtol, rounding));
   } else if (const auto missed = accuracy_warning(scene, run, table, path, seconds, check)) {
     texts.push_back(*missed);
   }
@@ -152,4 +153,4 @@ std::string warning_line(const Scene& scene, const RequestedRun& run, const Solv
   return as_warning(texts);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
 
 #include "fdebench/reports/command/printed_table.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // What speaks against the numbers of a finished run over a grid, as one line; empty where nothing does. With
 // check, the run is compared with one of half the steps in any case.
@@ -15,4 +16,4 @@ std::string warning_line(const Scene& scene, const RequestedRun& run, const Traj
 std::string warning_line(const Scene& scene, const RequestedRun& run, const SolvedTable& table,
                          const Trajectory& path, double seconds, bool check);
 
-}  // namespace fde
+}  // namespace fde::bench

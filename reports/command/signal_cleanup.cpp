@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/signal_cleanup.hpp"
 
 #include <unistd.h>
@@ -7,7 +8,7 @@
 
 #include "fdebench/benchmarks/external/process_cleanup.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::atomic<const std::string*> words = nullptr;
@@ -42,4 +43,4 @@ SignalCleanup::~SignalCleanup() {
   words = nullptr;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

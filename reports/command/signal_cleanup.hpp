@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -5,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 
 // Signal handler guard: while the object exists, SIGINT, SIGTERM and SIGHUP first call clean_up() (kill
 // started programs, remove temporary files) and write `text` to standard error, then end the process as by
@@ -23,4 +24,4 @@ class SignalCleanup {
   std::array<struct sigaction, signals.size()> before_{};
 };
 
-}  // namespace fde
+}  // namespace fde::bench

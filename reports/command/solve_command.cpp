@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,7 +15,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/solved_table.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct SolveArguments {
@@ -48,10 +49,10 @@ void write_field(const SolvedTable& table, const std::string& name) {
                        fmt::join(Vec(table.field.col(c)), ","));
   }
   file.write(line + '\n');
-  file.finish();
+  file.commit();
 }
 
-void solve(const SolveArguments& arguments, const Streams& streams, const Scenes& known) {
+void solve(const SolveArguments& arguments, const Streams& streams, const SceneRegistry& known) {
   auto variant = read_variant(arguments.scene, known);
   if (arguments.until && variant.until)
     reject_text("--until", *arguments.until, "without until= in the scene");
@@ -73,7 +74,7 @@ void solve(const SolveArguments& arguments, const Streams& streams, const Scenes
 
 }  // namespace
 
-void add_solve_command(CommandLine& program, const Streams& streams, const Scenes& known) {
+void add_solve_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto arguments = std::make_shared<SolveArguments>();
   Subcommand command(program, "solve", "Solve a scene with a scheme; CSV on standard output");
   add_scene(command, arguments->scene);
@@ -94,7 +95,7 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
   Subcommand::exclude(points, at);
   Subcommand::exclude(points, every);
   command.option("--field", arguments->run.field, "a CSV of all unknowns at the times that are printed");
-  add_options(command, arguments->run.means);
+  add_options(command, arguments->run.settings);
   command.option(
       "--threads", arguments->run.threads,
       "among which the memory term of many unknowns is shared, default 1; the same bits for any number");
@@ -108,4 +109,4 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
   command.callback([=, &known] { solve(*arguments, streams, known); });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

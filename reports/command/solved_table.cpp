@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/solved_table.hpp"
 
 #include <fmt/format.h>
@@ -8,19 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/benchmarks/measures/ending.hpp"
+#include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/observers/retained_columns.hpp"
 #include "fdebench/reports/command/cost_text.hpp"
 #include "fdebench/reports/command/requested_checkpoint.hpp"
 #include "fdebench/reports/command/run_warnings.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::string ended_by(const Scene& scene, const Trajectory& path) {
-  if (path.ending != Ending::event) return "";
+  if (path.status != SolveStatus::terminal_event) return "";
   return fmt::format("event {} ended the run at t = {:.17g}", scene.events[path.events.back().event].name,
-                     path.reached);
+                     path.last_time);
 }
 
 // The states of a path at some of its times.
@@ -34,13 +35,14 @@ Rows states_at(const Trajectory& path, const std::vector<double>& times) {
   return states.leftCols(next);
 }
 
-// Which times a scheme chooses it says at the end: then it is asked for those beside them, which reactions
-// need.
+// The times that a scheme chooses are known at the end: a second run stores the times beside them, which
+// reactions need.
 void solve_beside_its_times(const Scene& scene, RequestedRun& run, Trajectory& path) {
-  if (run.grid || !run.times.empty() || scene.reactions.rated.empty() || path.ending != Ending::finished)
+  if (run.grid || !run.times.empty() || scene.reactions.differentiated_columns.empty() ||
+      path.status != SolveStatus::finished)
     return;
   run.times = path.times;
-  run.options.at = times_to_return(scene, run);
+  run.options.output_times = times_to_return(scene, run);
   run.options.checkpoints = nullptr;
   path = run.scheme.solve(scene.problem, run.resolution, run.options);
 }
@@ -54,7 +56,7 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
   const bool by_columns = keeps_columns(scene, run);
   if (by_columns) run.options.observer = [&kept](double t, In y) { kept.observe(t, y); };
   if (!run.grid) run.options.events = events_of(scene);
-  run.options.at = times_to_return(scene, run);
+  run.options.output_times = times_to_return(scene, run);
   auto checkpoints = requested_checkpoint(scene, run, arguments, kept, say);
   if (checkpoints) run.options.checkpoints = &*checkpoints;
 
@@ -62,13 +64,15 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
   Trajectory path = run.scheme.solve(scene.problem, run.resolution, run.options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   solve_beside_its_times(scene, run, path);
-  const bool came_through = path.ending == Ending::finished || path.ending == Ending::event;
-  if (checkpoints && !came_through && path.ending != Ending::out_of_budget) checkpoints->remove();
+  const bool came_through =
+      path.status == SolveStatus::finished || path.status == SolveStatus::terminal_event;
+  if (checkpoints && !came_through && path.status != SolveStatus::out_of_budget) checkpoints->remove();
   if (!came_through) {
     const auto text = fmt::format("{}: {}", run.scheme.id, describe(scene.problem, path));
     throw RunFailure(text, run.scheme.id, path);
   }
-  std::erase_if(run.times, [&](double t) { return path.ending == Ending::event && t > path.reached; });
+  std::erase_if(run.times,
+                [&](double t) { return path.status == SolveStatus::terminal_event && t > path.last_time; });
 
   SolvedTable table = arguments.events ? table_of_events(scene, run.scheme, path)
                       : by_columns     ? table_of(scene, run, path, kept.times(), kept.columns())
@@ -76,7 +80,7 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
   if (run.stores_states) table.field = states_at(path, table.times);
   if (checkpoints) table.checkpoint = *arguments.checkpoint;
   if (arguments.all) {  // with other steps the solutions are others, or in another order: nothing is compared
-    add_others(table, scene, run, path.others);
+    add_others(table, scene, run, path.other_solutions);
   } else {
     table.warning = run.grid ? warning_line(scene, run, path, arguments.check)
                              : warning_line(scene, run, table, path, elapsed.count(), arguments.check);
@@ -86,4 +90,4 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
   return table;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/printed_table.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A run that did not come to its end.
 struct RunFailure : NumericalFailure {
@@ -26,4 +27,4 @@ struct RunFailure : NumericalFailure {
 SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
                          const std::function<void(const std::string&)>& say = {});
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,7 +11,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/schemes/diagnostics/stability_region.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -27,7 +28,7 @@ std::vector<const Scheme*> schemes_of(const Arguments& arguments, double gamma) 
   for (const auto& id : arguments.schemes) some.push_back(&scheme_named(id));
   if (!some.empty()) return some;
   for (const auto& scheme : schemes()) {
-    if (!refusal(scheme, test_problem(scheme, gamma, -1.0), {})) some.push_back(&scheme);
+    if (!unsupported_reason(scheme, test_problem(scheme, gamma, -1.0), {})) some.push_back(&scheme);
   }
   return some;
 }
@@ -44,7 +45,7 @@ std::string boundary_rows(const Scheme& scheme, double gamma, int points) {
   std::string rows;
   for (int i = 1; i <= points; ++i) {
     const double theta = std::numbers::pi * i / points;
-    for (const ComplexValue z : boundary(scheme, gamma, theta))
+    for (const ComplexValue z : root_locus(scheme, gamma, theta))
       rows += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", scheme.id, theta, z.real(), z.imag());
   }
   return rows;
@@ -63,7 +64,7 @@ void print_stability(const Arguments& arguments, std::ostream& out) {
 
 }  // namespace
 
-void add_stability_command(CommandLine& program, const Streams& streams, const Scenes& /*known*/) {
+void add_stability_command(CommandLine& program, const Streams& streams, const SceneRegistry& /*known*/) {
   auto arguments = std::make_shared<Arguments>();
   Subcommand command(
       program, "stability",
@@ -76,4 +77,4 @@ void add_stability_command(CommandLine& program, const Streams& streams, const S
   command.callback([=] { print_stability(*arguments, streams.out); });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@
 #include "fdebench/reports/command/signal_cleanup.hpp"
 #include "fdebench/reports/page/report.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int most_repeats = 1000;
@@ -46,7 +47,8 @@ struct SweepArguments {
 };
 
 std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
-                                        const std::vector<std::string>& settings, const Scenes& known) {
+                                        const std::vector<std::string>& settings,
+                                        const SceneRegistry& known) {
   if (texts.empty() && !settings.empty()) reject_text("--set", settings.front(), "with --scene");
   if (texts.empty()) return sweep_scenes();
   std::vector<SceneVariant> variants;
@@ -78,22 +80,22 @@ std::vector<ExternalProgram> chosen_programs(const SweepArguments& arguments) {
 }
 
 // The requested numbers of steps and tolerances; by default default_plan() or thorough_plan().
-RefinementPlan chosen_ladder(const SweepArguments& arguments) {
+RefinementPlan chosen_plan(const SweepArguments& arguments) {
   if (!arguments.steps && !arguments.accuracies) return arguments.thorough ? thorough_plan() : default_plan();
   RefinementPlan chosen;
   for (const auto& text : arguments.steps ? split_list(*arguments.steps) : std::vector<std::string>{})
-    chosen.rungs.emplace_back(parse_count("--steps", text, 1, most_steps));
+    chosen.resolutions.emplace_back(parse_count("--steps", text, 1, most_steps));
   for (const auto& text :
        arguments.accuracies ? split_list(*arguments.accuracies) : std::vector<std::string>{})
-    chosen.rungs.emplace_back(parse_accuracy(text));
+    chosen.resolutions.emplace_back(parse_accuracy(text));
   return chosen;
 }
 
-Sweep sweep_of(const SweepArguments& arguments, const Scenes& known) {
+Sweep sweep_of(const SweepArguments& arguments, const SceneRegistry& known) {
   Sweep sweep{.scenes = chosen_scenes(arguments.scenes, arguments.settings, known),
               .schemes = chosen_schemes(arguments),
               .programs = chosen_programs(arguments),
-              .ladder = chosen_ladder(arguments),
+              .plan = chosen_plan(arguments),
               .setup = parse_run_settings(arguments.means),
               .optimal_grids = requests_optimal_grading(arguments.means)};
   if (arguments.accuracies && !arguments.steps && arguments.means.grid != RunSettingsArguments{}.grid) {
@@ -102,18 +104,18 @@ Sweep sweep_of(const SweepArguments& arguments, const Scenes& known) {
   }
   if (sweep.optimal_grids && !sweep.programs.empty())
     reject_text("--grid", arguments.means.grid, "uniform or graded:R beside --external");
-  if (sweep.ladder.goal) sweep.repeats = of_default_sweep;
+  if (sweep.plan.goal) sweep.repeats = of_default_sweep;
   const bool listed = arguments.steps || arguments.accuracies;
   if (!listed && arguments.means.budget == usual_budget) {
     sweep.setup.budget =
-        sweep.ladder.goal ? far_from_an_answer * sweep.ladder.goal->most_seconds : thorough_budget;
+        sweep.plan.goal ? far_from_an_answer * sweep.plan.goal->most_seconds : thorough_budget;
   }
   sweep.repeats.most = parse_count("--repeat", arguments.repeats, 1, most_repeats);
   return sweep;
 }
 
 // The requested sweep. With --trials the trials only; without scenes and steps the trials as well.
-std::vector<Sweep> sweeps_of(const SweepArguments& arguments, const Scenes& known) {
+std::vector<Sweep> sweeps_of(const SweepArguments& arguments, const SceneRegistry& known) {
   const bool listed = arguments.steps || arguments.accuracies;
   if (arguments.trials && (listed || !arguments.scenes.empty()))
     throw std::invalid_argument("--trials = yes: must be without --scene and --steps, trials have their own");
@@ -131,7 +133,7 @@ std::vector<Sweep> sweeps_of(const SweepArguments& arguments, const Scenes& know
 
 // Whether the forecast number of runs is exact: with a goal the refinement may end elsewhere than forecast.
 bool count_is_exact(const std::vector<Sweep>& sweeps) {
-  return std::ranges::none_of(sweeps, [](const auto& sweep) { return sweep.ladder.goal.has_value(); });
+  return std::ranges::none_of(sweeps, [](const auto& sweep) { return sweep.plan.goal.has_value(); });
 }
 
 Forecast forecast_of(const std::vector<Sweep>& sweeps,
@@ -146,13 +148,13 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams,
                   const std::function<void(const std::vector<Record>&)>& append) {
   const Forecast expected = forecast_of(sweeps, recorded);
   SweepProgress progress(streams, expected, count_is_exact(sweeps));
-  const SweepCallbacks hooks{recorded, append, [&](const SweepEvent& event) { progress.hear(event); }};
+  const SweepCallbacks hooks{recorded, append, [&](const SweepEvent& event) { progress.on_event(event); }};
   for (const auto& sweep : sweeps) run_sweep(sweep, hooks, expected);
 }
 
 // Prints the remaining runs with their expected seconds, and the total.
 void list_runs(const std::vector<Sweep>& sweeps, const SweepArguments& arguments, const Streams& streams,
-               const Scenes& known) {
+               const SceneRegistry& known) {
   const auto recorded = arguments.out ? read_recorded(*arguments.out, known) : RecordedByKey();
   const auto expected = forecast_of(sweeps, [&](const RunKey& key) { return recorded_of(recorded, key); });
   for (const auto& [run, seconds] : expected) {
@@ -163,7 +165,7 @@ void list_runs(const std::vector<Sweep>& sweeps, const SweepArguments& arguments
                              duration_text(total_seconds(expected)));
 }
 
-void run(const SweepArguments& arguments, const Streams& streams, const Scenes& known) {
+void run(const SweepArguments& arguments, const Streams& streams, const SceneRegistry& known) {
   const auto sweeps = sweeps_of(arguments, known);
   if (arguments.dry_run) return list_runs(sweeps, arguments, streams, known);
   if (!arguments.out) throw std::invalid_argument("--out is required");
@@ -179,7 +181,7 @@ void run(const SweepArguments& arguments, const Streams& streams, const Scenes& 
 
 }  // namespace
 
-void add_sweep_commands(CommandLine& program, const Streams& streams, const Scenes& known) {
+void add_sweep_commands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto of_run = std::make_shared<SweepArguments>();
   Subcommand run_command(program, "run", "Measure schemes on scenes; a file that exists is continued");
   run_command.list("--scene", of_run->scenes,
@@ -216,4 +218,4 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   });
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string_view>
 
 // Files of the page, embedded by assets.S.
-namespace fde::assets {
+namespace fde::bench::assets {
 
 std::string_view page();      // the template with its {{places}}
 std::string_view style();     // css
@@ -14,4 +15,4 @@ std::string_view regions();   // stability regions, as printed by fde_page_regio
 std::string_view vega();      // vega, vega-lite and vega-embed
 std::string_view licences();  // of vega and what it bundles
 
-}  // namespace fde::assets
+}  // namespace fde::bench::assets

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/page/chart_number.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdlib>
 
-namespace fde {
+namespace fde::bench {
 
 double rounded_for_chart(double value, int digits) {
   return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 // The numbers behind a chart: a table for readers, comma-separated values for programs.
 
 const columnsOfCharts = {
   line: { title: "scheme" },
   steps: { title: "N", text: String },
-  asked: { title: "asked", text: fewDigits },
+  requested: { title: "requested", text: fewDigits },
   h: { title: "h", text: (value) => value.toPrecision(3) },
   time_minimum: { title: "run time in s", text: (value) => value.toPrecision(3) },
   history_bytes: { title: "memory of the history in bytes", text: String },

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Charts as Vega-Lite specifications over the points that the report computed.
 
 const labels = {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far the formulations of a scene stray from its constraints: a colour for each formulation.
 
 function formulationChannels(points) {
@@ -15,13 +16,13 @@ const wordsOfDrift = ({ formulation, line, steps, h, t, drift }) => ({
 });
 
 function driftChart(id, title, description, field, of, points) {
-  const told = points.map((point) => ({ ...point, words: wordsOfDrift(point) }));
-  if (told.length === 0) return null;
-  const { color, shape } = formulationChannels(told);
-  const encoding = { x: logAxis(told, field, of, labels.number), y: logAxis(told, "drift", "drift", labels.number), color, detail: [{ field: "line" }, { field: "formulation" }] };
+  const labelled = points.map((point) => ({ ...point, words: wordsOfDrift(point) }));
+  if (labelled.length === 0) return null;
+  const { color, shape } = formulationChannels(labelled);
+  const encoding = { x: logAxis(labelled, field, of, labels.number), y: logAxis(labelled, "drift", "drift", labels.number), color, detail: [{ field: "line" }, { field: "formulation" }] };
   return {
-    id, title, points: told, columns: ["formulation", "line", "steps", "h", "t", "drift"],
-    spec: chart(description, told, { layer: [
+    id, title, points: labelled, columns: ["formulation", "line", "steps", "h", "t", "drift"],
+    spec: chart(description, labelled, { layer: [
       { mark: { type: "line", strokeWidth: 1, opacity: 0.7 }, encoding: { ...encoding, order: { field } } },
       { mark: { type: "point", filled: true, size: 30, tooltip: { expr: "datum.words" } }, encoding: { ...encoding, shape } },
     ] }),

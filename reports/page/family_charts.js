@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Solutions that differ in one parameter: a curve for each value, a panel for each column that is wanted. Where the solution is not
 // continuous in the parameter its curve is dashed, and a note beneath says what its neighbours tend to.
 

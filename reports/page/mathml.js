@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Formulas as docs/equation_files.md has them, set as MathML. A reader of its own, as small as what it shows: it has to show a
 // formula, not to compute it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The path of a motion: in the plane as it is, in space as seen from aside, on the sphere where it stays on one.
 
 // The same length has the same size on both axes: a square of the larger extent.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Builds the page from its data: sections with paragraphs, charts and tables. Numbers arrive as text.
 
 // The chart's table, made when it is opened, and its numbers as a file.
@@ -101,11 +102,11 @@ const short = shortNames(data.lines);
 const shortNameOfLine = (text) => short.get(text) ?? text;
 const made = madeOf(data.sessions);
 for (const section of data.sections.filter(({ runs }) => runs)) section.made = made;
-// A solution may stand in another section.
+// A solution may be in another section.
 for (const section of data.sections.filter(({ solution }) => solution?.of)) section.solution = data.sections.find(({ id }) => id === section.solution.of).solution;
 document.getElementById("sessions").append(tableFrame(data.sessions, data.lines));
 
-// Sections are drawn as they come near the window, all of them for print, and anew for another kind of error.
+// Sections are drawn as they come near the window, all of them for print, and again for another kind of error.
 const frames = data.sections.map((section) => ({ section, ...frameOf(section) }));
 document.querySelector("main").append(...frames.map(({ whole }) => whole));
 data.sections.forEach(link);
@@ -133,7 +134,7 @@ window.addEventListener("beforeprint", () => {
   for (const { section, place } of frames) if (section.folded) place.open = true;
 });
 
-// Whatever is drawn is drawn anew for another view; scenes that it does not want are hidden.
+// Whatever is drawn is drawn again for another view; scenes that it does not want are hidden.
 function show() {
   const view = viewNow();
   const isEmpty = ({ runs, tables, table }) => !runs && (tables ?? table) && viewed(tables?.[chosenKind(data.kinds).id] ?? table, view, data.sections).groups.length === 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/page/page_data.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@
 #include "fdebench/reports/page/assets.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -26,8 +27,8 @@ json to_json(const Section& section) {
   json shown{{"id", section.id}, {"title", section.title}, {"paragraphs", section.paragraphs}};
   if (!section.table.empty()) shown["table"] = to_json(section.table);
   for (std::size_t i = 0; i < section.tables.size(); ++i)
-    shown["tables"][error_measure(error_kinds()[i])] = to_json(section.tables[i]);
-  if (section.folded) shown["folded"] = true;
+    shown["tables"][error_measure(error_kinds[i])] = to_json(section.tables[i]);
+  if (section.collapsed) shown["folded"] = true;
   return shown;
 }
 
@@ -41,7 +42,7 @@ std::vector<std::string> machines_of(const PageInput& page) {
 // The kinds of error that the page's controls offer.
 json kinds() {
   json all = json::array();
-  for (const ErrorKind& kind : error_kinds()) {
+  for (const ErrorKind& kind : error_kinds) {
     all.push_back({{"id", error_measure(kind)},
                    {"norm", name(kind.norm)},
                    {"scale", name(kind.scale)},
@@ -154,7 +155,7 @@ json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
     if (!section.table.empty() || !section.tables.empty()) sections.push_back(to_json(section));
   };
   if (json answers = to_json(answers_section(page)); answers.contains("tables")) {
-    for (const ErrorKind& kind : error_kinds())
+    for (const ErrorKind& kind : error_kinds)
       answers["verdicts"][error_measure(kind)] = to_json(scheme_verdicts(page, kind));
     sections.push_back(std::move(answers));
   }
@@ -182,4 +183,4 @@ json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
           {"sections", sections}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
@@ -13,7 +14,7 @@
 #include "fdebench/reports/analysis/recommended_run.hpp"
 #include "fdebench/reports/page/table.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The data of the page as JSON for its script: lines, sessions, sections. Numbers in tables are formatted
 // text. `before`: earlier results, compared with these in a separate section.
@@ -29,7 +30,9 @@ struct PageInput {
 
   // The name of the run's line on the page.
   [[nodiscard]] std::string label(const RunKey& run) const { return names.name(run.scheme, run.setup); }
-  [[nodiscard]] std::string label(const Option& of) const { return names.name(of.schemes.front(), of.setup); }
+  [[nodiscard]] std::string label(const RecommendedRun& of) const {
+    return names.name(of.schemes.front(), of.setup);
+  }
   [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.setup); }
   // The line's grid if its name omits it; otherwise empty.
   [[nodiscard]] std::string grid(const RunSettings& setup) const { return names.grid(setup); }
@@ -40,8 +43,8 @@ struct Section {
   std::string id, title;
   std::vector<std::string> paragraphs{};
   Table table{};
-  std::vector<Table> tables{};  // instead of `table`: one for each of error_kinds()
-  bool folded = false;          // initially collapsed
+  std::vector<Table> tables{};  // instead of `table`: one for each of error_kinds
+  bool collapsed = false;       // initially collapsed
 };
 
 // Date, machine, compiler and flags of each session.
@@ -58,8 +61,8 @@ Table scene_answers(const PageInput& page, const SceneSettings& scene, const Sce
                     const ErrorKind& kind);
 // Why the first of two lines of a scene is quicker than the second by the records: fewer steps (because of
 // its rate) or cheaper steps.
-std::string reason_for_speed(const PageInput& page, const SceneSettings& scene, const Option& first,
-                             const Option& second, Norm norm);
+std::string reason_for_speed(const PageInput& page, const SceneSettings& scene, const RecommendedRun& first,
+                             const RecommendedRun& second, Norm norm);
 // The changes since earlier results, by compare().
 Section compared_section(const PageInput& page, const Runs& before);
 // Observed and theoretical rates; drift from constraints; trials; cost at the finest step; decoupled chain
@@ -105,4 +108,4 @@ SceneName name_of_scene(const SceneSettings& scene);
 // The id of the scene's section.
 std::string section_of(const SceneSettings& scene);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the regions of linear stability end, in the upper half plane of z = λ h^γ, beside the exact sector.
 
 const shownPlane = { left: -5, right: 5, top: 5 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/page/report.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 #include "fdebench/reports/page/assets.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,8 +78,8 @@ fs::path write_report(ReadRuns read, const fs::path& directory, const std::optio
                                    {"charts", assets::charts()},
                                    {"script", assets::script()},
                                    {"licences", licences}}));
-  file.finish();
+  file.commit();
   return path;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

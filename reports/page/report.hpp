@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reports/analysis/runs.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Writes <directory>/index.html, a self-contained file: the cheapest runs, charts and tables of each scene,
 // refused and failed runs. Creates the directory if necessary and replaces an older page atomically. Returns
@@ -14,4 +15,4 @@ namespace fde {
 std::filesystem::path write_report(ReadRuns read, const std::filesystem::path& directory,
                                    const std::optional<ReadRuns>& before = {});
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/page/run_columns.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 
 #include "fdebench/reports/page/chart_number.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -20,9 +21,9 @@ using nlohmann::json;
 // Besides the errors: quantities of charts, and quantities of tooltips only, with fewer digits.
 constexpr std::array<std::string_view, 5> drawn{"time_minimum", "time_median", "energy_residual",
                                                 "drift_internal", "drift_independent"};
-constexpr std::array<std::string_view, 6> told{"rhs_calls",      "newton_iterations",
-                                               "rejected_steps", "history_bytes",
-                                               "rounding",       "reference_bound_maximum"};
+constexpr std::array<std::string_view, 6> cost_names{"rhs_calls",      "newton_iterations",
+                                                     "rejected_steps", "history_bytes",
+                                                     "rounding",       "reference_bound_maximum"};
 constexpr int few_digits = 3;
 
 json number(const std::optional<double>& value) { return value ? json(rounded_for_chart(*value)) : json(); }
@@ -42,9 +43,9 @@ json few(const std::optional<double>& value) {
   return value ? json(rounded_for_chart(*value, few_digits)) : json();
 }
 
-json asked(const MeasuredRun& run) {
+json requested_tolerance(const MeasuredRun& run) {
   const auto* accuracy = std::get_if<Tolerance>(&run.key.setup.resolution);
-  return accuracy != nullptr ? json(accuracy->relative) : json();
+  return accuracy != nullptr ? json(accuracy->rtol) : json();
 }
 
 }  // namespace
@@ -71,14 +72,15 @@ json run_columns(const PageInput& page, const std::vector<const MeasuredRun*>& r
   } else {
     add("h", [](const MeasuredRun& run) { return json(rounded_for_chart(run.h)); });
   }
-  add("asked", asked);
-  for (const ErrorKind& kind : error_kinds()) {
+  add("requested", requested_tolerance);
+  for (const ErrorKind& kind : error_kinds) {
     const auto name = error_measure(kind);
     add(std::string(name), [&](const MeasuredRun& run) { return number(run[name]); });
   }
   for (const auto name : drawn)
     add(std::string(name), [&](const MeasuredRun& run) { return number(run[name]); });
-  for (const auto name : told) add(std::string(name), [&](const MeasuredRun& run) { return few(run[name]); });
+  for (const auto name : cost_names)
+    add(std::string(name), [&](const MeasuredRun& run) { return few(run[name]); });
   add("grading", [](const MeasuredRun& run) {
     return run.key.setup.grading == 1.0 ? json() : json(run.key.setup.grading);
   });
@@ -87,4 +89,4 @@ json run_columns(const PageInput& page, const std::vector<const MeasuredRun*>& r
   return columns;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

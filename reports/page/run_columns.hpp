@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -5,13 +6,13 @@
 
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Runs as JSON columns of equal length: `lines` (the labels), `line` (index of a run's label), `steps`, `h`
-// (or the number `end` if h = end / steps for all runs), `asked` (tolerance, with adaptive step size), and
-// the quantities that charts and tooltips show, to five digits or less. null where a run has no value;
+// (or the number `end` if h = end / steps for all runs), `requested` (tolerance, with adaptive step size),
+// and the quantities that charts and tooltips show, to five digits or less. null where a run has no value;
 // columns of nulls are left out. `session` if there are several, `wall_clock` if times are of whole
 // processes.
 nlohmann::json run_columns(const PageInput& page, const std::vector<const MeasuredRun*>& runs);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 "use strict";
 
 // Runs arrive as columns, and are shown as points that know all that is known of them.
@@ -18,8 +19,8 @@ function bytesText(bytes) {
 // Of each session what the tooltips of its runs say: where and with what they were made.
 function madeOf({ groups: [{ rows }] }) {
   const texts = Object.fromEntries(rows.map(([name, ...of]) => [name, of]));
-  const told = ["machine", "date", "commit"].filter((name) => texts[name]);
-  return texts.date?.map((_, session) => Object.fromEntries(told.map((name) => [name, texts[name][session]])));
+  const present = ["machine", "date", "commit"].filter((name) => texts[name]);
+  return texts.date?.map((_, session) => Object.fromEntries(present.map((name) => [name, texts[name][session]])));
 }
 
 // A row for each run, { line, steps, ... }, without what it does not have.
@@ -33,7 +34,7 @@ function rowsOf({ lines, end, ...columns }) {
 
 // The slope between a run and the next coarser one of its line.
 function rateBetween(coarse, fine, error) {
-  if (!(coarse?.[error] > 0) || !(fine[error] > 0) || coarse.line !== fine.line || fine.asked || coarse.h === fine.h) return undefined;
+  if (!(coarse?.[error] > 0) || !(fine[error] > 0) || coarse.line !== fine.line || fine.requested || coarse.h === fine.h) return undefined;
   return Math.log(coarse[error] / fine[error]) / Math.log(coarse.h / fine.h);
 }
 
@@ -45,7 +46,7 @@ function wordsOf(row, coarser, kind, kinds, { parameter, made }) {
   };
   const time = (seconds) => timeText(seconds) + (row.wall_clock ? " of the wall clock" : "");
   if (parameter) add(parameter, row.value, String);
-  add("asked", row.asked, fewDigits);
+  add("requested", row.requested, fewDigits);
   add("N", row.steps, String);
   add("h", row.h, (h) => String(Number(h.toPrecision(3))));
   add("grid", row.grading, (grading) => `graded:${Number(grading.toPrecision(3))}`);
@@ -69,7 +70,7 @@ function wordsOf(row, coarser, kind, kinds, { parameter, made }) {
 function pointsOf(section, kind, kinds) {
   const rows = rowsOf(section.runs);
   return rows.map((row, i) => ({
-    ...row, error: row[kind.id], ratio: row[kind.id] / row.asked,
+    ...row, error: row[kind.id], ratio: row[kind.id] / row.requested,
     words: wordsOf(row, section.parameter ? undefined : rows[i - 1], kind, kinds, section),
   }));
 }

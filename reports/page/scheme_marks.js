@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 // The colour and the shape of each line: of a scheme always the same, on every page and in every figure.
 
 const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
 
-// Okabe and Ito's colours, told apart by most colour-blind readers; yellow is left out, it is too faint on white. Their black
+// Okabe and Ito's colours, distinguished by most colour-blind readers; yellow is left out, it is too faint on white. Their black
 // is the colour of the text.
 const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", isDark ? "#c4c8ce" : "#333333", "#8c564b"];
 const shapes = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down", "triangle-right", "triangle-left"];

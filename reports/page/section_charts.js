@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The charts of a section, each { id, title, points, columns, spec }: the columns are those of its table.
 
 // The points that no other beats in both, by increasing cost.
@@ -18,7 +19,7 @@ function errorAgainstCost(scene, lines, kind, { id, field, name, labelExpr, leas
     mark: { type: "line", interpolate: "step-after", strokeWidth: 9, strokeJoin: "round", strokeCap: "round", opacity: 0.16, color: ofPage("--text"), tooltip: false }, encoding,
   };
   return {
-    id, title: `Error against ${name}; band: nothing is ${least} and more accurate`, points, columns: ["line", "steps", "asked", field, "error"],
+    id, title: `Error against ${name}; band: nothing is ${least} and more accurate`, points, columns: ["line", "steps", "requested", field, "error"],
     spec: chart(`${scene.title}: ${kind.title} against ${name}, a line for each scheme`, points,
       { layer: [front, ...lineLayers(encoding, lines, points)] }),
   };
@@ -32,7 +33,7 @@ const errorAgainstMemory = (scene, lines, kind) => errorAgainstCost(scene, lines
 
 // Dashed lines have the slope that theory promises. A scheme that chooses its steps has no step to speak of.
 function errorAgainstStep(scene, lines, kind) {
-  const points = scene.points.filter((point) => point.error && !point.asked);
+  const points = scene.points.filter((point) => point.error && !point.requested);
   const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "error", kind.title, labels.number) };
   const guides = {
     data: { values: guidesOf(points, scene.rates, kind) },
@@ -45,28 +46,28 @@ function errorAgainstStep(scene, lines, kind) {
   };
 }
 
-// On the diagonal a scheme delivers what it is asked for; the band is within a factor of ten.
-function deliveredAgainstAsked(scene, lines, kind) {
-  const points = scene.points.filter((point) => point.error && point.asked);
-  const ends = [Math.min, Math.max].map((end) => end(...points.map((point) => point.asked)));
-  const diagonal = { values: ends.map((error) => ({ asked: error, error, low: error / 10, high: error * 10 })) };
-  const all = [...points, ...diagonal.values.map(({ asked, low, high }, end) => ({ asked, error: end ? high : low }))];
-  const both = { x: logAxis(all, "asked", "accuracy asked", labels.number), y: logAxis(all, "error", `${kind.title} delivered`, labels.number) };
+// On the diagonal a scheme delivers the requested accuracy; the band is within a factor of ten.
+function deliveredAgainstRequested(scene, lines, kind) {
+  const points = scene.points.filter((point) => point.error && point.requested);
+  const ends = [Math.min, Math.max].map((end) => end(...points.map((point) => point.requested)));
+  const diagonal = { values: ends.map((error) => ({ requested: error, error, low: error / 10, high: error * 10 })) };
+  const all = [...points, ...diagonal.values.map(({ requested, low, high }, end) => ({ requested, error: end ? high : low }))];
+  const both = { x: logAxis(all, "requested", "requested accuracy", labels.number), y: logAxis(all, "error", `${kind.title} delivered`, labels.number) };
   const mark = { color: ofPage("--quiet"), tooltip: false, clip: true };
   const guides = [
     { data: diagonal, mark: { ...mark, type: "area", opacity: 0.15 }, encoding: { x: both.x, y: { ...both.y, field: "low" }, y2: { field: "high" } } },
     { data: diagonal, mark: { ...mark, type: "line", strokeDash: [4, 4], strokeWidth: 1 }, encoding: both },
   ];
   return {
-    id: "delivered-against-asked", title: "Accuracy delivered against asked; band: a factor of ten", points,
-    columns: ["line", "asked", "error", "ratio", "steps", "time_minimum"], open: true,
-    spec: chart(`${scene.title}: ${kind.title} delivered against accuracy asked, a line for each scheme that takes one`, points,
-      { layer: [...guides, ...lineLayers(both, lines, points, "asked")] }),
+    id: "delivered-against-requested", title: "Delivered against requested accuracy; band: a factor of ten", points,
+    columns: ["line", "requested", "error", "ratio", "steps", "time_minimum"], open: true,
+    spec: chart(`${scene.title}: ${kind.title} delivered against accuracy requested, a line for each scheme that takes one`, points,
+      { layer: [...guides, ...lineLayers(both, lines, points, "requested")] }),
   };
 }
 
 function energyAgainstStep(scene, lines) {
-  const points = scene.points.filter((point) => point.energy_residual && !point.asked);
+  const points = scene.points.filter((point) => point.energy_residual && !point.requested);
   const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "energy_residual", "energy residual", labels.number) };
   return {
     id: "energy-against-step", title: "Residual of the energy balance against step", points, columns: ["line", "steps", "h", "energy_residual"],
@@ -88,7 +89,7 @@ function overParameter(id, field, labelExpr, nameOf) {
   };
 }
 
-const chartsOfScenes = [errorAgainstTime, errorAgainstStep, errorAgainstMemory, deliveredAgainstAsked, energyAgainstStep];
+const chartsOfScenes = [errorAgainstTime, errorAgainstStep, errorAgainstMemory, deliveredAgainstRequested, energyAgainstStep];
 const chartsOfCurves = [
   overParameter("error-over-parameter", "error", labels.number, (kind) => kind.title), overParameter("time-over-parameter", "time_minimum", labels.time, () => "run time"),
 ];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Names of lines short enough for the cells of a map: bdf4 as it stands, spectral_collocation as sc, l1, graded as l1g.
 
 const initials = (words) => words.map((word) => word[0] + (/^\D.*?(\d)/.exec(word)?.[1] ?? "")).join("");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is known of a scene's solution: its columns against t, one against another, its energy, the reactions of its constraints.
 
 const rowsOfColumns = ({ columns, values }, times) =>
@@ -23,7 +24,7 @@ const symbolLabels = (columns) => `(${JSON.stringify(Object.fromEntries(columns.
 
 const linear = (field, title) => ({ field, title, type: "quantitative", scale: { zero: false, nice: false, padding: 6 }, axis: { tickCount: 7, labelOverlap: true } });
 
-// Colours and dashes: curves are told apart on paper without colours too.
+// Colours and dashes: curves are distinguished on paper without colours too.
 const dashes = [[], [6, 3], [2, 2], [8, 3, 2, 3], [1, 3], [10, 4]];
 function columnChannels(columns) {
   const legend = columns.length > 1 ? { orient: "bottom", title: null, symbolType: "stroke", symbolSize: 260, symbolStrokeWidth: 1.5, labelExpr: symbolLabels(columns) } : null;

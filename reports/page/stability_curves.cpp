@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/page/stability_curves.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 #include "fdebench/schemes/diagnostics/region_boundary.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -16,10 +17,11 @@ using nlohmann::json;
 double rounded(double x) { return std::round(1e4 * x) / 1e4; }
 
 json pieces_of(const Scheme& scheme, double order, int points) {
-  if (refusal(scheme, test_problem(scheme, order, -1.0), {})) return {};
+  if (unsupported_reason(scheme, test_problem(scheme, order, -1.0), {})) return {};
   json pieces = json::array();
   // The curves of implicit rules are longer, and cheap to compute.
-  for (const auto& piece : region_boundary(scheme, order, scheme.needs.implicit ? 2 * points : points)) {
+  for (const auto& piece :
+       region_boundary(scheme, order, scheme.capabilities.implicit ? 2 * points : points)) {
     json flat = json::array();
     for (const auto& [theta, z] : piece) {
       flat.push_back(rounded(z.real()));
@@ -65,4 +67,4 @@ json page_stability_curves(const std::vector<const Scheme*>& schemes) {
   return stability_curves(schemes, {0.1, 0.3, 0.5, 0.7, 0.9, 1.1, 1.3, 1.5, 1.7, 1.9}, 32);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

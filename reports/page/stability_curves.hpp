@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -5,7 +6,7 @@
 
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Boundaries of the linear stability regions for charts: `orders`, and `curves`: by scheme id and order the
 // pieces of region_boundary() in the upper half plane of z = lambda h^order, each piece as [re, im, re, im,
@@ -21,4 +22,4 @@ nlohmann::json page_stability_curves(const std::vector<const Scheme*>& schemes);
 // Every scheme of the list.
 std::vector<const Scheme*> all_schemes();
 
-}  // namespace fde
+}  // namespace fde::bench

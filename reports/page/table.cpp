@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/page/table.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -24,12 +25,12 @@ json to_json(const Cell& cell) {
   json shown = json::object();
   if (!cell.detail.empty()) shown["detail"] = cell.detail;
   if (!cell.line.empty()) shown["line"] = cell.line;
-  if (cell.marked) shown["marked"] = true;
-  if (!cell.hint.empty()) shown["hint"] = cell.hint;
-  if (!cell.to.empty()) shown["to"] = cell.to;
-  if (!cell.tone.empty()) shown["tone"] = cell.tone;
+  if (cell.highlighted) shown["marked"] = true;
+  if (!cell.tooltip.empty()) shown["hint"] = cell.tooltip;
+  if (!cell.link.empty()) shown["to"] = cell.link;
+  if (!cell.verdict.empty()) shown["tone"] = cell.verdict;
   if (cell.strength > 0.0) shown["strength"] = std::round(1e2 * cell.strength) / 1e2;
-  if (cell.next > 0.0) shown["next"] = std::stod(fmt::format("{:.2g}", cell.next));
+  if (cell.runner_up_ratio > 0.0) shown["next"] = std::stod(fmt::format("{:.2g}", cell.runner_up_ratio));
   if (!cell.command.empty()) shown["command"] = cell.command;
   if (cell.session > 0) shown["session"] = cell.session;
   if (shown.empty()) return cell.text;
@@ -62,4 +63,4 @@ json to_json(const Table& table) {
   return shown;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Elements of the page: texts, cells, tables.
 
 function element(name, attributes = {}, ...children) {

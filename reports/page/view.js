@@ -1,4 +1,5 @@
-// What of the page is shown: a kind of error, an accuracy, a machine, scenes, schemes. It stands in the address behind the section, as in
+// SPDX-License-Identifier: MIT
+// What of the page is shown: a kind of error, an accuracy, a machine, scenes, schemes. It follows the section in the address, as in
 // #scene-pendulum?norm=end&schemes=l1,bdf4, so that a link restores it.
 
 const schemeOf = (line) => line.split(",")[0];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Draws a chart of the page for a paper: plot REQUEST, a JSON file that holds the page's data, its charts' scripts, the chart and the
 // file to write. A Vega-Lite specification needs no package; an SVG is drawn by Vega, without a browser.
 const { readFileSync, writeFileSync } = require("node:fs");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Prints reports/page/regions.json, the linear stability regions on the page, one line per scheme.
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 #include "fdebench/reports/page/stability_curves.hpp"
 
 int main() try {
-  const auto all = fde::page_stability_curves(fde::all_schemes());
+  const auto all = fde::bench::page_stability_curves(fde::bench::all_schemes());
   fmt::print("{{\"orders\": {},\n\"same\": {},\n\"curves\": {{\n", all["orders"].dump(), all["same"].dump());
   std::string_view before;
   for (const auto& [id, curves] : all["curves"].items()) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/diagnostics/damped_oscillation.hpp"
 
 #include <fmt/format.h>
@@ -17,16 +18,16 @@ std::optional<std::string> damped_oscillation(const SolvedRun& run) {
   if (&run.scheme == &undamped || is_two_sided(run.problem) ||
       run.problem.size() * run.grid.steps > longest_settled)
     return std::nullopt;
-  if (std::ranges::none_of(components, algebraic) && !may_damp_oscillation(run)) return std::nullopt;
+  if (std::ranges::none_of(components, is_algebraic) && !may_damp_oscillation(run)) return std::nullopt;
   auto times = late_times(run.grid);
   std::ranges::copy(spread_times(run.grid), std::back_inserter(times));
   std::ranges::sort(times);
   const auto path = solve_again(run, undamped, run.grid, times);
-  if (path.ending != Ending::finished) return std::nullopt;
+  if (path.status != SolveStatus::finished) return std::nullopt;
   const Vec here = late_sizes(run);
   const Vec there = late_sizes({undamped, run.problem, run.grid, run.options, path, {}, run.functions});
   for (Eigen::Index i = 0; i < here.size(); ++i) {
-    if ((i < run.problem.size() && algebraic(components[static_cast<std::size_t>(i)])) ||
+    if ((i < run.problem.size() && is_algebraic(components[static_cast<std::size_t>(i)])) ||
         there[i] <= many_times * here[i])
       continue;
     return fmt::format("in the last quarter {} is up to {:.3g}, and {:.3g} with {} on the same grid",

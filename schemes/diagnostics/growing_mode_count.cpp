@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
 
 #include <fmt/format.h>
@@ -54,9 +55,9 @@ ComplexValue log_determinant(const ComplexMatrix& matrix) {
 
 // The change of the argument of det S along the contour, summed over pieces on which det S changes by less
 // than half of its size; NaN where no such pieces are found, near a zero.
-class Turn {
+class ArgumentChange {
  public:
-  Turn(const Symbol& symbol, const Contour& contour) : symbol_(symbol), contour_(contour) {}
+  ArgumentChange(const Symbol& symbol, const Contour& contour) : symbol_(symbol), contour_(contour) {}
 
   [[nodiscard]] double total() const {
     // The argument of the product of the powers (1-zeta)^g_i changes by at most the sum of the orders per
@@ -111,8 +112,8 @@ class Turn {
 }  // namespace
 
 Problem test_problem(const Scheme& scheme, double order, ComplexValue rate, double end) {
-  return scheme.needs.discretises_equations ? scalar_multi_term_equation(order, rate, end)
-                                            : scalar_equation(order, rate, end);
+  return scheme.capabilities.discretises_equations ? scalar_multi_term_equation(order, rate, end)
+                                                   : scalar_equation(order, rate, end);
 }
 
 Symbol symbol_of(const Scheme& scheme, const Problem& problem, double length) {
@@ -120,10 +121,10 @@ Symbol symbol_of(const Scheme& scheme, const Problem& problem, double length) {
     throw std::invalid_argument(fmt::format("linear stability of {}: {}", scheme.id, reason));
   };
   if (!scheme.symbol) reject("the scheme has no symbol");
-  if (!linear(problem)) reject("the problem has no linear part");
+  if (!is_linear(problem)) reject("the problem has no linear part");
   if (is_two_sided(problem)) reject("the problem is posed at both ends");
-  if (std::ranges::any_of(problem.components, algebraic)) reject("the problem has an algebraic row");
-  if (const auto reason = refusal(scheme, problem, Grid{length, 1})) reject(*reason);
+  if (std::ranges::any_of(problem.components, is_algebraic)) reject("the problem has an algebraic row");
+  if (const auto reason = unsupported_reason(scheme, problem, Grid{length, 1})) reject(*reason);
   return scheme.symbol(problem, length);
 }
 
@@ -131,26 +132,26 @@ std::optional<int> count_growing_modes(const Scheme& scheme, const Problem& prob
   const Symbol symbol = symbol_of(scheme, problem, length);
   const Contour contour(problem);
   // The lower half of the contour contributes the same change, because A is real.
-  const double zeros = Turn(symbol, contour).total() / std::numbers::pi;
+  const double zeros = ArgumentChange(symbol, contour).total() / std::numbers::pi;
   if (!std::isfinite(zeros)) return std::nullopt;
   return static_cast<int>(std::lround(zeros));
 }
 
-bool stable(const Scheme& scheme, const Problem& problem, double length) {
+bool is_linearly_stable(const Scheme& scheme, const Problem& problem, double length) {
   return count_growing_modes(scheme, problem, length) == 0;
 }
 
 double largest_stable_step(const Scheme& scheme, const Problem& problem, double shortest, double longest) {
   constexpr double ratio = 1.05, digits = 1e-9;
   double low = 0.0, high = shortest;
-  while (stable(scheme, problem, high)) {
+  while (is_linearly_stable(scheme, problem, high)) {
     if (high == longest) return longest;
     low = high;
     high = std::min(longest, ratio * high);
   }
   while (low > 0.0 && high - low > digits * high) {
     const double middle = 0.5 * (low + high);
-    (stable(scheme, problem, middle) ? low : high) = middle;
+    (is_linearly_stable(scheme, problem, middle) ? low : high) = middle;
   }
   return low;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -22,7 +23,7 @@ namespace fde {
 std::optional<int> count_growing_modes(const Scheme& scheme, const Problem& problem, double length);
 
 // Whether count_growing_modes is 0. Throws as count_growing_modes does.
-bool stable(const Scheme& scheme, const Problem& problem, double length);
+bool is_linearly_stable(const Scheme& scheme, const Problem& problem, double length);
 
 // The largest step size h <= longest such that all tested step sizes from `shortest` to h are stable: a
 // geometric sequence with the ratio 1.05, then bisection to nine digits. 0 where `shortest` is not stable.

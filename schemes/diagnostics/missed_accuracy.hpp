@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -8,21 +9,21 @@
 
 namespace fde {
 
-// Where a run that was asked for an accuracy is off by more: by so many times relative |y| + absolute.
+// Where the error of a run exceeds its tolerance: by so many times rtol |y| + atol.
 struct MissedAccuracy {
   double times;
   Eigen::Index row, column;
 };
 
-// What the same scheme makes of the same problem where it is asked for another accuracy, in the same rows and
+// The values that the same scheme gives for the same problem with another tolerance, in the same rows and
 // columns; empty: it does not come to the end.
 using OtherRun = std::function<std::optional<Rows>(const Tolerance&)>;
 
-// Compares values of a run with those of one that is asked for ten times less. With errors in proportion to
-// what is asked the difference is nine times the error of the run; where that leaves a doubt, or with check,
-// a run that is asked for ten times more decides, whose difference is nine tenths of it. Empty: within five
-// times what was asked, as far as these tell. Values that are not finite are left out.
-std::optional<MissedAccuracy> missed_accuracy(const Tolerance& asked, const Rows& values,
+// Compares values of a run with those of a run with ten times its tolerance. If errors are proportional to
+// the tolerance, the difference is nine times the error of the run; where that does not decide, or with
+// check, a run with a tenth of the tolerance does, whose difference is nine tenths of it. Empty: within five
+// times the tolerance, as far as these runs show. Values that are not finite are left out.
+std::optional<MissedAccuracy> missed_accuracy(const Tolerance& requested, const Rows& values,
                                               const OtherRun& other, bool check = false);
 
 }  // namespace fde

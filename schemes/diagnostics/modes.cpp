@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/diagnostics/modes.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ using Spectrum = std::vector<ComplexValue>;
 constexpr Eigen::Index largest_dense = 64;  // eigenvalues of larger matrices would take longer than the run
 
 bool has_modes(const Problem& problem) {
-  return !is_two_sided(problem) && std::ranges::none_of(problem.components, algebraic);
+  return !is_two_sided(problem) && std::ranges::none_of(problem.components, is_algebraic);
 }
 
 // The order of all rows; nullopt: they differ.
@@ -88,7 +89,7 @@ Problem frozen(const Problem& problem, double t, const Vec& y) {
           .end = problem.end};
 }
 
-// How many modes grow; nullopt where that cannot be told.
+// How many modes grow; nullopt where that cannot be decided.
 std::optional<int> count(const Scheme& scheme, const Problem& problem, double length) {
   constexpr Eigen::Index most_rows = 24;  // of the symbol, where a scheme splits orders
   try {
@@ -125,7 +126,7 @@ bool unstable_at(const Scheme& scheme, const Problem& problem, double t, const V
   return of_equation && *of_scheme > *of_equation;
 }
 
-// True also where that cannot be told.
+// True also where that cannot be decided.
 bool equation_grows(const Problem& problem, double t, const Vec& y, double length) {
   if (problem.size() > largest_dense) return true;
   if (const auto order = common_order(problem)) {
@@ -135,7 +136,7 @@ bool equation_grows(const Problem& problem, double t, const Vec& y, double lengt
   return modes_of_equation(frozen(problem, t, y), length) != 0;
 }
 
-double step_at(const Grid& grid, double t) { return grid.step(std::max(1, grid.number(t))); }
+double step_at(const Grid& grid, double t) { return grid.step(std::max(1, grid.nearest_index(t))); }
 
 // What is left of an initial value, the most of all components; 1 where all are 0.
 double part_left(const SolvedRun& run, const Vec& start) {
@@ -172,7 +173,8 @@ std::optional<std::string> unstable_modes(const SolvedRun& run) {
   for (const double t : spread_times(run.grid)) {
     const Vec y = stored_at(run.path, t);
     const double length = step_at(run.grid, t);
-    const auto order = run.scheme.needs.discretises_equations ? std::nullopt : common_order(run.problem);
+    const auto order =
+        run.scheme.capabilities.discretises_equations ? std::nullopt : common_order(run.problem);
     const bool unstable = order ? unstable_at(run.scheme, *order, spectrum(run.problem, t, y), length)
                                 : unstable_at(run.scheme, run.problem, t, y, length);
     if (!unstable) continue;
@@ -211,16 +213,16 @@ std::optional<std::string> growth_of_its_own(const SolvedRun& run) {
 bool may_damp_oscillation(const SolvedRun& run) {
   constexpr double slightly = 0.2;
   return std::ranges::any_of(oscillations(run), [&](const ComplexValue mode) {
-    return mode.real() * run.grid.end > std::log(doubtful_part) && damping(run.grid, mode) > slightly;
+    return mode.real() * run.grid.end > std::log(significant_part) && damping(run.grid, mode) > slightly;
   });
 }
 
 std::optional<std::string> lost_oscillation(const SolvedRun& run) {
   const double left = part_left(run, stored_at(run.path, 0.0));
-  if (!(left < doubtful_part)) return std::nullopt;
+  if (!(left < significant_part)) return std::nullopt;
   const Grid& grid = run.grid;
   for (const ComplexValue mode : oscillations(run)) {
-    if (left >= doubtful_part * std::exp(mode.real() * grid.end) || damping(grid, mode) <= 1.0) continue;
+    if (left >= significant_part * std::exp(mode.real() * grid.end) || damping(grid, mode) <= 1.0) continue;
     return fmt::format(
         "the run decays faster than an oscillation of the equation, of period {:.3g}: a step is {:.3g}",
         2.0 * std::numbers::pi / std::abs(mode.imag()), step_at(grid, grid.end));

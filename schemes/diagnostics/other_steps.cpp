@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/diagnostics/other_steps.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ Eigen::Index affordable_times(const SolvedRun& run, Eigen::Index work) {
 
 Grid with_steps(const Grid& grid, int steps) { return {grid.end, steps, grid.grading}; }
 
-// The numbers of steps of the finer of two coarser runs, one after the other while there is doubt.
+// The numbers of steps of the finer of two coarser runs, one after the other until they decide.
 std::vector<int> coarser_steps(const Problem& problem, const Grid& grid) {
   const int half = grid.steps / 2;
   // Problems at both ends take longer, and their solutions do not run away from a coarse one.
@@ -63,8 +64,8 @@ std::string numbers(const Difference& worst, const SolvedRun& run, int steps) {
                      steps);
 }
 
-ComparedSteps of_difference(const Difference& worst, bool doubtful, const SolvedRun& run, int steps) {
-  if (!doubtful) return {.agreement = Agreement::agrees};
+ComparedSteps of_difference(const Difference& worst, bool significant, const SolvedRun& run, int steps) {
+  if (!significant) return {.agreement = Agreement::agrees};
   return {.agreement = Agreement::differs, .numbers = numbers(worst, run, steps)};
 }
 
@@ -72,15 +73,15 @@ ComparedSteps compare_with_finer(const SolvedRun& run, Eigen::Index times_as_man
   const Grid grid = with_steps(run.grid, static_cast<int>(times_as_many) * run.grid.steps);
   const auto times = late_times(run.grid);
   const auto finer = solve_again(run, run.scheme, grid, times);
-  if (finer.ending == Ending::finished) {
+  if (finer.status == SolveStatus::finished) {
     const auto worst = difference(run, run.path, finer, times, late_sizes(run));
-    return of_difference(worst, worst.part > doubtful_part, run, grid.steps);
+    return of_difference(worst, worst.part > significant_part, run, grid.steps);
   }
   // Newton's method and the budget may end a run of more steps that says nothing against this one.
-  if (finer.ending != Ending::non_finite && finer.ending != Ending::singular) return {};
-  return {
-      .agreement = Agreement::differs,
-      .numbers = fmt::format("with {} steps the run breaks off after t = {:.6g}", grid.steps, finer.reached)};
+  if (finer.status != SolveStatus::non_finite && finer.status != SolveStatus::left_domain) return {};
+  return {.agreement = Agreement::differs,
+          .numbers =
+              fmt::format("with {} steps the run breaks off after t = {:.6g}", grid.steps, finer.last_time)};
 }
 
 // The error of a run from those of two coarser ones; see compare_with_other_steps.
@@ -106,14 +107,15 @@ std::optional<Estimate> estimate_from_coarser(const SolvedRun& run, int steps) {
   const Grid finer = with_steps(run.grid, steps), coarser = with_steps(run.grid, steps / 2);
   const auto times = late_times(coarser);
   const auto one = solve_again(run, run.scheme, finer, times);
-  if (one.ending != Ending::finished) return std::nullopt;
+  if (one.status != SolveStatus::finished) return std::nullopt;
   const Vec sizes = late_sizes(run);
   const auto worst = difference(run, run.path, one, times, sizes);
   if (worst.part == 0.0) return Estimate{0.0, {}};
   if (!(worst.part < comparable)) return std::nullopt;
   const auto other = solve_again(run, run.scheme, coarser, times);
-  const double between = other.ending == Ending::finished ? difference(run, one, other, times, sizes).part
-                                                          : 0.0;  // the lowest rate
+  const double between = other.status == SolveStatus::finished
+                             ? difference(run, one, other, times, sizes).part
+                             : 0.0;  // the lowest rate
   const double ratio = static_cast<double>(run.grid.steps) / steps;
   return Estimate{error_by_rate(worst.part, between, ratio), numbers(worst, run, steps)};
 }
@@ -123,9 +125,9 @@ std::optional<Estimate> estimate_from_coarser(const SolvedRun& run, int steps) {
 // A first step may be too short, and only then: what it would have shown is unknown.
 Trajectory solve_again(const SolvedRun& run, const Scheme& scheme, const Grid& grid,
                        const std::vector<double>& times) {
-  if (refusal(scheme, run.problem, grid)) return {.ending = Ending::refused};
+  if (unsupported_reason(scheme, run.problem, grid)) return {.status = SolveStatus::refused};
   Options options = run.options;
-  options.at = grid_times_at(grid, times);
+  options.output_times = grid_times_at(grid, times);
   options.observer = {};
   options.checkpoints = nullptr;
   return scheme.solve(run.problem, grid, options);
@@ -164,9 +166,9 @@ ComparedSteps compare_with_other_steps(const SolvedRun& run) {
     auto finer = compare_with_finer(run, std::min(at_once, most_times));
     if (finer.agreement != Agreement::unknown) return finer;
   }
-  // An estimate is uncertain by half; where a finer run can settle the doubt, any doubt will do.
+  // An estimate is uncertain by half; where a finer run can decide, any sign suffices.
   const bool settled = at_once < fewest_times && affordable_times(run, longest_settled) > 0;
-  const double enough = (settled ? 0.5 : 1.5) * doubtful_part;
+  const double enough = (settled ? 0.5 : 1.5) * significant_part;
   std::optional<Estimate> last;
   for (const int steps : coarser_steps(run.problem, run.grid)) {
     last = estimate_from_coarser(run, steps);
@@ -176,7 +178,7 @@ ComparedSteps compare_with_other_steps(const SolvedRun& run) {
     auto finer = compare_with_finer(run, fewest_times);
     if (finer.agreement != Agreement::unknown) return finer;
   }
-  if (!last || last->error <= 1.5 * doubtful_part) return {};
+  if (!last || last->error <= 1.5 * significant_part) return {};
   return {.agreement = Agreement::differs, .numbers = last->numbers};
 }
 
@@ -185,13 +187,14 @@ ComparedSteps compare_with_half_the_steps(const SolvedRun& run) {
   if (steps == 0) return {};
   const auto times = late_times(with_steps(run.grid, steps));
   const auto half = solve_again(run, run.scheme, with_steps(run.grid, steps), times);
-  if (half.ending == Ending::refused || half.ending == Ending::out_of_budget) return {};
-  if (half.ending != Ending::finished) {
-    return {.agreement = Agreement::differs,
-            .numbers = fmt::format("with {} steps the run breaks off after t = {:.6g}", steps, half.reached)};
+  if (half.status == SolveStatus::refused || half.status == SolveStatus::out_of_budget) return {};
+  if (half.status != SolveStatus::finished) {
+    return {
+        .agreement = Agreement::differs,
+        .numbers = fmt::format("with {} steps the run breaks off after t = {:.6g}", steps, half.last_time)};
   }
   const auto worst = difference(run, run.path, half, times, late_sizes(run));
-  return of_difference(worst, worst.part > doubtful_part, run, steps);
+  return of_difference(worst, worst.part > significant_part, run, steps);
 }
 
 std::vector<double> times_compared(const Problem& problem, const Grid& grid) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -34,22 +35,21 @@ struct ComparedSteps {
 };
 
 // An error of more than this part of the value is worth a warning.
-inline constexpr double doubtful_part = 0.1;
+inline constexpr double significant_part = 0.1;
 
 // Short runs are compared with 4 to 16 times as many steps, whose error is a fraction of theirs. Of longer
 // ones this would take too long: they are compared with two coarser runs, n and n/2 steps, from a 64th of the
 // steps on to half of them. With D_0 the difference of the run from the finer one of the two, which has 1/r
 // of the steps, and D_1 that of the two, the error is taken to fall like N^-p, so that
 //   D_1 / D_0 = (2^p - 1) / (1 - r^-p),  error = D_0 / (r^p - 1),  1/2 <= p <= 2.
-// Where that leaves a doubt, four times as many steps settle it for runs that are not very long. Of those the
-// estimate decides; it is unknown where half of the steps make nothing that could be compared.
+// Where that does not decide, a run with four times as many steps does, if the run is not very long; of
+// longer runs the estimate decides. It is unknown where half of the steps give nothing that can be compared.
 ComparedSteps compare_with_other_steps(const SolvedRun& run);
 
-// With half the steps; differs where the difference itself is above doubtful_part.
+// With half the steps; differs where the difference itself is above significant_part.
 ComparedSteps compare_with_half_the_steps(const SolvedRun& run);
 
-// Steps times components of the longest run for which another one as long or longer is solved to settle a
-// doubt.
+// The largest product of steps and components for which another run, as long or longer, is solved to decide.
 inline constexpr Eigen::Index longest_settled = 32768;
 
 // The same problem by a scheme on a grid, stored at these times, or at those of the grid beside them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/diagnostics/region_boundary.hpp"
 
 #include <numbers>
@@ -20,7 +21,7 @@ class BoundaryCurve {
     ComplexValue z = last;
     for (int i = points; i >= 0; --i) {
       const double theta = angle_at(static_cast<double>(i) / points);
-      z = nearest(boundary(scheme, order, theta), z);
+      z = nearest_root(root_locus(scheme, order, theta), z);
       curve_.push_back({theta, z});
     }
   }
@@ -44,12 +45,12 @@ class BoundaryCurve {
   // Whether stability changes across the curve at this point. For an implicit rule the whole curve is
   // boundary.
   [[nodiscard]] bool divides(const BoundaryPoint& at) const {
-    if (scheme_.needs.implicit) return true;
-    const ComplexValue out = across(scheme_, order_, at.theta, at.z, 1e-3);
+    if (scheme_.capabilities.implicit) return true;
+    const ComplexValue out = boundary_normal(scheme_, order_, at.theta, at.z, 1e-3);
     return is_stable(at.z + out) != is_stable(at.z - out);
   }
   [[nodiscard]] bool is_stable(ComplexValue z) const {
-    return stable(scheme_, test_problem(scheme_, order_, z), 1.0);
+    return is_linearly_stable(scheme_, test_problem(scheme_, order_, z), 1.0);
   }
 
   // The end of a piece by bisection, between a point of the piece and a point that is not on it.
@@ -57,7 +58,7 @@ class BoundaryCurve {
     double outside = beyond.theta;
     for (int halving = 0; halving < halvings; ++halving) {
       const double theta = 0.5 * (of_it.theta + outside);
-      const BoundaryPoint middle{theta, nearest(boundary(scheme_, order_, theta), of_it.z)};
+      const BoundaryPoint middle{theta, nearest_root(root_locus(scheme_, order_, theta), of_it.z)};
       if (divides(middle)) {
         of_it = middle;
       } else {
@@ -76,7 +77,7 @@ class BoundaryCurve {
 
 std::vector<std::vector<BoundaryPoint>> region_boundary(const Scheme& scheme, double order, int points) {
   std::vector<std::vector<BoundaryPoint>> pieces;
-  for (const ComplexValue last : boundary(scheme, order, std::numbers::pi))
+  for (const ComplexValue last : root_locus(scheme, order, std::numbers::pi))
     BoundaryCurve(scheme, order, points, last).add_pieces(pieces);
   return pieces;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/diagnostics/stability_region.hpp"
 
 #include <Eigen/LU>
@@ -21,7 +22,7 @@ struct Characteristic {
 class ScalarSymbol {
  public:
   ScalarSymbol(const Scheme& scheme, double order)
-      : implicit_(scheme.needs.implicit),
+      : implicit_(scheme.capabilities.implicit),
         size_(implicit_ ? large : 1.0),
         plus_(symbol_of(scheme, test_problem(scheme, order, size_), 1.0)),
         minus_(symbol_of(scheme, test_problem(scheme, order, -size_), 1.0)),
@@ -120,12 +121,12 @@ std::vector<double> crossings(const ScalarSymbol& symbol) {
 }
 
 bool stable_at(const Scheme& scheme, double order, double x) {
-  return stable(scheme, test_problem(scheme, order, -x), 1.0);
+  return is_linearly_stable(scheme, test_problem(scheme, order, -x), 1.0);
 }
 
 }  // namespace
 
-std::vector<ComplexValue> boundary(const Scheme& scheme, double order, double theta) {
+std::vector<ComplexValue> root_locus(const Scheme& scheme, double order, double theta) {
   return roots(ScalarSymbol(scheme, order).at(theta));
 }
 
@@ -158,7 +159,7 @@ std::optional<Vec> stiff_limit(const Scheme& scheme, double order, int steps) {
   constexpr double infinite = -1e100;
   const Problem problem = test_problem(scheme, order, infinite, steps);
   symbol_of(scheme, problem, 1.0);
-  if (!scheme.needs.implicit) return std::nullopt;
+  if (!scheme.capabilities.implicit) return std::nullopt;
   const Rows y = scheme.solve(problem, Grid{problem.end, steps}, {}).y;
   Vec response = Vec::Constant(steps + 1, std::numeric_limits<double>::infinity());
   // Values of the size of 1/z are 0 in the limit.

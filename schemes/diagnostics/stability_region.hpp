@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -15,7 +16,7 @@ namespace fde {
 // One z for an implicit rule, two for a predictor-corrector, each of which may be on the boundary: the
 // determinant of the symbol is a polynomial of that degree in z, for split schemes too. The values at -theta
 // are the conjugates.
-std::vector<ComplexValue> boundary(const Scheme& scheme, double order, double theta);
+std::vector<ComplexValue> root_locus(const Scheme& scheme, double order, double theta);
 
 // The length of the real stability interval: the largest x such that z = -x' is stable for all 0 < x' < x;
 // infinity when all are.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/diagnostics/stored_path.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ double time_of_part(const Grid& grid, double part) {
 std::vector<double> grid_times_at(const Grid& grid, const std::vector<double>& times) {
   std::vector<double> found;
   for (const double t : times) {
-    const int nearest = grid.number(t);
+    const int nearest = grid.nearest_index(t);
     found.push_back(grid.time(nearest));
     if (std::abs(grid.time(nearest) - t) <= rounding * t) continue;
     const int beside = grid.time(nearest) < t ? nearest + 1 : nearest - 1;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/diagnostics/warnings.hpp"
 
 #include <fmt/format.h>
@@ -17,9 +18,9 @@ namespace {
 // A step longer than the time from a jump, or from 0, to the next.
 std::optional<std::string> short_feature(const Problem& problem, const Grid& grid) {
   double begin = 0.0;
-  for (const double end : problem.jumps) {
+  for (const double end : problem.jump_times) {
     if (end >= grid.end) break;
-    const int n = grid.number(end);
+    const int n = grid.nearest_index(end);
     const double longest = grid.step(std::min(grid.steps, std::max(1, n + (grid.time(n) < end ? 1 : 0))));
     if (longest > end - begin) {
       return fmt::format(
@@ -41,7 +42,7 @@ std::optional<std::string> alternation(const SolvedRun& run) {
   const Vec before = y[2] - 2.0 * y[1] + y[0], after = y[3] - 2.0 * y[2] + y[1], sizes = late_sizes(run);
   for (Eigen::Index i = 0; i < before.size(); ++i) {
     const double part = 0.25 * std::min(std::abs(before[i]), std::abs(after[i]));
-    if (before[i] * after[i] < 0.0 && part > doubtful_part * sizes[i])
+    if (before[i] * after[i] < 0.0 && part > significant_part * sizes[i])
       return fmt::format("{} goes up and down from step to step by {:.3g}", run.name(i), part);
   }
   return std::nullopt;
@@ -51,24 +52,24 @@ std::optional<std::string> alternation(const SolvedRun& run) {
 
 std::vector<Warning> warnings(const SolvedRun& run, bool check) {
   std::vector<Warning> found;
-  const auto add = [&found](Doubt doubt, const std::optional<std::string>& text) {
-    if (text) found.push_back({doubt, *text});
+  const auto add = [&found](Finding finding, const std::optional<std::string>& text) {
+    if (text) found.push_back({finding, *text});
   };
-  add(Doubt::feature, short_feature(run.problem, run.grid));
+  add(Finding::feature, short_feature(run.problem, run.grid));
   ComparedSteps compared = compare_with_other_steps(run);
   if (check && compared.agreement != Agreement::differs) {
     const auto half = compare_with_half_the_steps(run);
     if (half.agreement == Agreement::differs) compared = half;
   }
   if (compared.agreement == Agreement::agrees) {
-    add(Doubt::oscillation, lost_oscillation(run));
-    add(Doubt::oscillation, damped_oscillation(run));
+    add(Finding::oscillation, lost_oscillation(run));
+    add(Finding::oscillation, damped_oscillation(run));
     return found;
   }
-  add(Doubt::stability, unstable_modes(run));
-  add(Doubt::growth, growth_of_its_own(run));
-  add(Doubt::alternation, alternation(run));
-  if (compared.agreement == Agreement::differs) add(Doubt::other_steps, compared.numbers);
+  add(Finding::stability, unstable_modes(run));
+  add(Finding::growth, growth_of_its_own(run));
+  add(Finding::alternation, alternation(run));
+  if (compared.agreement == Agreement::differs) add(Finding::other_steps, compared.numbers);
   return found;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/block_kernels.hpp"
 
 #include <algorithm>
@@ -85,8 +86,8 @@ void multiply_add_kernel(Eigen::Index rows, Eigen::Index inner, Eigen::Index col
   }
 }
 
-void scatter_kernel(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns,
-                    Eigen::Index below, Block c) {
+void add_outer_product_kernel(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns,
+                              Eigen::Index below, Block c) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
   for (Eigen::Index j = 0; j < columns; ++j) {
     const Vector factor = hn::Set(tag, b[j]);
@@ -100,8 +101,8 @@ void scatter_kernel(Eigen::Index tables, const double* a, const double* b, Eigen
   }
 }
 
-void weigh_kernel(Eigen::Index rows, const double* factors, const double* values, double scale,
-                  const double* others, double* result) {
+void weighted_sum_kernel(Eigen::Index rows, const double* factors, const double* values, double scale,
+                         const double* others, double* result) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
   const Vector scales = hn::Set(tag, scale);
   for (Eigen::Index row = 0; row < rows; row += width) {
@@ -119,8 +120,8 @@ HWY_INLINE void advance_vector(Vector decay_minus_one, Vector input, double* sta
   hn::Store(hn::Add(hn::Sub(old, hn::Sub(sum, added)), hn::Sub(change, added)), tag, carry);
 }
 
-void advance_kernel(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
-                    Block state, Block carry) {
+void advance_states_kernel(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one,
+                           ConstBlock input, Block state, Block carry) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
   for (Eigen::Index j = 0; j < columns; ++j) {
     for (Eigen::Index row = 0; row < rows; row += width) {
@@ -280,9 +281,9 @@ HWY_AFTER_NAMESPACE();
 namespace fde {
 
 HWY_EXPORT(multiply_add_kernel);
-HWY_EXPORT(scatter_kernel);
-HWY_EXPORT(weigh_kernel);
-HWY_EXPORT(advance_kernel);
+HWY_EXPORT(add_outer_product_kernel);
+HWY_EXPORT(weighted_sum_kernel);
+HWY_EXPORT(advance_states_kernel);
 HWY_EXPORT(advance_columns_kernel);
 HWY_EXPORT(advance_integrals_kernel);
 HWY_EXPORT(apply_decay_kernel);
@@ -294,9 +295,9 @@ namespace {
 // The functions of the selected target.
 struct Kernels {
   decltype(&multiply_add) multiplying;
-  decltype(&scatter) scattering;
-  decltype(&weigh) weighing;
-  decltype(&advance) advancing;
+  decltype(&add_outer_product) scattering;
+  decltype(&weighted_sum) weighing;
+  decltype(&advance_states) advancing;
   decltype(&advance_columns) advancing_columns;
   decltype(&advance_integrals) advancing_integrals;
   decltype(&apply_decay) decaying;
@@ -305,8 +306,8 @@ struct Kernels {
 };
 Kernels kernels_of(std::int64_t targets) {
   hwy::GetChosenTarget().Update(targets);
-  return {HWY_DYNAMIC_DISPATCH(multiply_add_kernel),    HWY_DYNAMIC_DISPATCH(scatter_kernel),
-          HWY_DYNAMIC_DISPATCH(weigh_kernel),           HWY_DYNAMIC_DISPATCH(advance_kernel),
+  return {HWY_DYNAMIC_DISPATCH(multiply_add_kernel),    HWY_DYNAMIC_DISPATCH(add_outer_product_kernel),
+          HWY_DYNAMIC_DISPATCH(weighted_sum_kernel),    HWY_DYNAMIC_DISPATCH(advance_states_kernel),
           HWY_DYNAMIC_DISPATCH(advance_columns_kernel), HWY_DYNAMIC_DISPATCH(advance_integrals_kernel),
           HWY_DYNAMIC_DISPATCH(apply_decay_kernel),     HWY_DYNAMIC_DISPATCH(dot_product_kernel),
           HWY_DYNAMIC_DISPATCH(phi_functions_kernel)};
@@ -326,18 +327,18 @@ void multiply_add(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, C
   kernels.multiplying(rows, inner, columns, a, b, c);
 }
 
-void scatter(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns, Eigen::Index below,
-             Block c) {
+void add_outer_product(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns,
+                       Eigen::Index below, Block c) {
   kernels.scattering(tables, a, b, columns, below, c);
 }
 
-void weigh(Eigen::Index rows, const double* factors, const double* values, double scale, const double* others,
-           double* result) {
+void weighted_sum(Eigen::Index rows, const double* factors, const double* values, double scale,
+                  const double* others, double* result) {
   kernels.weighing(rows, factors, values, scale, others, result);
 }
 
-void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
-             Block state, Block carry) {
+void advance_states(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
+                    Block state, Block carry) {
   kernels.advancing(rows, columns, decay_minus_one, input, state, carry);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string_view>
@@ -44,24 +45,24 @@ void multiply_add(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, C
 
 // Adds a[8 i ... 8 i + 7] * b[j] to the eight rows of c from row i * below on, in every column j < columns,
 // for i = 0 ... tables - 1.
-void scatter(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns, Eigen::Index below,
-             Block c);
+void add_outer_product(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns,
+                       Eigen::Index below, Block c);
 
 // result = factors * values + scale * others, entry by entry, `rows` entries each; every product is rounded.
-void weigh(Eigen::Index rows, const double* factors, const double* values, double scale, const double* others,
-           double* result);
+void weighted_sum(Eigen::Index rows, const double* factors, const double* values, double scale,
+                  const double* others, double* result);
 
 // Compensated update state + carry += state * (decay - 1) + input: state is the rounded sum and carry its
 // rounding error, so that slow decays lose no accuracy over many calls. decay_minus_one and the columns of
 // the other arguments have `rows` entries.
-void advance(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
-             Block state, Block carry);
+void advance_states(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
+                    Block state, Block carry);
 
 // The same with one decay per column.
 void advance_columns(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
                      Block state, Block carry);
 
-// As advance, with the input sum_k phi_k p_k in each column; phi is rows x 3, polynomials 3 x columns.
+// As advance_states, with the input sum_k phi_k p_k in each column; phi is rows x 3, polynomials 3 x columns.
 void advance_integrals(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock phi,
                        ConstBlock polynomials, Block state, Block carry);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/direct_history.hpp"
 
 #include <algorithm>
@@ -56,9 +57,9 @@ void DirectHistory::convolve(double /*t*/, std::size_t sum, Out result) const {
     if (part.column < 0) {
       result[i] = part.start * first_[i] + part.constant * totals_[i];
     } else {
-      const double* const past = samples_.col(row_[static_cast<std::size_t>(i)]).data() + 1;
+      const double* const older = samples_.col(row_[static_cast<std::size_t>(i)]).data() + 1;
       const double* const weights = weights_.col(part.column).data() + steps_ - (pushed_ - 1);
-      result[i] = starts_(pushed_ - 1, part.column) * first_[i] + dot_product(weights, past, pushed_ - 1);
+      result[i] = starts_(pushed_ - 1, part.column) * first_[i] + dot_product(weights, older, pushed_ - 1);
     }
   }
 }
@@ -70,7 +71,7 @@ std::size_t DirectHistory::bytes() const {
 
 void DirectHistory::state(Archive& archive) {
   archive.count(pushed_, 0, steps_);
-  archive.grown(first_);
+  archive.resizable(first_);
   archive(totals_);
   for (Eigen::Index row = 0; row < samples_.cols(); ++row) archive.values(samples_.col(row).data(), pushed_);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/exponential_history.hpp"
 
 #include <algorithm>
@@ -86,7 +87,8 @@ void ExponentialHistory::add(Sum& sum, const WeightTable& table, Eigen::Index co
   if (family.filter != nullptr) return add_filtered(sum, table, component);
   if (family.smooth_part == nullptr) return add_exponentials(sum, table, component, false);
   add_exponentials(sum, {family.smooth_part, table.order}, component, false);
-  if (!whole(table.order)) add_exponentials(sum, {family.alternating_part, table.order}, component, true);
+  if (!is_integer_order(table.order))
+    add_exponentials(sum, {family.alternating_part, table.order}, component, true);
 }
 
 void ExponentialHistory::add_filtered(Sum& sum, const WeightTable& table, Eigen::Index component) {
@@ -178,7 +180,7 @@ std::size_t ExponentialHistory::bytes() const {
 }
 
 void ExponentialHistory::state(Archive& archive) {
-  archive.grown(first_);
+  archive.resizable(first_);
   archive(sign_, totals_, memories_, filtered_);
 }
 

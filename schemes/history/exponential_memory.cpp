@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/exponential_memory.hpp"
 
 namespace fde {
@@ -16,29 +17,29 @@ ExponentialMemory::ExponentialMemory(const std::vector<WeightTable>& tables, Eig
     : tables_(tables, sum), start_(tables, tables_), memory_(past_of(tables_, components, threads)) {}
 
 void ExponentialMemory::begin(In first) {
-  std::visit([&](auto& past) { past.begin(first, start_); }, memory_);
+  std::visit([&](auto& memory) { memory.begin(first, start_); }, memory_);
 }
 
 void ExponentialMemory::push(In sample) {
   const Eigen::Index next = (position_ + 1) % block;
   if (next == 0) start_.advance_block(tables_);
-  std::visit([&](auto& past) { past.push(tables_, position_, sample, start_); }, memory_);
+  std::visit([&](auto& memory) { memory.push(tables_, position_, sample, start_); }, memory_);
   position_ = next;
 }
 
 std::size_t ExponentialMemory::bytes() const {
   const auto doubles = tables_.nodes.size() + tables_.decay_minus_one.size() + tables_.gather.size() +
-                       tables_.spread.size() + tables_.join.size() + tables_.inner.size() +
+                       tables_.spread.size() + tables_.condense.size() + tables_.inner.size() +
                        tables_.near.size() + tables_.factors.size() + tables_.far.size() +
-                       2 * tables_.together.nodes.size();
-  const auto of_past = std::visit([](const auto& past) { return past.bytes(); }, memory_);
-  return sizeof(double) * static_cast<std::size_t>(doubles) + start_.bytes() + of_past;
+                       2 * tables_.compressed.nodes.size();
+  const auto of_memory = std::visit([](const auto& memory) { return memory.bytes(); }, memory_);
+  return sizeof(double) * static_cast<std::size_t>(doubles) + start_.bytes() + of_memory;
 }
 
 void ExponentialMemory::state(Archive& archive) {
   archive.count(position_, 0, block - 1);
   archive(start_);
-  std::visit([&](auto& past) { archive(past); }, memory_);
+  std::visit([&](auto& memory) { archive(memory); }, memory_);
 }
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <variant>
@@ -39,8 +40,9 @@ class ExponentialMemory {
   using Sums = Eigen::Map<const Vec, 0, Eigen::InnerStride<>>;
   [[nodiscard]] Sums convolved(Eigen::Index table) const {
     return std::visit(
-        [&](const auto& past) {
-          return Sums(past.sums(table, position_), past.components(), Eigen::InnerStride<>(past.stride()));
+        [&](const auto& memory) {
+          return Sums(memory.sums(table, position_), memory.components(),
+                      Eigen::InnerStride<>(memory.stride()));
         },
         memory_);
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/filtered_memory.hpp"
 
 #include "fdebench/schemes/problem/componentwise.hpp"

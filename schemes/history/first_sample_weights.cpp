@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/first_sample_weights.hpp"
 
 #include <cmath>
@@ -18,14 +19,14 @@ Vec exact_start(const WeightTable& table, Eigen::Index first) {
 // x_0 is the newest sample before the first block. Later samples are 0; their running sums remain 1.
 FirstSampleWeights::FirstSampleWeights(const std::vector<WeightTable>& weights, const MemoryTables& tables)
     : exact_(block * tables.count),
-      factors_(Matrix::Zero(tables.together.nodes.size(), tables.count)),
+      factors_(Matrix::Zero(tables.compressed.nodes.size(), tables.count)),
       weighted_(factors_),
       active_(tables.nodes.size()),
       states_(Vec::Zero(tables.nodes.size())),
       carries_(states_),
       input_(states_),
       later_(states_),
-      joined_(tables.points()) {
+      condensed_(tables.points()) {
   const bool running_sums = acts_on_running_sums(weights.front());
   const auto nodes = tables.nodes.tail(tables.exponentials).array();
   const auto decay = [&](Eigen::Index age) -> Vec { return (-double(age) * nodes).exp(); };
@@ -40,22 +41,22 @@ FirstSampleWeights::FirstSampleWeights(const std::vector<WeightTable>& weights, 
     exact_.segment(table * block, block) = exact_start(weights[i], 1);
     const auto start = first_sample_weight(weights[i], 1);
     if (start && *start == 0.0) continue;
-    factors_.col(table) = start ? first_sample_coefficients(weights[i], tables.together)
-                                : weight_coefficients(weights[i], tables.together);
+    factors_.col(table) = start ? first_sample_coefficients(weights[i], tables.compressed)
+                                : weight_coefficients(weights[i], tables.compressed);
     if (running_sums) near_.segment(table * block, block) = exact_start(weights[i], recent);
   }
 }
 
 void FirstSampleWeights::advance_block(const MemoryTables& tables) {
   exact_ = near_;
-  advance(active_, 1, tables.decay_minus_one.data(), input_, states_, carries_);
+  advance_states(active_, 1, tables.decay_minus_one.data(), input_, states_, carries_);
   input_ = later_;
   drop_negligible_states(tables.slow);
   const auto points = tables.points(), slow = tables.slow;
-  joined_.setZero();
-  multiply_add(points, slow, 1, tables.join, states_, joined_);
+  condensed_.setZero();
+  multiply_add(points, slow, 1, tables.condense, states_, condensed_);
   for (Eigen::Index table = 0; table < factors_.cols(); ++table) {
-    weighted_.col(table).head(points) = factors_.col(table).head(points).cwiseProduct(joined_);
+    weighted_.col(table).head(points) = factors_.col(table).head(points).cwiseProduct(condensed_);
     weighted_.col(table).tail(states_.size() - slow) =
         factors_.col(table).tail(states_.size() - slow).cwiseProduct(states_.tail(states_.size() - slow));
   }
@@ -73,7 +74,7 @@ void FirstSampleWeights::drop_negligible_states(Eigen::Index slow) {
 
 std::size_t FirstSampleWeights::bytes() const {
   const auto doubles =
-      exact_.size() + near_.size() + 2 * factors_.size() + 4 * states_.size() + joined_.size();
+      exact_.size() + near_.size() + 2 * factors_.size() + 4 * states_.size() + condensed_.size();
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -26,7 +27,7 @@ class FirstSampleWeights {
 
   [[nodiscard]] std::size_t bytes() const;
   void state(Archive& archive) {
-    archive.grown(exact_);
+    archive.resizable(exact_);
     archive(weighted_, states_, carries_, input_);
     archive.count(active_, 0, states_.size());
   }
@@ -40,7 +41,7 @@ class FirstSampleWeights {
   Matrix factors_;       // as MemoryTables::factors; a column is 0 where x_0 has no weight
   Matrix weighted_;      // factors_ times the states
   Eigen::Index active_;  // number of slowest nodes whose states are not negligible; a multiple of lanes
-  Vec states_, carries_, input_, later_, joined_;
+  Vec states_, carries_, input_, later_, condensed_;
 };
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/history.hpp"
 
 #include <fmt/format.h>
@@ -36,21 +37,21 @@ void refuse(const WeightTable* table, std::string_view lack) {
 
 }  // namespace
 
-int StepPlan::most() const {
-  if (count) return *count;
+int StepPlan::max_steps() const {
+  if (step_count) return *step_count;
   constexpr double largest = std::numeric_limits<int>::max();
-  return static_cast<int>(std::min(std::round(end / shortest), largest));
+  return static_cast<int>(std::min(std::round(end / min_step), largest));
 }
 
 StepPlan step_plan(const Grid& grid) {
-  return {.end = grid.end, .shortest = grid.step(1), .equal = grid.uniform(), .count = grid.steps};
+  return {.end = grid.end, .min_step = grid.step(1), .uniform = grid.uniform(), .step_count = grid.steps};
 }
 
-HistoryKind resolve(HistoryKind kind, const StepPlan& steps) {
+HistoryKind resolved_kind(HistoryKind kind, const StepPlan& steps) {
   // Measured by fde_histories. With variable steps every weight of the direct history costs a power.
-  const int break_even = steps.equal ? 128 : 16;
+  const int break_even = steps.uniform ? 128 : 16;
   if (kind != HistoryKind::automatic) return kind;
-  return steps.most() < break_even ? HistoryKind::direct : HistoryKind::exponentials;
+  return steps.max_steps() < break_even ? HistoryKind::direct : HistoryKind::exponentials;
 }
 
 std::string_view name(HistoryKind kind) {
@@ -68,15 +69,16 @@ std::string_view name(HistoryKind kind) {
 std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
                                       double tolerance, int threads) {
   const WeightTable* const only_direct = first_without(tables, has_exponential_sum);
-  const bool direct = resolve(kind, steps) == HistoryKind::direct ||
+  const bool direct = resolved_kind(kind, steps) == HistoryKind::direct ||
                       (kind == HistoryKind::automatic && only_direct != nullptr);
   if (!direct) refuse(only_direct, "sum of exponentials");
   const double achievable = std::clamp(tolerance, finest_tolerance, coarsest_tolerance);
-  if (steps.equal) {
-    if (direct) return std::make_unique<DirectHistory>(tables, steps.most());
-    return std::make_unique<ExponentialHistory>(tables, steps.most(), achievable, threads);
+  if (steps.uniform) {
+    if (direct) return std::make_unique<DirectHistory>(tables, steps.max_steps());
+    return std::make_unique<ExponentialHistory>(tables, steps.max_steps(), achievable, threads);
   }
-  refuse(first_without(tables, [](const WeightTable& table) { return table.family->ends != nullptr; }),
+  refuse(first_without(tables,
+                       [](const WeightTable& table) { return table.family->endpoint_values != nullptr; }),
          "form for steps that differ");
   if (direct) return std::make_unique<VariableStepDirectHistory>(tables, steps);
   return std::make_unique<VariableStepExponentialHistory>(tables, steps, achievable);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -31,7 +32,7 @@ class History {
   virtual void push(double t, In sample) = 0;
 
   // The memory term of a step from the newest sample to time t: for every component i, after n >= 1 samples,
-  //   result_i = start_weight_i(n) x_{0,i} + sum_{1<=j<n} w_i(n-j) x_{j,i}
+  //   result_i = first_sample_weight_i(n) x_{0,i} + sum_{1<=j<n} w_i(n-j) x_{j,i}
   // with the weights of tables[sum][i] of make_history. With variable steps the weights are integrals over
   // the steps, scaled so that the new sample at t has weight 1. The call does not change the history, so a
   // step can be rejected. Not thread-safe: the quantities of the last t are cached.
@@ -52,20 +53,20 @@ using WeightTables = std::vector<std::vector<WeightTable>>;
 
 // The step sizes for which a history is made. The first step starts at time 0.
 struct StepPlan {
-  double end = 1.0;            // upper bound of the time of the last step
-  double shortest = 1.0;       // lower bound of the step size, up to rounding
-  bool equal = false;          // all steps have the size `shortest`
-  std::optional<int> count{};  // the number of steps; nullopt: unknown
+  double end = 1.0;                 // upper bound of the time of the last step
+  double min_step = 1.0;            // lower bound of the step size, up to rounding
+  bool uniform = false;             // all steps have the size `min_step`
+  std::optional<int> step_count{};  // the number of steps; nullopt: unknown
 
   // The number of steps, or an upper bound where it is unknown.
-  [[nodiscard]] int most() const;
+  [[nodiscard]] int max_steps() const;
 };
 StepPlan step_plan(const Grid& grid);
 
 enum class HistoryKind { automatic, direct, exponentials };
 
 // The kind that a run with these steps uses: for `automatic` the faster one, otherwise `kind`.
-HistoryKind resolve(HistoryKind kind, const StepPlan& steps);
+HistoryKind resolved_kind(HistoryKind kind, const StepPlan& steps);
 std::string_view name(HistoryKind kind);
 
 // Makes an empty history. `tolerance` bounds the relative error of each weight and is clamped to

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/kernel_integrals.hpp"
 
 #include <algorithm>
@@ -18,14 +19,14 @@ ExponentialKernel::ExponentialKernel(long double a, double shortest, double end,
   fastest_ = last * shortest;
 }
 
-Eigen::Index ExponentialKernel::needed(double length) const {
+Eigen::Index ExponentialKernel::node_count(double length) const {
   // The error bound of exponential_sum allows to omit the nodes after its last one: one more than up to
   // fastest_.
   const auto slower = std::upper_bound(nodes.begin(), nodes.end(), fastest_ / length) - nodes.begin();
   return std::min((slower + 1 + lanes - 1) / lanes * lanes, nodes.size());
 }
 
-std::array<double, 3> ExponentialKernel::near(double power) const {
+std::array<double, 3> ExponentialKernel::newest_step_integrals(double power) const {
   const auto a = static_cast<double>(exponent);
   const double first = power / gamma_, second = first / (a + 1.0);
   return {first, second, second / (a + 2.0)};
@@ -41,10 +42,10 @@ void KernelIntegrals::begin() {
 }
 
 // Steps that are equal up to rounding reactivate no exponentials.
-Eigen::Index KernelIntegrals::needed(double length) const {
+Eigen::Index KernelIntegrals::node_count(double length) const {
   constexpr double more_than_rounding = 1.0 + 1e-6;
-  const auto count = kernel_.needed(length);
-  return count <= active_ ? count : std::max(active_, kernel_.needed(length * more_than_rounding));
+  const auto count = kernel_.node_count(length);
+  return count <= active_ ? count : std::max(active_, kernel_.node_count(length * more_than_rounding));
 }
 
 // The states of the exponentials from active_ to count, from the newest step alone.
@@ -65,13 +66,13 @@ void KernelIntegrals::prepare(double length, KernelStep& step) const {
 void KernelIntegrals::prepare(double length, double power, KernelStep& step) const {
   const auto size = kernel_.nodes.size();
   step.length = length;
-  step.count = needed(length);
+  step.count = node_count(length);
   step.decay_minus_one.resize(size);
   step.phi.resize(size, 3);
   step.weights.resize(size);
   phi_functions(step.count, length, kernel_.nodes.data(), step.phi, step.decay_minus_one.data());
   apply_decay(step.count, kernel_.coefficients.data(), step.decay_minus_one.data(), step.weights.data());
-  step.near = kernel_.near(power);
+  step.newest_step_integrals = kernel_.newest_step_integrals(power);
   step.reactivated = reactivated(std::max(step.count, active_));
 }
 
@@ -83,7 +84,8 @@ double KernelIntegrals::integral(const KernelStep& step, Eigen::Index function,
     far +=
         dot_product(step.weights.data() + alive, step.reactivated.col(function).data(), step.count - alive);
   }
-  return far + (newest[0] * step.near[0] + newest[1] * step.near[1] + newest[2] * step.near[2]);
+  return far + (newest[0] * step.newest_step_integrals[0] + newest[1] * step.newest_step_integrals[1] +
+                newest[2] * step.newest_step_integrals[2]);
 }
 
 void KernelIntegrals::advance(const KernelStep& step) {

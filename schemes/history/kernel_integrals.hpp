@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -17,15 +18,15 @@ class ExponentialKernel {
   ExponentialKernel(long double a, double shortest, double end, double tolerance);
 
   // The number of slowest exponentials that suffice for t >= length, a multiple of lanes.
-  [[nodiscard]] Eigen::Index needed(double length) const;
+  [[nodiscard]] Eigen::Index node_count(double length) const;
 
   // The integrals of the exact kernel times w^(k-1) / (k-1)!, k = 1, 2, 3, over the step that ends at the
   // evaluation time: length^a / Gamma(a + k), with power = length^a.
-  [[nodiscard]] std::array<double, 3> near(double power) const;
+  [[nodiscard]] std::array<double, 3> newest_step_integrals(double power) const;
 
   long double exponent;
-  Vec nodes,
-      coefficients;  // by increasing nodes; padded to a multiple of lanes with coefficients 0
+  // By increasing nodes; padded to a multiple of lanes with coefficients 0.
+  Vec nodes, coefficients;
 
  private:
   double gamma_;    // Gamma(a + 1)
@@ -35,12 +36,12 @@ class ExponentialKernel {
 // The coefficients that advance the exponentials of a kernel over a step of one length; x = nodes * length.
 struct KernelStep {
   double length = 0.0;
-  Eigen::Index count = 0;        // number of exponentials that the step needs
-  Vec decay_minus_one{};         // exp(-x) - 1
-  Matrix phi{};                  // phi_1, phi_2, phi_3 of x
-  Vec weights{};                 // coefficients * exp(-x)
-  std::array<double, 3> near{};  // ExponentialKernel::near
-  Matrix reactivated{};          // states of the exponentials that the previous step did not need
+  Eigen::Index count = 0;                         // number of exponentials that the step needs
+  Vec decay_minus_one{};                          // exp(-x) - 1
+  Matrix phi{};                                   // phi_1, phi_2, phi_3 of x
+  Vec weights{};                                  // coefficients * exp(-x)
+  std::array<double, 3> newest_step_integrals{};  // ExponentialKernel::newest_step_integrals
+  Matrix reactivated{};  // states of the exponentials that the previous step did not need
 };
 
 // Convolutions of functions u with one kernel, on steps of any length. For each exponential and each function
@@ -80,7 +81,7 @@ class KernelIntegrals {
   void state(Archive& archive);
 
  private:
-  [[nodiscard]] Eigen::Index needed(double length) const;
+  [[nodiscard]] Eigen::Index node_count(double length) const;
   [[nodiscard]] Matrix reactivated(Eigen::Index count) const;
 
   ExponentialKernel kernel_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/memory_tables.hpp"
 
 #include <algorithm>
@@ -69,33 +70,33 @@ MemoryTables::MemoryTables(const std::vector<WeightTable>& tables, const Exponen
       exponentials(sum.nodes.size()),
       nodes(filled(sum.nodes)),
       slow(joined(nodes)),
-      together(sum) {
+      compressed(sum) {
   decay_minus_one = (-double{block} * nodes).array().expm1();
   if (slow > 0) interpolate_slow(sum);
-  if (slow == 0) together = {nodes, filled(sum.coefficients), sum.bound};
-  const auto own = slow > 0 ? together.nodes.size() : exponentials;
-  gather.setZero(together.nodes.size(), block);
+  if (slow == 0) compressed = {nodes, filled(sum.coefficients), sum.bound};
+  const auto own = slow > 0 ? compressed.nodes.size() : exponentials;
+  gather.setZero(compressed.nodes.size(), block);
   for (Eigen::Index k = 0; k < block; ++k)
-    gather.col(k).tail(own) = (-double(block - 1 - k) * together.nodes.tail(own)).array().exp();
+    gather.col(k).tail(own) = (-double(block - 1 - k) * compressed.nodes.tail(own)).array().exp();
   inner.setZero(count * recent, recent);
   near.resize(count * block, recent);
-  far.resize(block, together.nodes.size());
+  far.resize(block, compressed.nodes.size());
   for (Eigen::Index row = 0; row < block; ++row)
-    far.row(row) = (-double(recent + 1 + row) * together.nodes).array().exp();
-  factors.resize(together.nodes.size(), count);
+    far.row(row) = (-double(recent + 1 + row) * compressed.nodes).array().exp();
+  factors.resize(compressed.nodes.size(), count);
   for (Eigen::Index table = 0; table < count; ++table) fill(tables[static_cast<std::size_t>(table)], table);
 }
 
 void MemoryTables::interpolate_slow(const ExponentialSum& sum) {
   const Vec points = chebyshev_points(nodes[slow - 1]), coefficients = filled(sum.coefficients);
   const auto others = nodes.size() - slow, fillers = nodes.size() - exponentials;
-  together.nodes.resize(lanes + others);
-  together.nodes << points, nodes.tail(others);
-  together.coefficients.resize(lanes + others);
-  together.coefficients << Vec::Ones(lanes), coefficients.tail(others);
+  compressed.nodes.resize(lanes + others);
+  compressed.nodes << points, nodes.tail(others);
+  compressed.coefficients.resize(lanes + others);
+  compressed.coefficients << Vec::Ones(lanes), coefficients.tail(others);
   spread = lagrange(nodes.head(slow), points);
   spread.topRows(fillers).setZero();
-  join = spread.transpose() * coefficients.head(slow).asDiagonal();
+  condense = spread.transpose() * coefficients.head(slow).asDiagonal();
 }
 
 void MemoryTables::fill(const WeightTable& weights, Eigen::Index table) {
@@ -105,7 +106,7 @@ void MemoryTables::fill(const WeightTable& weights, Eigen::Index table) {
     inner.block((table + 1) * recent - shorter, k, shorter, 1) = exact.head(shorter);
     near.block(table * block, k, block, 1) = exact.segment(shorter, block);
   }
-  factors.col(table) = weight_coefficients(weights, together);
+  factors.col(table) = weight_coefficients(weights, compressed);
 }
 
 }  // namespace fde

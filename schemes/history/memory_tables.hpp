@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -22,15 +23,15 @@ struct MemoryTables {
   Eigen::Index count, exponentials;  // number of tables; number of nodes without padding
   Vec nodes;                         // increasing, padded in front with 0 to a multiple of lanes
   Eigen::Index slow;                 // number of first nodes that are interpolated, a multiple of lanes or 0
-  ExponentialSum together;           // the points sigma_i, with coefficient 1, and the other nodes
+  ExponentialSum compressed;         // the points sigma_i, with coefficient 1, and the other nodes
   Vec decay_minus_one;               // exp(-nodes block) - 1
-  Matrix gather;   // (points and other nodes) x block: the contribution of each sample of a block
-  Matrix spread;   // slow nodes x points: L_i(s_m)
-  Matrix join;     // points x slow nodes: c_m L_i(s_m)
-  Matrix inner;    // (recent per table) x recent: w(row - column), 0 where row <= column
-  Matrix near;     // (block per table) x recent: w(recent + row - column)
-  Matrix far;      // block x (points and other nodes): exp(-node (recent + 1 + row)), for all tables
-  Matrix factors;  // (points and other nodes) x count: the coefficients of each table
+  Matrix gather;    // (points and other nodes) x block: the contribution of each sample of a block
+  Matrix spread;    // slow nodes x points: L_i(s_m)
+  Matrix condense;  // points x slow nodes: c_m L_i(s_m)
+  Matrix inner;     // (recent per table) x recent: w(row - column), 0 where row <= column
+  Matrix near;      // (block per table) x recent: w(recent + row - column)
+  Matrix far;       // block x (points and other nodes): exp(-node (recent + 1 + row)), for all tables
+  Matrix factors;   // (points and other nodes) x count: the coefficients of each table
 
   // Number of points sigma_i.
   [[nodiscard]] Eigen::Index points() const { return spread.cols(); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/narrow_memory.hpp"
 
 namespace fde {
@@ -9,7 +10,7 @@ NarrowMemory::NarrowMemory(const MemoryTables& tables, Eigen::Index components)
       states_(Matrix::Zero(tables.nodes.size(), components)),
       carries_(states_),
       input_(Matrix::Zero(tables.slow, components)),
-      joined_(Matrix::Zero(tables.points(), components)),
+      condensed_(Matrix::Zero(tables.points(), components)),
       weighted_(Matrix::Zero(tables.far.cols(), tables.count * components)),
       sums_(Matrix::Zero(tables.count * block, components)) {}
 
@@ -27,8 +28,8 @@ void NarrowMemory::push(const MemoryTables& tables, Eigen::Index position, In sa
                         const FirstSampleWeights& start) {
   for (Eigen::Index c = 0; c < samples_.cols(); ++c) samples_(recent + position, c) = sample[c];
   const Eigen::Index column = position % recent, first = position - column;
-  scatter(tables.count, &tables.inner(0, column), sample.data(), sums_.cols(), block,
-          {&sums_(first, 0), sums_.rows()});
+  add_outer_product(tables.count, &tables.inner(0, column), sample.data(), sums_.cols(), block,
+                    {&sums_(first, 0), sums_.rows()});
   if (position + 1 == block) {
     advance_block(tables, start);
   } else if ((position + 1) % recent == 0) {
@@ -53,19 +54,20 @@ void NarrowMemory::advance_block(const MemoryTables& tables, const FirstSampleWe
   multiply_add(gathered_.rows(), block, columns, tables.gather, samples_, gathered_);
   input_.setZero();
   multiply_add(slow, points, columns, tables.spread, gathered_, input_);
-  advance(slow, columns, tables.decay_minus_one.data(), input_, states_, carries_);
-  advance(others, columns, tables.decay_minus_one.data() + slow, below(gathered_, points),
-          below(states_, slow), below(carries_, slow));
+  advance_states(slow, columns, tables.decay_minus_one.data(), input_, states_, carries_);
+  advance_states(others, columns, tables.decay_minus_one.data() + slow, below(gathered_, points),
+                 below(states_, slow), below(carries_, slow));
   samples_.topRows(recent) = samples_.bottomRows(recent);
-  joined_.setZero();
-  multiply_add(points, slow, columns, tables.join, states_, joined_);
+  condensed_.setZero();
+  multiply_add(points, slow, columns, tables.condense, states_, condensed_);
   for (Eigen::Index c = 0; c < columns; ++c) {
     for (Eigen::Index table = 0; table < tables.count; ++table) {
       const double* const factors = &tables.factors(0, table);
       const double* const of_first = &start.weighted()(0, table);
       double* const result = &weighted_(0, c * tables.count + table);
-      weigh(points, factors, joined_.data() + c * points, first_[c], of_first, result);
-      weigh(others, factors + points, &states_(slow, c), first_[c], of_first + points, result + points);
+      weighted_sum(points, factors, condensed_.data() + c * points, first_[c], of_first, result);
+      weighted_sum(others, factors + points, &states_(slow, c), first_[c], of_first + points,
+                   result + points);
     }
   }
   sums_.setZero();
@@ -76,7 +78,7 @@ void NarrowMemory::advance_block(const MemoryTables& tables, const FirstSampleWe
 
 std::size_t NarrowMemory::bytes() const {
   const auto doubles = samples_.size() + gathered_.size() + 2 * states_.size() + input_.size() +
-                       joined_.size() + weighted_.size() + sums_.size() + first_.size();
+                       condensed_.size() + weighted_.size() + sums_.size() + first_.size();
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/history/first_sample_weights.hpp"
@@ -39,7 +40,7 @@ class NarrowMemory {
   Matrix samples_;                   // (recent + block) x components
   Matrix gathered_;                  // (points and other nodes) x components
   Matrix states_, carries_, input_;  // nodes x components
-  Matrix joined_;                    // points x components
+  Matrix condensed_;                 // points x components
   Matrix weighted_;                  // (points and other nodes) x (tables per component)
   Matrix sums_;                      // (block per table) x components
 };

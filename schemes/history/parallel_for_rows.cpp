@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 
 #include <algorithm>

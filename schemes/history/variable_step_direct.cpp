@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/variable_step_direct.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ VariableStepDirectHistory::VariableStepDirectHistory(const WeightTables& tables,
     }
   }
   constexpr Eigen::Index first = 64;
-  reserve(steps.count ? *steps.count : first);
+  reserve(steps.step_count ? *steps.step_count : first);
 }
 
 void VariableStepDirectHistory::reserve(Eigen::Index steps) {
@@ -71,7 +72,7 @@ void VariableStepDirectHistory::convolve(double t, std::size_t sum, Out result) 
       const auto row = static_cast<Eigen::Index>(j);
       length = end_of_step(j, t) - times_[j];
       const auto [begin, end] =
-          table.family->ends(samples_(row, component), samples_(row + 1, component), length);
+          table.family->endpoint_values(samples_(row, component), samples_(row + 1, component), length);
       total += left[row] * begin + right[row] * end;
     }
     result[component] = total * integral_to_sum_factor(table, length);
@@ -85,7 +86,7 @@ std::size_t VariableStepDirectHistory::bytes() const {
 }
 
 void VariableStepDirectHistory::state(Archive& archive) {
-  archive.grown(times_);
+  archive.resizable(times_);
   const auto rows = std::ssize(times_);
   while (samples_.rows() <= rows) reserve(2 * samples_.rows());
   for (Eigen::Index i = 0; i < samples_.cols(); ++i) archive.values(samples_.col(i).data(), rows);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/variable_step_exponentials.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ std::size_t VariableStepExponentialHistory::kernel_of(const WeightTable& table, 
       kernels_, [&](const KernelIntegrals& integrals) { return integrals.kernel().exponent == exponent; });
   const auto index = static_cast<std::size_t>(found - kernels_.begin());
   if (found == kernels_.end()) {
-    kernels_.emplace_back(ExponentialKernel(exponent, steps.shortest, steps.end, tolerance));
+    kernels_.emplace_back(ExponentialKernel(exponent, steps.min_step, steps.end, tolerance));
   }
   return index;
 }
@@ -47,7 +48,7 @@ void VariableStepExponentialHistory::push(double t, In sample) {
 
 Polynomial VariableStepExponentialHistory::integrand(const ComponentSum& track, double before, double after,
                                                      double length) const {
-  const auto [begin, end] = tables_[track.table].family->ends(before, after, length);
+  const auto [begin, end] = tables_[track.table].family->endpoint_values(before, after, length);
   if (!track.running_sums) return {begin, end - begin, 0.0};
   return {track.integral[0], length * begin, length * (end - begin)};
 }
@@ -77,7 +78,7 @@ void VariableStepExponentialHistory::advance(double t, In sample) {
       const double before = newest_[track.component], after = sample[track.component];
       kernels_[track.kernel].polynomial(track.function) = length * integrand(track, before, after, length);
       if (!track.running_sums) continue;
-      const auto [begin, end] = tables_[track.table].family->ends(before, after, length);
+      const auto [begin, end] = tables_[track.table].family->endpoint_values(before, after, length);
       track.integral.add(0, length * (begin + end) / 2.0);
     }
   }
@@ -103,7 +104,7 @@ std::size_t VariableStepExponentialHistory::bytes() const {
 
 void VariableStepExponentialHistory::state(Archive& archive) {
   archive(time_, kernels_);
-  archive.grown(newest_);
+  archive.resizable(newest_);
   for (auto& tracks : tracks_) {
     for (auto& track : tracks) archive(track.integral);
   }

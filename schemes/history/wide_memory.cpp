@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/wide_memory.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ WideMemory::WideMemory(const MemoryTables& tables, Eigen::Index components, int 
   const Eigen::Index together = points + tables.exponentials - slow;
   gather_ = tables.gather.bottomRows(together).transpose();
   spread_ = tables.spread.bottomRows(slow).transpose();
-  join_ = tables.join.rightCols(slow).transpose();
+  condense_ = tables.condense.rightCols(slow).transpose();
   far_ = tables.far.rightCols(together).transpose();
   const Eigen::Index rows = to_multiple(components, lanes), tiles = to_multiple(rows, tile) / tile;
   first_.setZero(rows);
@@ -96,7 +97,7 @@ void WideMemory::advance_tile(const MemoryTables& tables, const FirstSampleWeigh
   auto samples = samples_.middleRows(first, count);
   samples.leftCols(recent) = samples.rightCols(recent);
   joined.setZero();
-  multiply_add(count, slow, points, of_tile(states_, 0), join_, joined);
+  multiply_add(count, slow, points, of_tile(states_, 0), condense_, joined);
   sums_.middleRows(first, count).setZero();
   const Eigen::Index fillers = tables.far.cols() - far_.rows();
   for (Eigen::Index table = 0; table < tables.count; ++table) {
@@ -128,7 +129,7 @@ std::size_t WideMemory::bytes() const {
   const auto of_components =
       samples_.size() + sums_.size() + current_.size() + first_.size() + 2 * states_.size();
   const auto of_tables =
-      gather_.size() + inner_.size() + near_.size() + far_.size() + spread_.size() + join_.size();
+      gather_.size() + inner_.size() + near_.size() + far_.size() + spread_.size() + condense_.size();
   return sizeof(double) * static_cast<std::size_t>(of_components + of_tables);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/history/first_sample_weights.hpp"
@@ -39,7 +40,7 @@ class WideMemory {
   // Work space of a tile, one row a component. Columns: points and other nodes; slow nodes; points; points
   // and other nodes.
   struct Scratch {
-    Matrix gathered, input, joined, weighted;
+    Matrix gathered, input, condensed, weighted;
   };
 
   // push() for `count` rows from `first` on: a whole number of tiles, except at the end.
@@ -54,7 +55,7 @@ class WideMemory {
   Eigen::Index components_;
   int threads_;
   // The transposed matrices of MemoryTables, without padding nodes.
-  Matrix gather_, spread_, join_, inner_, near_, far_;
+  Matrix gather_, spread_, condense_, inner_, near_, far_;
   // Rows are components, padded to a multiple of lanes.
   Vec first_;                // x_0; 0 before begin()
   Matrix samples_;           // components x (recent + block)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/archive.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ void Archive::require(bool holds) {
 Eigen::Index Archive::resizable_count(Eigen::Index own, std::size_t bytes) {
   std::int64_t size = own;
   part(size);
-  require(size >= 0 && static_cast<std::size_t>(size) <= left() / bytes);
+  require(size >= 0 && static_cast<std::size_t>(size) <= bytes_left() / bytes);
   return size;
 }
 
@@ -33,12 +34,12 @@ void Archive::same_size(Eigen::Index own) {
   require(size == own);
 }
 
-void Archive::grown(Vec& values) {
+void Archive::resizable(Vec& values) {
   values.resize(resizable_count(values.size(), sizeof(double)));
   this->values(values.data(), values.size());
 }
 
-void Archive::grown(Matrix& values) {
+void Archive::resizable(Matrix& values) {
   std::int64_t rows = values.rows();
   part(rows);
   require(rows >= 0);
@@ -48,16 +49,16 @@ void Archive::grown(Matrix& values) {
   this->values(values.data(), values.size());
 }
 
-void Archive::grown(SparseMatrix& values) {
+void Archive::resizable(SparseMatrix& values) {
   same_size(values.rows());
   same_size(values.cols());
   values.makeCompressed();
   std::vector<int> outer(values.outerIndexPtr(), values.outerIndexPtr() + values.outerSize() + 1);
   std::vector<int> inner(values.innerIndexPtr(), values.innerIndexPtr() + values.nonZeros());
   part(outer);
-  grown(inner);
+  resizable(inner);
   require(compressed(outer, inner, values.innerSize()));
-  if (reads()) {
+  if (is_reading()) {
     values.resizeNonZeros(std::ssize(inner));
     std::ranges::copy(outer, values.outerIndexPtr());
     std::ranges::copy(inner, values.innerIndexPtr());
@@ -68,7 +69,7 @@ void Archive::grown(SparseMatrix& values) {
 void Archive::first_columns(Matrix& matrix, Eigen::Index count) {
   same_size(matrix.rows());
   const auto of_column = sizeof(double) * static_cast<std::size_t>(std::max<Eigen::Index>(matrix.rows(), 1));
-  require(count >= 0 && (!reads() || static_cast<std::size_t>(count) <= left() / of_column));
+  require(count >= 0 && (!is_reading() || static_cast<std::size_t>(count) <= bytes_left() / of_column));
   if (count > matrix.cols()) matrix.conservativeResize(Eigen::NoChange, count);
   values(matrix.data(), matrix.rows() * count);
 }
@@ -86,19 +87,19 @@ WritingArchive::WritingArchive(std::function<void(std::string_view bytes)> sink)
 
 void WritingArchive::transfer(void* bytes, std::size_t count) { sink_({static_cast<char*>(bytes), count}); }
 
-std::size_t WritingArchive::left() const { return std::numeric_limits<std::size_t>::max(); }
+std::size_t WritingArchive::bytes_left() const { return std::numeric_limits<std::size_t>::max(); }
 
 ReadingArchive::ReadingArchive(std::function<void(char* bytes, std::size_t count)> source, std::size_t size)
-    : source_(std::move(source)), left_(size) {}
+    : source_(std::move(source)), bytes_left_(size) {}
 
 void ReadingArchive::transfer(void* bytes, std::size_t count) {
-  if (count > left_) throw std::invalid_argument("ends too early");
+  if (count > bytes_left_) throw std::invalid_argument("ends too early");
   source_(static_cast<char*>(bytes), count);
-  left_ -= count;
+  bytes_left_ -= count;
 }
 
 void ReadingArchive::end() const {
-  if (left_ > 0) throw std::invalid_argument("goes on after its end");
+  if (bytes_left_ > 0) throw std::invalid_argument("goes on after its end");
 }
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -30,7 +31,8 @@ concept PlainMatrix = std::derived_from<Part, Eigen::PlainObjectBase<Part>>;
 
 // Serialises the state of a run; one function state() of each part both writes and reads. A part is read into
 // an object that was constructed for the same run: quantities that follow from the run are not archived, and
-// sizes must agree unless `grown` says otherwise. Numbers are stored in the binary format of this machine.
+// sizes must agree unless `resizable` says otherwise. Numbers are stored in the binary format of this
+// machine.
 //
 // Reading throws std::invalid_argument where the data cannot be the state of this run. It never allocates
 // more numbers than are left to read.
@@ -42,7 +44,7 @@ class Archive {
   virtual ~Archive() = default;
 
   // Whether this archive reads (and overwrites the parts); otherwise it writes.
-  [[nodiscard]] virtual bool reads() const = 0;
+  [[nodiscard]] virtual bool is_reading() const = 0;
 
   template <class... Parts>
   void operator()(Parts&... parts) {
@@ -65,15 +67,15 @@ class Archive {
 
   // Containers whose size may differ from the archived one; reading resizes them.
   template <class Value>
-  void grown(std::vector<Value>& values) {
+  void resizable(std::vector<Value>& values) {
     constexpr auto least = std::is_arithmetic_v<Value> ? sizeof(Value) : sizeof(double);
     const auto size = resizable_count(static_cast<Eigen::Index>(values.size()), least);
     values.resize(static_cast<std::size_t>(size));
     each(values);
   }
-  void grown(Vec& values);
-  void grown(Matrix& values);
-  void grown(SparseMatrix& values);
+  void resizable(Vec& values);
+  void resizable(Matrix& values);
+  void resizable(SparseMatrix& values);
 
   // The first `count` columns of a matrix; reading adds columns where it has fewer.
   void first_columns(Matrix& matrix, Eigen::Index count);
@@ -82,7 +84,7 @@ class Archive {
   // Reads or writes `count` bytes. Throws std::invalid_argument where fewer are left to read.
   virtual void transfer(void* bytes, std::size_t count) = 0;
   // The number of bytes left to read; unlimited for writing.
-  [[nodiscard]] virtual std::size_t left() const = 0;
+  [[nodiscard]] virtual std::size_t bytes_left() const = 0;
 
  private:
   static void require(bool holds);
@@ -146,17 +148,17 @@ class Archive {
 };
 
 // Archives the state of a part of a run.
-using State = std::function<void(Archive&)>;
+using StateArchiver = std::function<void(Archive&)>;
 
 // Passes the bytes that are written to `sink`, in order.
 class WritingArchive final : public Archive {
  public:
   explicit WritingArchive(std::function<void(std::string_view bytes)> sink);
-  [[nodiscard]] bool reads() const override { return false; }
+  [[nodiscard]] bool is_reading() const override { return false; }
 
  private:
   void transfer(void* bytes, std::size_t count) override;
-  [[nodiscard]] std::size_t left() const override;
+  [[nodiscard]] std::size_t bytes_left() const override;
 
   std::function<void(std::string_view)> sink_;
 };
@@ -165,17 +167,17 @@ class WritingArchive final : public Archive {
 class ReadingArchive final : public Archive {
  public:
   ReadingArchive(std::function<void(char* bytes, std::size_t count)> source, std::size_t size);
-  [[nodiscard]] bool reads() const override { return true; }
+  [[nodiscard]] bool is_reading() const override { return true; }
 
   // Throws std::invalid_argument where bytes are left.
   void end() const;
 
  private:
   void transfer(void* bytes, std::size_t count) override;
-  [[nodiscard]] std::size_t left() const override { return left_; }
+  [[nodiscard]] std::size_t bytes_left() const override { return bytes_left_; }
 
   std::function<void(char*, std::size_t)> source_;
-  std::size_t left_;
+  std::size_t bytes_left_;
 };
 
 }  // namespace fde

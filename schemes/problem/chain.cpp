@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/chain.hpp"
 
 #include <fmt/format.h>
@@ -9,8 +10,9 @@
 
 namespace fde {
 
-Chain::Chain(Term leading, const std::vector<Term>& terms, std::vector<double> initial, Eigen::Index first)
-    : leading_(leading), initial_(std::move(initial)), first_(first) {
+Chain::Chain(Term leading, const std::vector<Term>& terms, std::vector<double> initial,
+             Eigen::Index first_row)
+    : leading_(leading), initial_(std::move(initial)), first_row_(first_row) {
   if (leading_.coefficient == 0.0)
     throw std::invalid_argument("the coefficient of the leading derivative is 0");
   for (int whole = 0; whole < leading_.order; ++whole) nodes_.push_back(whole);
@@ -23,7 +25,7 @@ Chain::Chain(Term leading, const std::vector<Term>& terms, std::vector<double> i
   std::ranges::sort(nodes_);
   coefficients_.setZero(size());
   for (const auto& [coefficient, order] : terms) {
-    if (coefficient != 0.0) coefficients_[*row(order) - first_] += coefficient;
+    if (coefficient != 0.0) coefficients_[*row(order) - first_row_] += coefficient;
   }
 }
 
@@ -38,7 +40,7 @@ std::vector<Term> Chain::terms() const {
 std::optional<Eigen::Index> Chain::row(double order) const {
   const auto found = std::ranges::find(nodes_, order);
   if (found == nodes_.end()) return std::nullopt;
-  return first_ + (found - nodes_.begin());
+  return first_row_ + (found - nodes_.begin());
 }
 
 std::vector<Component> Chain::components() const {
@@ -68,7 +70,7 @@ Smoothness smoothness_of_chains(const std::vector<Chain>& chains) {
   const auto powers = power_closure(start, leading + 2.0, [&](double p) {
     std::vector<double> following;
     for (const double order : orders) {
-      const bool annihilated = whole(p) && p < std::ceil(order);
+      const bool annihilated = is_integer_order(p) && p < std::ceil(order);
       if (!annihilated) following.push_back(p - order + leading);
     }
     return following;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -10,25 +11,27 @@ namespace fde {
 
 // The left side of a multi-term equation as rows of a multi-order system,
 //   a D^leading u + factor * sum_k c_k D^(a_k) u = force        (Yin, Liu & Anh 2007, eqs 1.1, 2.1, 3.9).
-// The nodes are 0, the orders a_k and the integers below leading, increasing. Row first + i is D^(node i) u,
-// of order node i+1 - node i. Terms with coefficient 0 are dropped; integer nodes remain, because they carry
-// the initial values.
+// The nodes are 0, the orders a_k and the integers below leading, increasing. Row first_row + i is D^(node i)
+// u, of order node i+1 - node i. Terms with coefficient 0 are dropped; integer nodes remain, because they
+// carry the initial values.
 class Chain {
  public:
   // initial[k] = u^(k)(0) for k < ceil(leading). Throws std::invalid_argument when a term's order is outside
   // [0, leading) or the coefficient of D^leading u is 0.
-  Chain(Term leading, const std::vector<Term>& terms, std::vector<double> initial, Eigen::Index first = 0);
+  Chain(Term leading, const std::vector<Term>& terms, std::vector<double> initial,
+        Eigen::Index first_row = 0);
 
   [[nodiscard]] Term leading() const { return leading_; }
   [[nodiscard]] const std::vector<double>& initial() const { return initial_; }
   // By increasing order, each order once; no coefficient is 0.
   [[nodiscard]] std::vector<Term> terms() const;
 
-  // Row first + i is D^(nodes()[i]) u; coefficients()[i] is the c_k of that order, or 0. size() entries each.
+  // Row first_row + i is D^(nodes()[i]) u; coefficients()[i] is the c_k of that order, or 0. size() entries
+  // each.
   [[nodiscard]] const std::vector<double>& nodes() const { return nodes_; }
   [[nodiscard]] const Vec& coefficients() const { return coefficients_; }
 
-  [[nodiscard]] Eigen::Index first() const { return first_; }
+  [[nodiscard]] Eigen::Index first_row() const { return first_row_; }
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(nodes_.size()); }
   // The index of the row D^order u; nullopt where order is not a node (compared exactly).
   [[nodiscard]] std::optional<Eigen::Index> row(double order) const;
@@ -39,7 +42,7 @@ class Chain {
   Term leading_;
   std::vector<double> nodes_, initial_;
   Vec coefficients_;
-  Eigen::Index first_;
+  Eigen::Index first_row_;
 };
 
 // The powers of t at t = 0 of all components of these chains, in the order of the chains, when the forces are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/chain_problem.hpp"
 
 #include <algorithm>
@@ -23,26 +24,26 @@ double sum_of_terms(const Chain& chain, In y) {
   const Vec& coefficients = chain.coefficients();
   double sum = 0.0;
   for_each_component(coefficients.size(),
-                     [&](Eigen::Index i) { sum += coefficients[i] * y[chain.first() + i]; });
+                     [&](Eigen::Index i) { sum += coefficients[i] * y[chain.first_row() + i]; });
   return sum;
 }
 
 // f_i = y_{i+1}; the last f of each chain is D^leading u. An empty factor is 1.
 void evaluate(const std::vector<MultiTermEquation>& equations, double t, In y, Out f) {
   for (const auto& [chain, force, factor, _] : equations) {
-    const auto first = chain.first(), last = first + chain.size() - 1;
+    const auto first = chain.first_row(), last = first + chain.size() - 1;
     for_each_component(chain.size() - 1, [&](Eigen::Index i) { f[first + i] = y[first + i + 1]; });
-    double driven = force(t, y);
+    double leading_term = force(t, y);
     const double scale = factor ? factor(t, y) : 1.0, leading = chain.leading().coefficient;
-    driven -= scale * sum_of_terms(chain, y);
-    f[last] = leading == 1.0 ? driven : driven / leading;
+    leading_term -= scale * sum_of_terms(chain, y);
+    f[last] = leading == 1.0 ? leading_term : leading_term / leading;
   }
 }
 
 void add_gradient(const NoDerivatives& /*none*/, const Chain& /*chain*/, double /*t*/, In /*y*/,
                   Out /*gradient*/) {}
 void add_gradient(const LinearForce& force, const Chain& chain, double /*t*/, In /*y*/, Out gradient) {
-  gradient[chain.first()] += force.by_u;
+  gradient[chain.first_row()] += force.by_u;
 }
 void add_gradient(const ForceGradient& force, const Chain& chain, double t, In y, Out gradient) {
   force.add(t, y, sum_of_terms(chain, y), gradient);
@@ -55,10 +56,10 @@ void differentiate(const Equations& equations, double t, In y, OutMatrix jacobia
   for (const auto& equation : equations) {
     const auto& chain = equation.chain;
     gradient.setZero();
-    gradient.segment(chain.first(), chain.size()) = -equation.factor(t, y) * chain.coefficients();
+    gradient.segment(chain.first_row(), chain.size()) = -equation.factor(t, y) * chain.coefficients();
     std::visit([&](const auto& force) { add_gradient(force, chain, t, y, gradient); }, equation.derivatives);
     gradient /= chain.leading().coefficient;
-    jacobian.row(chain.first() + chain.size() - 1) = gradient.transpose();
+    jacobian.row(chain.first_row() + chain.size() - 1) = gradient.transpose();
   }
 }
 
@@ -81,15 +82,15 @@ Derivatives derivatives_of(const Equations& equations, Eigen::Index size) {
 }  // namespace
 
 Problem chain_problem(const std::vector<MultiTermEquation>& equations, double end) {
-  const Equations driven = with_factors(equations);
+  const Equations scaled = with_factors(equations);
   Problem problem{.rhs = [equations](double t, In y, Out f) { evaluate(equations, t, y, f); }, .end = end};
-  for (const auto& [chain, force, factor, _] : driven) {
-    if (chain.first() != problem.size())
+  for (const auto& [chain, force, factor, _] : scaled) {
+    if (chain.first_row() != problem.size())
       throw std::invalid_argument("a chain does not begin where the one before it ends");
     std::ranges::copy(chain.components(), std::back_inserter(problem.components));
-    problem.equations.push_back({chain.first(), chain.leading(), chain.terms(), force, factor});
+    problem.equations.push_back({chain.first_row(), chain.leading(), chain.terms(), force, factor});
   }
-  problem.derivatives = derivatives_of(driven, problem.size());
+  problem.derivatives = derivatives_of(scaled, problem.size());
   return problem;
 }
 

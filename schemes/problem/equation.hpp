@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -15,10 +16,10 @@ struct Term {
 
 // A multi-term equation of a problem for an unknown u,
 //   a D^leading u + factor(t, y) sum_k c_k D^(a_k) u = force(t, y)        (Yin, Liu & Anh 2007, eq. 1.1)
-// where y is the state of the whole problem. The rows first, first + 1, ... of the problem are the chain of
-// this equation: u and its derivatives of orders below the leading one (chain.hpp).
+// where y is the state of the whole problem. The rows first_row, first_row + 1, ... of the problem are the
+// chain of this equation: u and its derivatives of orders below the leading one (chain.hpp).
 struct Equation {
-  Eigen::Index first;
+  Eigen::Index first_row;
   Term leading;
   std::vector<Term> terms;  // by increasing order, each order once; no coefficient is 0
   std::function<double(double t, In y)> force, factor;

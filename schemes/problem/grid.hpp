@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@ struct Grid {
   // The step size from t_(n-1) = before and t_n = t.
   [[nodiscard]] double step(double before, double t) const { return uniform() ? end / steps : t - before; }
   // The n of the grid time t, otherwise of a grid time near t. Precondition: 0 <= t <= end.
-  [[nodiscard]] int number(double t) const {
+  [[nodiscard]] int nearest_index(double t) const {
     return std::clamp(static_cast<int>(std::lround(steps * std::pow(t / end, 1.0 / grading))), 0, steps);
   }
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/initial_guess.hpp"
 
 #include <cmath>

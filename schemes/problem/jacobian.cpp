@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/jacobian.hpp"
 
 #include <algorithm>

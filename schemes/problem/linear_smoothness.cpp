@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/linear_smoothness.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ Smoothness linear_smoothness(const std::vector<Component>& components, const Mat
   double last = 2.0;
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto& component = components[static_cast<std::size_t>(i)];
-    if (algebraic(component)) {
+    if (is_algebraic(component)) {
       throw std::invalid_argument("smoothness: component " + std::to_string(i) +
                                   " has order 0, orders have to be above 0");
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/multipliers.hpp"
 
 #include <Eigen/LU>
@@ -19,7 +20,7 @@ Vec rhs_at(const Problem& problem, double t, const Vec& y) {
 std::vector<Eigen::Index> algebraic_rows(const Problem& problem) {
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (algebraic(problem.components[static_cast<std::size_t>(i)])) rows.push_back(i);
+    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) rows.push_back(i);
   }
   return rows;
 }

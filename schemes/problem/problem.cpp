@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/problem.hpp"
 
 #include <algorithm>
@@ -14,32 +15,32 @@ bool tells(const Problem& problem) {
   return (std::holds_alternative<Alternatives>(problem.derivatives) || ...);
 }
 
-void evaluate(const NoDerivatives& /*told*/, double /*t*/, In /*y*/, OutMatrix /*jacobian*/) {}
-void evaluate(const DenseJacobian& told, double t, In y, OutMatrix jacobian) { told.at(t, y, jacobian); }
-void evaluate(const SparseJacobian& told, double t, In y, OutMatrix jacobian) {
+void evaluate(const NoDerivatives& /*given*/, double /*t*/, In /*y*/, OutMatrix /*jacobian*/) {}
+void evaluate(const DenseJacobian& given, double t, In y, OutMatrix jacobian) { given.at(t, y, jacobian); }
+void evaluate(const SparseJacobian& given, double t, In y, OutMatrix jacobian) {
   SparseMatrix entries(y.size(), y.size());
-  told.at(t, y, entries);
+  given.at(t, y, entries);
   jacobian = Matrix(entries);
 }
-void evaluate(const DenseLinearPart& told, double /*t*/, In /*y*/, OutMatrix jacobian) {
-  jacobian = told.matrix;
+void evaluate(const DenseLinearPart& given, double /*t*/, In /*y*/, OutMatrix jacobian) {
+  jacobian = given.matrix;
 }
-void evaluate(const SparseLinearPart& told, double /*t*/, In /*y*/, OutMatrix jacobian) {
-  jacobian = Matrix(told.matrix);
+void evaluate(const SparseLinearPart& given, double /*t*/, In /*y*/, OutMatrix jacobian) {
+  jacobian = Matrix(given.matrix);
 }
 
 }  // namespace
 
-bool linear(const Problem& problem) {
-  return problem.switches.empty() && tells<DenseLinearPart, SparseLinearPart>(problem);
+bool is_linear(const Problem& problem) {
+  return problem.switching_functions.empty() && tells<DenseLinearPart, SparseLinearPart>(problem);
 }
 
-bool sparse(const Problem& problem) { return tells<SparseJacobian, SparseLinearPart>(problem); }
+bool has_sparse_jacobian(const Problem& problem) { return tells<SparseJacobian, SparseLinearPart>(problem); }
 
 bool has_jacobian(const Problem& problem) { return !tells<NoDerivatives>(problem); }
 
 bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobian) {
-  std::visit([&](const auto& told) { evaluate(told, t, y, jacobian); }, problem.derivatives);
+  std::visit([&](const auto& given) { evaluate(given, t, y, jacobian); }, problem.derivatives);
   return has_jacobian(problem);
 }
 

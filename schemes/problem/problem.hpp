@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -22,7 +23,7 @@ struct Component {
 };
 
 // Whether the row of this component is 0 = f_i(t, y), without a derivative and without a memory term.
-inline bool algebraic(const Component& component) { return component.order == 0.0; }
+inline bool is_algebraic(const Component& component) { return component.order == 0.0; }
 
 // The domain of a right-hand side, {(t, y): margin(t, y) > 0}. `edge` names its boundary, as in "r = 0".
 struct Domain {
@@ -54,17 +55,17 @@ struct Problem {
   double end = 1.0;
   // Boundary conditions residual(y(0), y(end)) = 0, as many as unknown initial values; empty: none.
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
-  Domain domain{};              // a step that leaves it has crossed a singularity
-  std::vector<double> jumps{};  // the times after 0, increasing, at which rhs jumps
-  std::vector<SwitchingFunction> switches{};
+  Domain domain{};                   // a step that leaves it has crossed a singularity
+  std::vector<double> jump_times{};  // the times after 0, increasing, at which rhs jumps
+  std::vector<SwitchingFunction> switching_functions{};
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
 
-// Whether f = A y + b(t) with a given A and no switches; whether df/dy is given as a sparse matrix; whether
-// df/dy is given at all.
-bool linear(const Problem& problem);
-bool sparse(const Problem& problem);
+// Whether f = A y + b(t) with a given A and no switching functions; whether df/dy is given as a sparse
+// matrix; whether df/dy is given at all.
+bool is_linear(const Problem& problem);
+bool has_sparse_jacobian(const Problem& problem);
 bool has_jacobian(const Problem& problem);
 
 // Writes the dense df/dy to `jacobian`, size() x size(). False, and no change, where the problem has none.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 
 #include "fdebench/schemes/problem/chain_problem.hpp"
@@ -28,7 +29,7 @@ Problem scalar_multi_term_equation(double order, std::complex<double> rate, doub
         {{.chain = first, .force = [=](double, In u) { return x * u[0]; }, .derivatives = LinearForce{x}}},
         end);
   }
-  const auto i = imaginary.first();
+  const auto i = imaginary.first_row();
   Problem problem =
       chain_problem({{.chain = first, .force = [=](double, In u) { return x * u[0] - y * u[i]; }},
                      {.chain = imaginary, .force = [=](double, In u) { return y * u[0] + x * u[i]; }}},

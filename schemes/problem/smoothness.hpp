@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -14,14 +15,14 @@ namespace fde {
 // the constraint reaction, after integration: the constraint determines the rest.
 struct Smoothness {
   std::vector<std::vector<double>> powers{};
-  std::vector<Eigen::Index> jumps{};   // components whose right-hand side jumps at a grid time t > 0
-  std::vector<Eigen::Index> hidden{};  // components that are not measured: their errors in the first steps
-                                       // count only through the other components, after integration
+  std::vector<Eigen::Index> jumps{};       // components whose right-hand side jumps at a grid time t > 0
+  std::vector<Eigen::Index> unmeasured{};  // components that are not measured: their errors in the first
+                                           // steps count only through the other components, after integration
 };
 
 // Orders and powers closer than this are equal: sums of increments such as 0.1 have rounding errors.
 inline bool same_order(double a, double b) { return std::abs(a - b) < 1e-9; }
-inline bool whole(double order) { return same_order(order, std::round(order)); }
+inline bool is_integer_order(double order) { return same_order(order, std::round(order)); }
 
 // Powers closer than this count as one in the closures below: near an integer order they are dense.
 inline constexpr double power_separation = 1e-5;

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/switches.hpp"
 
 namespace fde {
 
-std::vector<bool> sides(const Problem& problem, double t, In y) {
+std::vector<bool> switch_signs(const Problem& problem, double t, In y) {
   std::vector<bool> positive;
-  for (const auto& one : problem.switches) positive.push_back(one(t, y) > 0.0);
+  for (const auto& one : problem.switching_functions) positive.push_back(one(t, y) > 0.0);
   return positive;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -6,7 +7,7 @@
 
 namespace fde {
 
-// For each of problem.switches whether it is positive at (t, y).
-std::vector<bool> sides(const Problem& problem, double t, In y);
+// For each of problem.switching_functions whether it is positive at (t, y).
+std::vector<bool> switch_signs(const Problem& problem, double t, In y);
 
 }  // namespace fde

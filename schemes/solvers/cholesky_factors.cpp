@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/solvers/cholesky_factors.hpp"
 
 #include <algorithm>
 
 namespace fde {
 
-bool CholeskyFactors::fits(const SparseMatrix& matrix) {
+bool CholeskyFactors::is_applicable(const SparseMatrix& matrix) {
   const SparseMatrix other = matrix.transpose();
   const auto* const values = matrix.valuePtr();
   return std::equal(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1,
@@ -15,7 +16,7 @@ bool CholeskyFactors::fits(const SparseMatrix& matrix) {
 }
 
 bool CholeskyFactors::factorise(const SparseMatrix& matrix) {
-  if (!fits(matrix)) return false;
+  if (!is_applicable(matrix)) return false;
   factors_.factorize(matrix);
   return factors_.info() == Eigen::Success && (factors_.vectorD().array() > 0.0).all() &&
          factors_.vectorD().allFinite();

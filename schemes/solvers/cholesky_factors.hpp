@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -14,11 +15,11 @@ class CholeskyFactors final : public SparseFactors {
   explicit CholeskyFactors(const SparseMatrix& matrix) { factors_.analyzePattern(matrix); }
 
   // Whether the matrix is symmetric.
-  static bool fits(const SparseMatrix& matrix);
+  static bool is_applicable(const SparseMatrix& matrix);
   bool factorise(const SparseMatrix& matrix) override;
   [[nodiscard]] int determinant_sign() override { return 1; }
   void solve(Vec& b) const override;
-  [[nodiscard]] std::string_view name() const override { return id; }
+  [[nodiscard]] std::string_view active_method() const override { return id; }
 
  private:
   Eigen::SimplicialLDLT<SparseMatrix> factors_;

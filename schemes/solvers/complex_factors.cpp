@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/solvers/complex_factors.hpp"
 
 #include <Eigen/SparseLU>
@@ -22,7 +23,7 @@ ComplexSparse one_minus(const SparseMatrix& matrix, Complex factor) {
 class ComplexTridiagonal final : public ComplexFactors {
  public:
   bool factorise(const SparseMatrix& matrix, Complex factor) override {
-    return TridiagonalLu<double>::fits(matrix) && factors_.factorise(one_minus(matrix, factor));
+    return TridiagonalLu<double>::is_applicable(matrix) && factors_.factorise(one_minus(matrix, factor));
   }
   void solve(ComplexVec& b) const override { factors_.solve(b); }
   [[nodiscard]] std::string_view name() const override { return "tridiagonal"; }
@@ -35,17 +36,18 @@ class ComplexFastSine final : public ComplexFactors {
  public:
   bool factorise(const SparseMatrix& matrix, Complex factor) override {
     const auto found = as_five_point(matrix);
-    const auto stencil = found ? found->constant() : std::nullopt;
+    const auto stencil = found ? found->constant_stencil() : std::nullopt;
     if (!stencil) return false;
     if (!sines_) sines_.emplace(found->n, found->m);
-    stencil_ = {1.0 - factor * stencil->diagonal, -factor * stencil->along, -factor * stencil->across};
-    return sines_->serves(stencil_);
+    stencil_ = {1.0 - factor * stencil->diagonal, -factor * stencil->line_coupling,
+                -factor * stencil->cross_coupling};
+    return sines_->is_stable_for(stencil_);
   }
   void solve(ComplexVec& b) const override { sines_->solve(stencil_, b); }
   [[nodiscard]] std::string_view name() const override { return "fast_sine"; }
 
  private:
-  std::optional<FastSine> sines_{};
+  std::optional<FastSineSolver> sines_{};
   Stencil<Complex> stencil_{};
 };
 

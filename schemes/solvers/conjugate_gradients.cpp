@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/solvers/conjugate_gradients.hpp"
 
 #include <algorithm>
@@ -31,12 +32,12 @@ Stencil<double> stencil_like(const FivePointMatrix& matrix) {
   const Vec mode = (lowest_mode(matrix.n) * lowest_mode(matrix.m).transpose()).reshaped();
   Vec product(mode.size());
   matrix.multiply(mode, product);
-  Stencil<double> stencil = matrix.mean();
+  Stencil<double> stencil = matrix.mean_stencil();
   const auto beside = [](double coupling, Eigen::Index n) {
     return 2.0 * coupling * std::cos(std::numbers::pi / static_cast<double>(n + 1));
   };
-  stencil.diagonal = mode.dot(product) / mode.squaredNorm() - beside(stencil.along, matrix.n) -
-                     beside(stencil.across, matrix.m);
+  stencil.diagonal = mode.dot(product) / mode.squaredNorm() - beside(stencil.line_coupling, matrix.n) -
+                     beside(stencil.cross_coupling, matrix.m);
   return stencil;
 }
 
@@ -44,8 +45,8 @@ Stencil<double> stencil_like(const FivePointMatrix& matrix) {
 FivePointMatrix scaled(FivePointMatrix matrix, const Vec& s) {
   const Eigen::Index size = s.size(), n = matrix.n;
   matrix.diagonal.array() *= s.array().square();
-  matrix.along.head(size - 1).array() *= s.head(size - 1).array() * s.tail(size - 1).array();
-  matrix.across.head(size - n).array() *= s.head(size - n).array() * s.tail(size - n).array();
+  matrix.line_coupling.head(size - 1).array() *= s.head(size - 1).array() * s.tail(size - 1).array();
+  matrix.cross_coupling.head(size - n).array() *= s.head(size - n).array() * s.tail(size - n).array();
   return matrix;
 }
 
@@ -58,19 +59,22 @@ bool jumps(const FivePointMatrix& matrix) {
   };
   const Eigen::Index size = matrix.diagonal.size(), n = matrix.n;
   for (Eigen::Index i = 0; i < size; ++i) {
-    if (i % n != 0 && (i + 1) % n != 0 && differ(matrix.along[i - 1], matrix.along[i])) return true;
-    if (i >= n && i + n < size && differ(matrix.across[i - n], matrix.across[i])) return true;
+    if (i % n != 0 && (i + 1) % n != 0 && differ(matrix.line_coupling[i - 1], matrix.line_coupling[i]))
+      return true;
+    if (i >= n && i + n < size && differ(matrix.cross_coupling[i - n], matrix.cross_coupling[i])) return true;
   }
   return false;
 }
 
 }  // namespace
 
-bool ConjugateGradients::fits(const SparseMatrix& matrix) { return matrix.rows() >= fewest_unknowns; }
+bool ConjugateGradients::is_applicable(const SparseMatrix& matrix) {
+  return matrix.rows() >= fewest_unknowns;
+}
 
 bool ConjugateGradients::factorise(const SparseMatrix& matrix) {
   auto found = as_five_point(matrix);
-  if (!found || !found->dominated() || !found->diagonal.allFinite()) return false;
+  if (!found || !found->is_diagonally_dominant() || !found->diagonal.allFinite()) return false;
   const bool same_points = sines_ && matrix_.n == found->n && matrix_.m == found->m;
   scale_ = found->diagonal.cwiseSqrt().cwiseInverse();
   matrix_ = scaled(*found, scale_);
@@ -79,14 +83,14 @@ bool ConjugateGradients::factorise(const SparseMatrix& matrix) {
     matrix_ = std::move(*found);
   }
   if (!same_points) {
-    sines_ = std::make_unique<FastSine>(matrix_.n, matrix_.m);
+    sines_ = std::make_unique<FastSineSolver>(matrix_.n, matrix_.m);
     cholesky_.reset();
   }
   stencil_ = stencil_like(matrix_);
   factorisation_cost_ = static_cast<int>(factor_cost(matrix_) / iteration_cost(matrix_));
   iterations_ = 0;
   factorised_ = false;
-  return sines_->serves(stencil_);
+  return sines_->is_stable_for(stencil_);
 }
 
 void ConjugateGradients::solve(Vec& b) const {
@@ -98,7 +102,7 @@ void ConjugateGradients::solve(Vec& b) const {
 }
 
 void ConjugateGradients::factorise_by_cholesky() const {
-  const SparseMatrix matrix = sparse(matrix_);
+  const SparseMatrix matrix = to_sparse(matrix_);
   if (!cholesky_) cholesky_ = std::make_unique<CholeskyFactors>(matrix);
   factorised_ = cholesky_->factorise(matrix);
 }
@@ -133,12 +137,14 @@ bool ConjugateGradients::iterate(Vec& b) const {
   return false;
 }
 
-std::string_view ConjugateGradients::name() const { return factorised_ ? cholesky_->name() : id; }
+std::string_view ConjugateGradients::active_method() const {
+  return factorised_ ? cholesky_->active_method() : id;
+}
 
 void ConjugateGradients::state(Archive& archive) {
   archive.count(iterations_, 0, factorisation_cost_);
   archive(factorised_);
-  if (archive.reads() && factorised_) factorise_by_cholesky();
+  if (archive.is_reading() && factorised_) factorise_by_cholesky();
 }
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -11,8 +12,8 @@ namespace fde {
 // gradients, until Cholesky factors would have cost less.
 //
 // The matrix M is scaled to a unit diagonal, S M S. For smooth variable diffusivities its stencil then hardly
-// varies (Concus & Golub, SIAM J. Numer. Anal. 10 (1973)). The preconditioner P is FastSine with the mean
-// stencil, its diagonal chosen such that x^T P x = x^T S M S x for the lowest sine mode x. Where the
+// varies (Concus & Golub, SIAM J. Numer. Anal. 10 (1973)). The preconditioner P is FastSineSolver with the
+// mean stencil, its diagonal chosen such that x^T P x = x^T S M S x for the lowest sine mode x. Where the
 // diffusivity jumps, S = 1, and the number of iterations grows like the square root of the ratio of its
 // largest to its smallest value. In neither case does it grow with the number of points.
 //
@@ -31,12 +32,12 @@ class ConjugateGradients final : public SparseFactors {
   explicit ConjugateGradients(const SparseMatrix& /*matrix*/) {}
 
   // Whether the matrix is large enough for iterations to be cheaper than factors.
-  static bool fits(const SparseMatrix& matrix);
+  static bool is_applicable(const SparseMatrix& matrix);
   bool factorise(const SparseMatrix& matrix) override;
   [[nodiscard]] int determinant_sign() override { return 1; }
   void solve(Vec& b) const override;
-  [[nodiscard]] std::string_view name() const override;
-  [[nodiscard]] std::string_view method() const override { return id; }
+  [[nodiscard]] std::string_view active_method() const override;
+  [[nodiscard]] std::string_view chosen_method() const override { return id; }
   void state(Archive& archive) override;
 
   // The iterations of all solves with the matrix so far.
@@ -48,7 +49,7 @@ class ConjugateGradients final : public SparseFactors {
 
   FivePointMatrix matrix_{};  // S M S
   Vec scale_;                 // the diagonal of S
-  std::unique_ptr<FastSine> sines_;
+  std::unique_ptr<FastSineSolver> sines_;
   Stencil<double> stencil_{};
   int factorisation_cost_ = 0;  // cost of the factors, in iterations
   mutable int iterations_ = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/solvers/fast_sine_solver.hpp"
 
 #include <algorithm>
@@ -32,31 +33,31 @@ void solve_lines(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& diagonal, Scalar
 
 // The tridiagonal matrices across the transform.
 template <class Scalar>
-struct FastSine::Lines {
+struct FastSineSolver::Lines {
   Eigen::Array<Scalar, Eigen::Dynamic, 1> diagonals;
-  Scalar beside;
+  Scalar off_diagonal;
 };
 
-FastSine::FastSine(Eigen::Index n, Eigen::Index m) : n_(n), m_(m), transform_(std::min(n, m)) {}
+FastSineSolver::FastSineSolver(Eigen::Index n, Eigen::Index m) : n_(n), m_(m), transform_(std::min(n, m)) {}
 
 template <class Scalar>
-FastSine::Lines<Scalar> FastSine::lines(const Stencil<Scalar>& stencil) const {
+FastSineSolver::Lines<Scalar> FastSineSolver::lines(const Stencil<Scalar>& stencil) const {
   const bool turned = n_ > m_;
-  const Scalar transformed = turned ? stencil.across : stencil.along;
+  const Scalar transformed = turned ? stencil.cross_coupling : stencil.line_coupling;
   return {stencil.diagonal + transformed * transform_.twice_cosines().array().template cast<Scalar>(),
-          turned ? stencil.along : stencil.across};
+          turned ? stencil.line_coupling : stencil.cross_coupling};
 }
 
 template <class Scalar>
-bool FastSine::serves(const Stencil<Scalar>& stencil) const {
+bool FastSineSolver::is_stable_for(const Stencil<Scalar>& stencil) const {
   const auto [diagonals, beside] = lines(stencil);
   return std::isfinite(std::abs(beside)) && diagonals.isFinite().all() &&
          (diagonals.abs() >= 2.0 * std::abs(beside)).all() && (diagonals.abs() > 0.0).all();
 }
-template bool FastSine::serves(const Stencil<double>&) const;
-template bool FastSine::serves(const Stencil<std::complex<double>>&) const;
+template bool FastSineSolver::is_stable_for(const Stencil<double>&) const;
+template bool FastSineSolver::is_stable_for(const Stencil<std::complex<double>>&) const;
 
-int FastSine::determinant_sign(const Stencil<double>& stencil) const {
+int FastSineSolver::determinant_sign(const Stencil<double>& stencil) const {
   if (std::max(n_, m_) % 2 == 0) return 1;
   const auto of_lines = lines(stencil);
   int sign = 1;
@@ -66,7 +67,7 @@ int FastSine::determinant_sign(const Stencil<double>& stencil) const {
   return sign;
 }
 
-void FastSine::forward(Vec& field, Matrix& modes) const {
+void FastSineSolver::forward(Vec& field, Matrix& modes) const {
   modes.resize(transform_.rows(), std::max(n_, m_));
   if (n_ > m_) {
     transposed_ = field.reshaped(n_, m_).transpose().reshaped();
@@ -76,7 +77,7 @@ void FastSine::forward(Vec& field, Matrix& modes) const {
   }
 }
 
-void FastSine::backward(const Matrix& modes, Vec& field) const {
+void FastSineSolver::backward(const Matrix& modes, Vec& field) const {
   if (n_ > m_) {
     transform_.backward(modes, transposed_.data());
     field = transposed_.reshaped(m_, n_).transpose().reshaped();
@@ -85,7 +86,7 @@ void FastSine::backward(const Matrix& modes, Vec& field) const {
   }
 }
 
-void FastSine::solve(const Stencil<double>& stencil, Vec& b) const {
+void FastSineSolver::solve(const Stencil<double>& stencil, Vec& b) const {
   forward(b, modes_);
   const auto of_lines = lines(stencil);
   Panel<double> x, pivots;
@@ -93,13 +94,13 @@ void FastSine::solve(const Stencil<double>& stencil, Vec& b) const {
     const Eigen::Index count = std::min(together, modes_.rows() - row);
     x = modes_.middleRows(row, count);
     pivots.resize(count, x.cols());
-    solve_lines<double>(of_lines.diagonals.segment(row, count), of_lines.beside, pivots, x);
+    solve_lines<double>(of_lines.diagonals.segment(row, count), of_lines.off_diagonal, pivots, x);
     modes_.middleRows(row, count) = x;
   }
   backward(modes_, b);
 }
 
-void FastSine::solve(const Stencil<std::complex<double>>& stencil, ComplexVec& b) const {
+void FastSineSolver::solve(const Stencil<std::complex<double>>& stencil, ComplexVec& b) const {
   real_ = b.real();
   imaginary_ = b.imag();
   forward(real_, modes_);
@@ -112,7 +113,8 @@ void FastSine::solve(const Stencil<std::complex<double>>& stencil, ComplexVec& b
     x.real() = modes_.middleRows(row, count);
     x.imag() = other_modes_.middleRows(row, count);
     pivots.resize(count, x.cols());
-    solve_lines<std::complex<double>>(of_lines.diagonals.segment(row, count), of_lines.beside, pivots, x);
+    solve_lines<std::complex<double>>(of_lines.diagonals.segment(row, count), of_lines.off_diagonal, pivots,
+                                      x);
     modes_.middleRows(row, count) = x.real();
     other_modes_.middleRows(row, count) = x.imag();
   }

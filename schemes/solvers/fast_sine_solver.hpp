@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <complex>
@@ -10,18 +11,18 @@ namespace fde {
 // Solves with matrices of constant stencils on n x m points: a sine transform along the shorter lines, then
 // for each mode k elimination with a tridiagonal Toeplitz matrix across them, of diagonal d + 2 a cos(pi k /
 // (n + 1)). The pivots are computed in each solve, so that no state depends on a stencil.
-class FastSine {
+class FastSineSolver {
  public:
-  FastSine(Eigen::Index n, Eigen::Index m);
+  FastSineSolver(Eigen::Index n, Eigen::Index m);
 
   // Whether the elimination is stable: each tridiagonal matrix is (weakly) diagonally dominant.
   template <class Scalar>
-  [[nodiscard]] bool serves(const Stencil<Scalar>& stencil) const;
+  [[nodiscard]] bool is_stable_for(const Stencil<Scalar>& stencil) const;
 
-  // The sign of the determinant. Precondition: serves(stencil).
+  // The sign of the determinant. Precondition: is_stable_for(stencil).
   [[nodiscard]] int determinant_sign(const Stencil<double>& stencil) const;
 
-  // Replaces b, of n m entries, by the solution. Precondition: serves(stencil).
+  // Replaces b, of n m entries, by the solution. Precondition: is_stable_for(stencil).
   void solve(const Stencil<double>& stencil, Vec& b) const;
   void solve(const Stencil<std::complex<double>>& stencil, ComplexVec& b) const;
 

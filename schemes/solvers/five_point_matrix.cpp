@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/solvers/five_point_matrix.hpp"
 
 #include <algorithm>
@@ -28,29 +29,30 @@ struct Ranges {
 
 }  // namespace
 
-Stencil<double> FivePointMatrix::mean() const {
-  return {diagonal.mean(), along.sum() / static_cast<double>((n - 1) * m),
-          across.sum() / static_cast<double>(n * (m - 1))};
+Stencil<double> FivePointMatrix::mean_stencil() const {
+  return {diagonal.mean(), line_coupling.sum() / static_cast<double>((n - 1) * m),
+          cross_coupling.sum() / static_cast<double>(n * (m - 1))};
 }
 
-std::optional<Stencil<double>> FivePointMatrix::constant() const {
+std::optional<Stencil<double>> FivePointMatrix::constant_stencil() const {
   constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
   const double most = rounding * diagonal.cwiseAbs().maxCoeff();
   Ranges own, of_line, of_next;
   for (Eigen::Index i = 0; i < diagonal.size(); ++i) {
     own.add(diagonal[i]);
-    if ((i + 1) % n != 0) of_line.add(along[i]);
-    if (i + n < diagonal.size()) of_next.add(across[i]);
+    if ((i + 1) % n != 0) of_line.add(line_coupling[i]);
+    if (i + n < diagonal.size()) of_next.add(cross_coupling[i]);
   }
   if (!(own.width() <= most && of_line.width() <= most && of_next.width() <= most)) return std::nullopt;
   return Stencil<double>{own.middle(), of_line.middle(), of_next.middle()};
 }
 
-bool FivePointMatrix::dominated() const {
+bool FivePointMatrix::is_diagonally_dominant() const {
   const Eigen::Index size = diagonal.size();
   for (Eigen::Index i = 0; i < size; ++i) {
-    const double before = (i > 0 ? std::abs(along[i - 1]) : 0.0) + (i >= n ? std::abs(across[i - n]) : 0.0);
-    if (!(diagonal[i] > before + std::abs(along[i]) + std::abs(across[i]))) return false;
+    const double before =
+        (i > 0 ? std::abs(line_coupling[i - 1]) : 0.0) + (i >= n ? std::abs(cross_coupling[i - n]) : 0.0);
+    if (!(diagonal[i] > before + std::abs(line_coupling[i]) + std::abs(cross_coupling[i]))) return false;
   }
   return true;
 }
@@ -58,10 +60,10 @@ bool FivePointMatrix::dominated() const {
 void FivePointMatrix::multiply(const Vec& x, Vec& y) const {
   const Eigen::Index size = x.size();
   y = diagonal.cwiseProduct(x);
-  y.head(size - 1) += along.head(size - 1).cwiseProduct(x.tail(size - 1));
-  y.tail(size - 1) += along.head(size - 1).cwiseProduct(x.head(size - 1));
-  y.head(size - n) += across.head(size - n).cwiseProduct(x.tail(size - n));
-  y.tail(size - n) += across.head(size - n).cwiseProduct(x.head(size - n));
+  y.head(size - 1) += line_coupling.head(size - 1).cwiseProduct(x.tail(size - 1));
+  y.tail(size - 1) += line_coupling.head(size - 1).cwiseProduct(x.head(size - 1));
+  y.head(size - n) += cross_coupling.head(size - n).cwiseProduct(x.tail(size - n));
+  y.tail(size - n) += cross_coupling.head(size - n).cwiseProduct(x.head(size - n));
 }
 
 std::optional<FivePointMatrix> as_five_point(const SparseMatrix& matrix) {
@@ -74,36 +76,36 @@ std::optional<FivePointMatrix> as_five_point(const SparseMatrix& matrix) {
       const Eigen::Index offset = entry.row() - j;
       const double value = entry.value();
       if (offset == n) {
-        found.across[j] = value;
+        found.cross_coupling[j] = value;
       } else if (offset == -n) {
         line_before = value;
       } else if (offset == 0) {
         found.diagonal[j] = value;
       } else if (offset == 1 && (j + 1) % n != 0) {
-        found.along[j] = value;
+        found.line_coupling[j] = value;
       } else if (offset == -1 && j % n != 0) {
         before = value;
       } else if (value != 0.0) {
         return std::nullopt;
       }
     }
-    const bool symmetric =
-        before == (j > 0 ? found.along[j - 1] : 0.0) && line_before == (j >= n ? found.across[j - n] : 0.0);
+    const bool symmetric = before == (j > 0 ? found.line_coupling[j - 1] : 0.0) &&
+                           line_before == (j >= n ? found.cross_coupling[j - n] : 0.0);
     if (!symmetric) return std::nullopt;
   }
   return found;
 }
 
-SparseMatrix sparse(const FivePointMatrix& matrix) {
+SparseMatrix to_sparse(const FivePointMatrix& matrix) {
   const Eigen::Index size = matrix.diagonal.size(), n = matrix.n;
   SparseMatrix result(size, size);
   result.reserve(Eigen::VectorXi::Constant(static_cast<int>(size), 5));
   for (Eigen::Index j = 0; j < size; ++j) {
-    if (j >= n) result.insert(j - n, j) = matrix.across[j - n];
-    if (j % n != 0) result.insert(j - 1, j) = matrix.along[j - 1];
+    if (j >= n) result.insert(j - n, j) = matrix.cross_coupling[j - n];
+    if (j % n != 0) result.insert(j - 1, j) = matrix.line_coupling[j - 1];
     result.insert(j, j) = matrix.diagonal[j];
-    if ((j + 1) % n != 0) result.insert(j + 1, j) = matrix.along[j];
-    if (j + n < size) result.insert(j + n, j) = matrix.across[j];
+    if ((j + 1) % n != 0) result.insert(j + 1, j) = matrix.line_coupling[j];
+    if (j + n < size) result.insert(j + n, j) = matrix.cross_coupling[j];
   }
   result.makeCompressed();
   return result;

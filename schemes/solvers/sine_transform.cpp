@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/solvers/sine_transform.hpp"
 
 #include <algorithm>

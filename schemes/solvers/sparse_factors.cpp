@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/solvers/sparse_factors.hpp"
 
 #include <Eigen/SparseLU>
@@ -18,11 +19,13 @@ class TridiagonalFactors final : public SparseFactors {
 
   explicit TridiagonalFactors(const SparseMatrix& /*matrix*/) {}
 
-  static bool fits(const SparseMatrix& matrix) { return TridiagonalLu<double>::fits(matrix); }
+  static bool is_applicable(const SparseMatrix& matrix) {
+    return TridiagonalLu<double>::is_applicable(matrix);
+  }
   bool factorise(const SparseMatrix& matrix) override { return factors_.factorise(matrix); }
   [[nodiscard]] int determinant_sign() override { return factors_.determinant_sign(); }
   void solve(Vec& b) const override { factors_.solve(b); }
-  [[nodiscard]] std::string_view name() const override { return id; }
+  [[nodiscard]] std::string_view active_method() const override { return id; }
 
  private:
   TridiagonalLu<double> factors_;
@@ -34,24 +37,24 @@ class FastSineFactors final : public SparseFactors {
 
   explicit FastSineFactors(const SparseMatrix& /*matrix*/) {}
 
-  static bool fits(const SparseMatrix& /*matrix*/) { return true; }
+  static bool is_applicable(const SparseMatrix& /*matrix*/) { return true; }
 
   bool factorise(const SparseMatrix& matrix) override {
     const auto found = as_five_point(matrix);
-    const auto stencil = found ? found->constant() : std::nullopt;
+    const auto stencil = found ? found->constant_stencil() : std::nullopt;
     if (!stencil) return false;
     // The pattern is the same in every call.
     if (!sines_) sines_.emplace(found->n, found->m);
     stencil_ = *stencil;
-    return sines_->serves(stencil_);
+    return sines_->is_stable_for(stencil_);
   }
 
   [[nodiscard]] int determinant_sign() override { return sines_->determinant_sign(stencil_); }
   void solve(Vec& b) const override { sines_->solve(stencil_, b); }
-  [[nodiscard]] std::string_view name() const override { return id; }
+  [[nodiscard]] std::string_view active_method() const override { return id; }
 
  private:
-  std::optional<FastSine> sines_;
+  std::optional<FastSineSolver> sines_;
   Stencil<double> stencil_{};
 };
 
@@ -61,7 +64,7 @@ class LuFactors final : public SparseFactors {
 
   explicit LuFactors(const SparseMatrix& matrix) { factors_.analyzePattern(matrix); }
 
-  static bool fits(const SparseMatrix& /*matrix*/) { return true; }
+  static bool is_applicable(const SparseMatrix& /*matrix*/) { return true; }
 
   bool factorise(const SparseMatrix& matrix) override {
     if (!matrix.coeffs().allFinite()) return false;
@@ -71,7 +74,7 @@ class LuFactors final : public SparseFactors {
 
   [[nodiscard]] int determinant_sign() override { return static_cast<int>(factors_.signDeterminant()); }
   void solve(Vec& b) const override { b = factors_.solve(b).eval(); }
-  [[nodiscard]] std::string_view name() const override { return id; }
+  [[nodiscard]] std::string_view active_method() const override { return id; }
 
  private:
   Eigen::SparseLU<SparseMatrix> factors_;
@@ -79,7 +82,7 @@ class LuFactors final : public SparseFactors {
 
 template <class Method>
 std::unique_ptr<SparseFactors> factors_by(const SparseMatrix& matrix, std::string_view method) {
-  if (!(method.empty() || method == Method::id) || !Method::fits(matrix)) return nullptr;
+  if (!(method.empty() || method == Method::id) || !Method::is_applicable(matrix)) return nullptr;
   auto factors = std::make_unique<Method>(matrix);
   return factors->factorise(matrix) ? std::move(factors) : nullptr;
 }

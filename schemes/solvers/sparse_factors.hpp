@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -27,9 +28,9 @@ class SparseFactors {
   // Replaces b by the solution.
   virtual void solve(Vec& b) const = 0;
 
-  // name(): the method that solves. method(): the method chosen at first, which another may have replaced.
-  [[nodiscard]] virtual std::string_view name() const = 0;
-  [[nodiscard]] virtual std::string_view method() const { return name(); }
+  // The method that solves; and the method chosen at first, which ConjugateGradients may have replaced.
+  [[nodiscard]] virtual std::string_view active_method() const = 0;
+  [[nodiscard]] virtual std::string_view chosen_method() const { return active_method(); }
 
   // Saves or restores what one solve leaves for the next with the same matrix.
   virtual void state(Archive& /*archive*/) {}

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>
@@ -13,7 +14,7 @@ class TridiagonalLu {
   using Values = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
   using Rows = Eigen::SparseMatrix<Scalar>;
 
-  static bool fits(const Rows& matrix) {
+  static bool is_applicable(const Rows& matrix) {
     for (Eigen::Index j = 0; j < matrix.outerSize(); ++j) {
       for (typename Rows::InnerIterator entry(matrix, j); entry; ++entry)
         if (std::abs(entry.row() - j) > 1) return false;
@@ -24,7 +25,7 @@ class TridiagonalLu {
   // Returns false where a row is not diagonally dominant. Otherwise no pivot is smaller than the entry on its
   // right.
   bool factorise(const Rows& matrix) {
-    take(matrix);
+    copy_bands(matrix);
     if (!(inverse_.array().abs() >= below_.array().abs() + above_.array().abs()).all()) return false;
     sign_ = 1;
     for (Eigen::Index i = 0; i < inverse_.size(); ++i) {
@@ -48,7 +49,7 @@ class TridiagonalLu {
   }
 
  private:
-  void take(const Rows& matrix) {
+  void copy_bands(const Rows& matrix) {
     below_ = above_ = inverse_ = Values::Zero(matrix.rows());
     for (Eigen::Index j = 0; j < matrix.outerSize(); ++j) {
       for (typename Rows::InnerIterator entry(matrix, j); entry; ++entry) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/problem/archive.hpp"
@@ -15,10 +16,10 @@ class CheckpointStore {
   virtual ~CheckpointStore() = default;
 
   // Called before the first step: restores a stored state. False where there is none.
-  virtual bool resume(const State& state) = 0;
+  virtual bool resume(const StateArchiver& state) = 0;
 
   // Called between two steps: may store the state.
-  virtual void offer(const State& state) = 0;
+  virtual void offer(const StateArchiver& state) = 0;
 };
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
 
 #include <limits>
@@ -16,25 +17,25 @@ Eigen::ArrayXd noise(const Eigen::ArrayXd& largest, In terms) {
 
 }  // namespace
 
-Vec ErrorTolerance::of(In least, In largest, In terms) const {
+Vec ErrorTolerance::on_step(In least, In largest, In terms) const {
   constexpr double of_row = 0.01;
   // The absolute tolerance decides above this share of the relative one; largest growth of a row that counts.
   constexpr double counts = 1e-3, growth = 16.0;
-  const bool by_least = accuracy_.absolute > counts * accuracy_.relative;
+  const bool by_least = accuracy_.atol > counts * accuracy_.rtol;
   const Eigen::ArrayXd size = by_least ? least.array() : largest.array();
-  const Eigen::ArrayXd asked = accuracy_.absolute + accuracy_.relative * size;
+  const Eigen::ArrayXd allowed = accuracy_.atol + accuracy_.rtol * size;
   Eigen::ArrayXd rounded = largest.array();
-  if (by_least) rounded = rounded.min(growth / accuracy_.relative * asked);
+  if (by_least) rounded = rounded.min(growth / accuracy_.rtol * allowed);
   const Eigen::ArrayXd rounding = noise(rounded, terms);
-  if (largest_.size() == 0) return asked.max(rounding);
-  return asked.min(of_row * largest.array().max(largest_.array())).max(rounding);
+  if (largest_.size() == 0) return allowed.max(rounding);
+  return allowed.min(of_row * largest.array().max(largest_.array())).max(rounding);
 }
 
 Vec ErrorTolerance::from_tolerance(In largest, In terms) const {
-  return (accuracy_.absolute + accuracy_.relative * largest.array()).max(noise(largest.array(), terms));
+  return (accuracy_.atol + accuracy_.rtol * largest.array()).max(noise(largest.array(), terms));
 }
 
-void ErrorTolerance::pass(In largest) {
+void ErrorTolerance::accept_step(In largest) {
   if (largest_.size() == 0) largest_ = largest;
   largest_ = largest_.cwiseMax(largest);
 }

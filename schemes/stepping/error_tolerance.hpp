@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/problem/archive.hpp"
@@ -6,27 +7,27 @@
 
 namespace fde {
 
-// The largest error allowed in each row of a step: absolute + relative |y|, but at most 1/100 of the largest
-// |y| that the row has had since t = 0, and at least 50 eps times the terms of the row, and 1e-292.
+// The largest error allowed in each row of a step: atol + rtol |y|, but at most 1/100 of the largest |y| that
+// the row has had since t = 0, and at least 50 eps times the terms of the row, and 1e-292.
 class ErrorTolerance {
  public:
   explicit ErrorTolerance(const Tolerance& accuracy) : accuracy_(accuracy) {}
 
   // largest: the largest |y| of each row on the step; terms: the size of the terms that the row is a sum of.
-  [[nodiscard]] Vec of(In largest, In terms) const { return of(largest, largest, terms); }
+  [[nodiscard]] Vec on_step(In largest, In terms) const { return on_step(largest, largest, terms); }
 
   // The error allowed at every time of a step on which least <= |y| <= largest. It is relative to `largest`
-  // where the absolute tolerance is at most 1e-3 of the relative one, otherwise to `least`; then the rounding
-  // term counts `largest` only up to 16 (absolute / relative + least).
-  [[nodiscard]] Vec of(In least, In largest, In terms) const;
+  // where atol is at most 1e-3 rtol, otherwise to `least`; then the rounding term counts `largest` only up to
+  // 16 (atol / rtol + least).
+  [[nodiscard]] Vec on_step(In least, In largest, In terms) const;
 
   // The allowed error without the bound by the largest |y| so far.
   [[nodiscard]] Vec from_tolerance(In largest, In terms) const;
 
   // Records an accepted step with the largest |y| of each row on it.
-  void pass(In largest);
+  void accept_step(In largest);
 
-  void state(Archive& archive) { archive.grown(largest_); }
+  void state(Archive& archive) { archive.resizable(largest_); }
 
  private:
   Tolerance accuracy_;

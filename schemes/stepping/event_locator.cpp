@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/stepping/event_locator.hpp"
 
 #include <algorithm>
@@ -148,14 +149,14 @@ bool counts(Crossing crossing, const Sample& before) {
 
 void EventOccurrence::state(Archive& archive) {
   archive(event, t);
-  archive.grown(y);
+  archive.resizable(y);
 }
 
 EventLocator::EventLocator(const std::vector<Event>& events, In start) : events_(events) {
   for (const auto& event : events_) values_.push_back(event.value(0.0, start));
 }
 
-std::vector<EventOccurrence> EventLocator::step(double t, In y, const Path& path, int pieces) {
+std::vector<EventOccurrence> EventLocator::step(double t, In y, const StepInterpolant& path, int pieces) {
   const auto times = looked_at(time_, t, pieces);
   std::vector<Vec> states;
   for (const double at : times) states.push_back(at == time_ || at == t ? Vec(y) : path(at));
@@ -174,7 +175,7 @@ std::vector<EventOccurrence> EventLocator::step(double t, In y, const Path& path
   }
   std::ranges::stable_sort(found, {}, &EventOccurrence::t);
   const auto last =
-      std::ranges::find_if(found, [&](const EventOccurrence& one) { return events_[one.event].ends; });
+      std::ranges::find_if(found, [&](const EventOccurrence& one) { return events_[one.event].terminal; });
   if (last != found.end()) found.erase(last + 1, found.end());
   for (auto& one : found) one.y = one.t == t ? Vec(y) : path(one.t);
   time_ = t;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -14,7 +15,7 @@ namespace fde {
 // 21 (1995)); two zeros in one piece are found through the minimum of |value| between them.
 class EventLocator {
  public:
-  using Path = std::function<Vec(double t)>;
+  using StepInterpolant = std::function<Vec(double t)>;
 
   // start = y(0). `events` must outlive this object.
   EventLocator(const std::vector<Event>& events, In start);
@@ -22,7 +23,7 @@ class EventLocator {
   // The zeros on the step from the time of the previous call (at first 0) up to t, by increasing time, up to
   // the first that ends the run. y = y(t); path(s) is y(s) within the step; `pieces` >= 1 is the number of
   // pieces that are sampled initially.
-  std::vector<EventOccurrence> step(double t, In y, const Path& path, int pieces);
+  std::vector<EventOccurrence> step(double t, In y, const StepInterpolant& path, int pieces);
 
   void state(Archive& archive) { archive(time_, values_, left_); }
 

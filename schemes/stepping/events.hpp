@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -16,7 +17,7 @@ enum class Crossing { either, rising, falling };
 struct Event {
   std::function<double(double t, In y)> value{};
   Crossing crossing = Crossing::either;  // zeros in the other direction do not count
-  bool ends = false;                     // whether the first zero that counts ends the run
+  bool terminal = false;                 // whether the first zero that counts ends the run
 };
 
 // A zero of an event function, with y at its time.

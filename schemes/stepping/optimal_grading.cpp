@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/stepping/optimal_grading.hpp"
 
 #include <algorithm>
@@ -13,12 +14,12 @@ constexpr double largest = 10.0;
 Smoothness smoothness_of_rows(const Problem& problem) {
   std::vector<double> steps{1.0};
   for (const auto& component : problem.components) {
-    if (!algebraic(component)) steps.push_back(component.order);
+    if (!is_algebraic(component)) steps.push_back(component.order);
   }
   Smoothness smoothness;
   for (const auto& component : problem.components) {
     auto& powers = smoothness.powers.emplace_back();
-    if (algebraic(component)) continue;
+    if (is_algebraic(component)) continue;
     std::vector<double> start{component.order};
     if (component.order > 1.0) start.push_back(1.0);
     powers = power_lattice(start, steps, component.order + 2.0);
@@ -33,7 +34,7 @@ std::vector<Chain> started(const Problem& problem) {
     const Chain chain = chain_of(problem, equation);
     std::vector<double> initial = chain.initial();
     std::ranges::fill(initial, 1.0);
-    chains.emplace_back(chain.leading(), chain.terms(), initial, chain.first());
+    chains.emplace_back(chain.leading(), chain.terms(), initial, chain.first_row());
   }
   return chains;
 }
@@ -59,7 +60,7 @@ Smoothness generic_smoothness(const Problem& problem) {
 
 double optimal_grading(const Scheme& scheme, const Problem& problem) {
   if (!scheme.expected_rate || is_two_sided(problem)) return 1.0;
-  if (refusal(scheme, problem, Grid{.end = problem.end, .steps = 2, .grading = 2.0})) return 1.0;
+  if (unsupported_reason(scheme, problem, Grid{.end = problem.end, .steps = 2, .grading = 2.0})) return 1.0;
   const Smoothness smoothness = generic_smoothness(problem);
   const auto rate = [&](double grading) {
     return scheme.expected_rate(problem, smoothness, grading, Norm::maximum);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/stepping/order_splitting.hpp"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ std::vector<Component> split_components(const Problem& problem, const OrderSplit
     double node = 0.0;
     for (const double link : links[i]) {
       components.push_back(
-          {link, {whole(node) ? initial[static_cast<std::size_t>(std::lround(node))] : 0.0}});
+          {link, {is_integer_order(node) ? initial[static_cast<std::size_t>(std::lround(node))] : 0.0}});
       node += link;
     }
   }
@@ -78,12 +79,12 @@ std::vector<Component> split_components(const Problem& problem, const OrderSplit
 }
 
 // The derivatives of the split problem, in the same form as the original ones.
-Derivatives split(const NoDerivatives& none, const OrderSplitting& /*links*/,
-                  const std::vector<Eigen::Index>& /*position*/) {
+Derivatives split_orders(const NoDerivatives& none, const OrderSplitting& /*links*/,
+                         const std::vector<Eigen::Index>& /*position*/) {
   return none;
 }
-Derivatives split(const DenseJacobian& original, const OrderSplitting& links,
-                  const std::vector<Eigen::Index>& position) {
+Derivatives split_orders(const DenseJacobian& original, const OrderSplitting& links,
+                         const std::vector<Eigen::Index>& position) {
   return DenseJacobian{[original, links, position](double t, In y, OutMatrix jacobian) {
     const auto size = static_cast<Eigen::Index>(position.size());
     Matrix inner(size, size);
@@ -91,8 +92,8 @@ Derivatives split(const DenseJacobian& original, const OrderSplitting& links,
     spread(inner, links, position, jacobian);
   }};
 }
-Derivatives split(const SparseJacobian& original, const OrderSplitting& links,
-                  const std::vector<Eigen::Index>& position) {
+Derivatives split_orders(const SparseJacobian& original, const OrderSplitting& links,
+                         const std::vector<Eigen::Index>& position) {
   return SparseJacobian{[original, links, position](double t, In y, SparseMatrix& jacobian) {
     const auto size = static_cast<Eigen::Index>(position.size());
     SparseMatrix inner(size, size);
@@ -100,15 +101,15 @@ Derivatives split(const SparseJacobian& original, const OrderSplitting& links,
     jacobian = spread(inner, links, position);
   }};
 }
-Derivatives split(const DenseLinearPart& original, const OrderSplitting& links,
-                  const std::vector<Eigen::Index>& position) {
+Derivatives split_orders(const DenseLinearPart& original, const OrderSplitting& links,
+                         const std::vector<Eigen::Index>& position) {
   const auto size = size_of(links, position);
   DenseLinearPart result{Matrix(size, size)};
   spread(original.matrix, links, position, result.matrix);
   return result;
 }
-Derivatives split(const SparseLinearPart& original, const OrderSplitting& links,
-                  const std::vector<Eigen::Index>& position) {
+Derivatives split_orders(const SparseLinearPart& original, const OrderSplitting& links,
+                         const std::vector<Eigen::Index>& position) {
   return SparseLinearPart{spread(original.matrix, links, position)};
 }
 
@@ -125,11 +126,13 @@ Trajectory solve_split(const Problem& problem, const Resolution& resolution, con
   for (auto& event : inner.events) {
     event.value = [value = event.value, position](double t, In y) { return value(t, Vec(y(position))); };
   }
-  Trajectory path = solve(split(problem, links), resolution, inner);
+  Trajectory path = solve(split_orders(problem, links), resolution, inner);
   path.y = Rows(path.y(position, Eigen::all));
   for (auto& occurrence : path.events) occurrence.y = Vec(occurrence.y(position));
-  if (path.dense) {
-    path.dense = [dense = std::move(path.dense), position](double t) -> Vec { return dense(t)(position); };
+  if (path.dense_output) {
+    path.dense_output = [dense = std::move(path.dense_output), position](double t) -> Vec {
+      return dense(t)(position);
+    };
   }
   return path;
 }
@@ -151,32 +154,33 @@ OrderSplitting splitting_up_to_one(const Problem& problem) {
 std::optional<OrderSplitting> commensurate_splitting(const Problem& problem) {
   for (int m = 1; m <= largest_denominator; ++m) {
     const auto fits = [m](const Component& c) {  // an order that rounds to 0/m would have no link
-      return algebraic(c) || (whole(c.order * m) && std::lround(c.order * m) > 0);
+      return is_algebraic(c) || (is_integer_order(c.order * m) && std::lround(c.order * m) > 0);
     };
     if (!std::ranges::all_of(problem.components, fits)) continue;
     OrderSplitting links;
     for (const auto& c : problem.components) {
       const auto count = static_cast<std::size_t>(std::lround(c.order * m));
-      links.push_back(algebraic(c) ? std::vector{0.0} : std::vector(count, 1.0 / m));
+      links.push_back(is_algebraic(c) ? std::vector{0.0} : std::vector(count, 1.0 / m));
     }
     return links;
   }
   return std::nullopt;
 }
 
-Problem split(const Problem& problem, const OrderSplitting& links) {
+Problem split_orders(const Problem& problem, const OrderSplitting& links) {
   const auto position = positions(links);
   Problem result{.components = split_components(problem, links), .rhs = {}, .end = problem.end};
   result.rhs = [rhs = problem.rhs, links, position](double t, In y, Out f) {
     const Vec original = y(position);
-    Vec driven(original.size());
-    rhs(t, original, driven);
+    Vec rhs_values(original.size());
+    rhs(t, original, rhs_values);
     f.head(f.size() - 1) = y.tail(y.size() - 1);
-    for (Eigen::Index i = 0; i < driven.size(); ++i) f[last_of(links, position, i)] = driven[i];
+    for (Eigen::Index i = 0; i < rhs_values.size(); ++i) f[last_of(links, position, i)] = rhs_values[i];
   };
-  result.jumps = problem.jumps;
-  for (const auto& one : problem.switches) {
-    result.switches.emplace_back([one, position](double t, In y) { return one(t, Vec(y(position))); });
+  result.jump_times = problem.jump_times;
+  for (const auto& one : problem.switching_functions) {
+    result.switching_functions.emplace_back(
+        [one, position](double t, In y) { return one(t, Vec(y(position))); });
   }
   result.domain = problem.domain;
   if (problem.domain.margin) {
@@ -184,12 +188,12 @@ Problem split(const Problem& problem, const OrderSplitting& links) {
       return margin(t, Vec(y(position)));
     };
   }
-  result.derivatives =
-      std::visit([&](const auto& told) { return split(told, links, position); }, problem.derivatives);
+  result.derivatives = std::visit([&](const auto& given) { return split_orders(given, links, position); },
+                                  problem.derivatives);
   return result;
 }
 
-Smoothness split(const Problem& problem, const Smoothness& smoothness, const OrderSplitting& links) {
+Smoothness split_orders(const Problem& problem, const Smoothness& smoothness, const OrderSplitting& links) {
   Smoothness result;
   for (std::size_t i = 0; i < links.size(); ++i) {
     std::vector<double> powers = smoothness.powers[i];

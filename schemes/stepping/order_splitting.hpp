@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -24,10 +25,10 @@ std::optional<OrderSplitting> commensurate_splitting(const Problem& problem);
 
 // The problem with one component per link. The last link of component i has the right-hand side f_i, the
 // others the next link.
-Problem split(const Problem& problem, const OrderSplitting& links);
+Problem split_orders(const Problem& problem, const OrderSplitting& links);
 
 // The expansion at t = 0 of the components of the split problem.
-Smoothness split(const Problem& problem, const Smoothness& smoothness, const OrderSplitting& links);
+Smoothness split_orders(const Problem& problem, const Smoothness& smoothness, const OrderSplitting& links);
 
 // Scheme::solve that splits the problem into these links, calls `solve` and returns the original components.
 Solve with_split_orders(std::function<OrderSplitting(const Problem&)> links, Solve solve);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/stepping/predict_and_correct.hpp"
 
 #include <algorithm>
@@ -10,8 +11,8 @@ namespace fde {
 
 Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const Options& options) {
   Run run(problem, options, grid.steps);
-  const auto predictor = tables(problem, families::rectangle);
-  const auto corrector = tables(problem, families::trapezoid);
+  const auto predictor = weight_tables(problem, families::rectangle);
+  const auto corrector = weight_tables(problem, families::trapezoid);
   const auto history =
       make_history(options.history, {predictor, corrector}, step_plan(grid), options.tolerance);
   run.cost().history_bytes = history->bytes();
@@ -27,12 +28,12 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
   double t = 0.0;
   taylor_part.at(t, taylor);
   int n = 1;
-  const State state = [&](Archive& archive) {
+  const StateArchiver state = [&](Archive& archive) {
     archive.count(n, 1, grid.steps);
     archive(t, y, *history);
   };
-  for (run.resume(state); n <= grid.steps; ++n) {
-    run.offer(state);
+  for (run.resume_from_checkpoint(state); n <= grid.steps; ++n) {
+    run.offer_checkpoint(state);
     history->push(t, run.rhs(t, y));
     const double before = t;
     t = grid.time(n);
@@ -50,5 +51,12 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
   }
   return run.finish();
 }
+
+// The predictor takes f constant: where f starts like t, it has the error h^(1+g), and y has h^g times that.
+const RateTheory predictor_corrector_theory{
+    [](double g) { return std::min(2.0, 1 + g); }, end_rate_of_interpolated_f,
+    [](double g, double p) {
+      return same_order(p - g, 1.0) ? 2 * g + 1 : first_step_rate_of_interpolated_f(g, p);
+    }};
 
 }  // namespace fde

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "fdebench/schemes/stepping/order_splitting.hpp"
@@ -8,12 +10,12 @@
 
 namespace fde {
 
-// Theoretical rates of one scheme. A component of order g contributes its smooth rate and, for each power t^p
-// in its expansion at t = 0 (Smoothness), the rate q(g, p) of that power on a uniform grid, infinity where
-// the scheme is exact for it. The error of a power comes from the first steps. On a graded grid the first
-// step is t_1 = end / N^grading, so the rate is grading * q, at most the smooth rate; the optimal grading is
-// the smooth rate over q (Brunner 1985; for L1 Stynes, O'Riordan & Gracia 2017). Algebraic rows hold exactly
-// at every step and contribute nothing.
+// Theoretical rates of one scheme, defined beside the scheme. A component of order g contributes its smooth
+// rate and, for each power t^p in its expansion at t = 0 (Smoothness), the rate q(g, p) of that power on a
+// uniform grid, infinity where the scheme is exact for it. The error of a power comes from the first steps.
+// On a graded grid the first step is t_1 = end / N^grading, so the rate is grading * q, at most the smooth
+// rate; the optimal grading is the smooth rate over q (Brunner 1985; for L1 Stynes, O'Riordan & Gracia 2017).
+// Algebraic rows hold exactly at every step and contribute nothing.
 struct RateTheory {
   std::function<double(double g)> smooth;
   double (*end)(double g, double p);         // q at a fixed time
@@ -21,31 +23,21 @@ struct RateTheory {
   // Whether f is evaluated inside the steps, where it does not jump: after a jump only the new expansion has
   // an error. Other schemes take the mean of both one-sided values at the jump, an error O(1) in f.
   bool evaluates_inside_steps = false;
+  // The powers of h after the smooth rate in the expansion of the error; nullptr: not known.
 };
 
-// Piecewise linear interpolation of f = D^g y, for f ~ t^r, r = p - g. It is exact for r = 0 and 1. Any other
-// r has the error zeta(-r) h^(1+r) times the kernel at a fixed time, and h^(g+r) at the first step, in
-// addition to h^2.
-extern const RateTheory trapezoidal_theory;
+// The rates of single powers that several theories share. `exact_power`: a rule has no error for it.
+inline constexpr double exact_power = std::numeric_limits<double>::infinity();
 
-// The same interpolation with f evaluated at a prediction by the rectangle rule: the error h of the
-// prediction enters with the factor h^g of the corrector (Diethelm, Ford & Freed 2004, theorem 3.2).
-extern const RateTheory predictor_corrector_theory;
+// Rules that interpolate f = D^g y linearly are exact for f ~ t^r, r = p - g = 0 and 1; any other r has the
+// error zeta(-r) h^(1+r) times the kernel at a fixed time, and h^(g+r) at the first step.
+double end_rate_of_interpolated_f(double g, double p);
+double first_step_rate_of_interpolated_f(double g, double p);
 
-// Piecewise linear interpolation of y: h^(2-g); a power p other than 0 and 1 has the error h^(1+p-g) at a
-// fixed time and h^p at the first step.
-extern const RateTheory l1_theory;
-
-// Piecewise quadratic interpolation of y: h^(3-g); powers as for L1, because the first step interpolates
-// linearly.
-extern const RateTheory l1_2_theory;
-
-// The L2-1_sigma formula: exact at t* = t_(n-1) + sigma h for t^2 too, with y at t* from linear
-// interpolation: h^2; t^2 has the error h^(2+g) at the first step, other powers are as for L1.
-extern const RateTheory l2_1_sigma_theory;
-
-// Backward Euler convolution quadrature: h; a power p has the error h^p at the first step.
-extern const RateTheory grunwald_letnikov_theory;
+// Rules that interpolate y by polynomials are exact for p = 0 and 1; any other t^p has the error h^(1+p-g) at
+// a fixed time and h^p at the first step.
+double end_rate_of_interpolated_y(double g, double p);
+double first_step_rate_of_interpolated_y(double g, double p);
 
 // The rate of a scheme: the smallest of all contributions, for grids with this grading exponent.
 //
@@ -60,6 +52,11 @@ double rate(const RateTheory& theory, const Problem& problem, const Smoothness& 
 // only the original components count in the first steps.
 double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
                   const OrderSplitting& links, double grading, Norm norm);
+
+// Scheme::expected_rate of a scheme with this theory, which must outlive it; of a scheme that solves the
+// split problem.
+ExpectedRate expected_rate(const RateTheory& theory);
+ExpectedRate expected_rate(const RateTheory& theory, OrderSplitting (*splitting)(const Problem& problem));
 
 // The theoretical rate of a scheme, Scheme::expected_rate; nullopt where it has none, or where `smoothness`
 // does not give the powers of every component.

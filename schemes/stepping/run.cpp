@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/stepping/run.hpp"
 
 #include <algorithm>
@@ -22,9 +23,12 @@ bool all_finite(In y) {
 Run::Run(const Problem& problem, const Options& options, int steps)
     : problem_(problem), options_(options), start_(taylor_part(problem, 0.0)), f_(problem.size()) {
   if (!options.events.empty()) events_.emplace(options.events, start_);
-  path_.cost = {
-      .rhs_calls = 0, .newton_iterations = 0, .history_bytes = 0, .states = static_cast<int>(problem.size())};
-  const std::size_t expected = options.at.empty() ? static_cast<std::size_t>(steps) + 1 : options.at.size();
+  path_.cost = {.rhs_calls = 0,
+                .newton_iterations = 0,
+                .history_bytes = 0,
+                .components = static_cast<int>(problem.size())};
+  const std::size_t expected =
+      options.output_times.empty() ? static_cast<std::size_t>(steps) + 1 : options.output_times.size();
   path_.times.reserve(expected);
   path_.y.resize(problem.size(), static_cast<Eigen::Index>(expected));
   if (!is_two_sided(problem)) record(0.0, start_);
@@ -44,32 +48,33 @@ bool Run::accept(double t, In y) {
   return true;
 }
 
-bool Run::accept(double t, In y, const std::function<Vec(double)>& between, int pieces) {
-  const double before = path_.reached;
+bool Run::accept(double t, In y, const std::function<Vec(double)>& dense_output, int pieces) {
+  const double before = path_.last_time;
   if (!check_step(t, y)) return false;
   if (events_) {
-    const auto found = events_->step(t, y, between, pieces);
+    const auto found = events_->step(t, y, dense_output, pieces);
     path_.events.insert(path_.events.end(), found.begin(), found.end());
-    if (!found.empty() && options_.events[found.back().event].ends) {
-      path_.ending = Ending::event;
-      path_.reached = found.back().t;
-      record_step(before, found.back().t, found.back().y, between);
+    if (!found.empty() && options_.events[found.back().event].terminal) {
+      path_.status = SolveStatus::terminal_event;
+      path_.last_time = found.back().t;
+      record_step(before, found.back().t, found.back().y, dense_output);
       return false;
     }
   }
-  record_step(before, t, y, between);
+  record_step(before, t, y, dense_output);
   return true;
 }
 
-void Run::record_step(double before, double t, In y, const std::function<Vec(double)>& between) {
+void Run::record_step(double before, double t, In y, const std::function<Vec(double)>& dense_output) {
   if (options_.observer) options_.observer(t, y);
-  if (options_.at.empty()) keep(t, y);
+  if (options_.output_times.empty()) store(t, y);
   constexpr double rounding = 1e-12;  // of the time at which a last step ends
   const bool last = t >= problem_.end * (1 - rounding) && !ended_by_event();
   const double until = last ? std::max(t, problem_.end) : t;
-  for (const auto& at = options_.at; next_output_ < at.size() && at[next_output_] <= until; ++next_output_) {
-    const double asked = at[next_output_];
-    if (asked > before) keep(asked, asked == t ? Vec(y) : between(std::min(asked, t)));
+  for (const auto& at = options_.output_times; next_output_ < at.size() && at[next_output_] <= until;
+       ++next_output_) {
+    const double output = at[next_output_];
+    if (output > before) store(output, output == t ? Vec(y) : dense_output(std::min(output, t)));
   }
 }
 
@@ -78,26 +83,26 @@ bool Run::check_step(double t, In y) {
   constexpr int steps_between_looks = 16;
   const std::int64_t n = t > 0.0 ? path_.steps + 1 : 0;
   if (!all_finite(y)) {
-    fail(Ending::non_finite, t);
+    fail(SolveStatus::non_finite, t);
   } else if (!problem_.domain.contains(t, y)) {
-    fail(Ending::singular, t);
+    fail(SolveStatus::left_domain, t);
   } else if ((n < steps_between_looks || n % steps_between_looks == 0) && out_of_budget()) {
-    fail(Ending::out_of_budget, t);
+    fail(SolveStatus::out_of_budget, t);
   }
-  if (path_.ending != Ending::finished) return false;
+  if (path_.status != SolveStatus::finished) return false;
   path_.steps = n;
-  path_.reached = t;
+  path_.last_time = t;
   return true;
 }
 
-bool Run::resume(const State& state) {
+bool Run::resume_from_checkpoint(const StateArchiver& state) {
   return options_.checkpoints != nullptr && options_.checkpoints->resume([&](Archive& archive) {
     this->state(archive);
     state(archive);
   });
 }
 
-void Run::offer(const State& state) {
+void Run::offer_checkpoint(const StateArchiver& state) {
   if (options_.checkpoints == nullptr) return;
   options_.checkpoints->offer([&](Archive& archive) {
     this->state(archive);
@@ -106,21 +111,21 @@ void Run::offer(const State& state) {
 }
 
 void Run::state(Archive& archive) {
-  archive(path_.steps, path_.reached, *path_.cost.rhs_calls, *path_.cost.newton_iterations);
-  archive.count(next_output_, 0, options_.at.size());
-  archive.grown(path_.times);
+  archive(path_.steps, path_.last_time, *path_.cost.rhs_calls, *path_.cost.newton_iterations);
+  archive.count(next_output_, 0, options_.output_times.size());
+  archive.resizable(path_.times);
   archive.first_columns(path_.y, std::ssize(path_.times));
-  archive.grown(path_.events);
+  archive.resizable(path_.events);
   archive(events_);
 }
 
-void Run::fail(Ending ending, double t) {
-  path_.ending = ending;
+void Run::fail(SolveStatus ending, double t) {
+  path_.status = ending;
   path_.failure_time = t;
 }
 
 void Run::fail_without_convergence(double residual) {
-  path_.ending = Ending::not_converged;
+  path_.status = SolveStatus::not_converged;
   path_.residual = residual;
 }
 
@@ -132,19 +137,19 @@ bool Run::out_of_budget() const {
 
 void Run::record(double t, In y) {
   if (options_.observer) options_.observer(t, y);
-  if (options_.at.empty() || asked_for(t)) keep(t, y);
+  if (options_.output_times.empty() || is_output_time(t)) store(t, y);
 }
 
-void Run::keep(double t, In y) {
+void Run::store(double t, In y) {
   const auto column = std::ssize(path_.times);
   if (column == path_.y.cols()) path_.y.conservativeResize(Eigen::NoChange, 2 * column + 1);
   path_.y.col(column) = y;
   path_.times.push_back(t);
 }
 
-bool Run::asked_for(double t) {
+bool Run::is_output_time(double t) {
   constexpr double rounding = 1e-12;
-  const auto& at = options_.at;
+  const auto& at = options_.output_times;
   while (next_output_ < at.size() && at[next_output_] < t * (1 - rounding)) ++next_output_;
   return next_output_ < at.size() && at[next_output_] <= t * (1 + rounding);
 }
@@ -154,7 +159,7 @@ Trajectory Run::finish() {
   return std::move(path_);
 }
 
-std::vector<WeightTable> tables(const Problem& problem, const WeightFamily& family) {
+std::vector<WeightTable> weight_tables(const Problem& problem, const WeightFamily& family) {
   std::vector<WeightTable> result;
   for (const auto& component : problem.components) result.push_back({&family, component.order});
   return result;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <chrono>
@@ -26,22 +27,22 @@ class Run {
   // ended, when y is not finite or outside the domain, or the budget is spent. Throws std::invalid_argument
   // where Options::events is not empty: events need the other overload.
   bool accept(double t, In y);
-  // The same for a scheme with dense output: between(s) is y(s) within the step. Times of Options::at inside
-  // the step are recorded, and events are located from samples in `pieces` pieces of the step. False also at
-  // an event that ends the run; the result is then valid up to the event.
-  bool accept(double t, In y, const std::function<Vec(double)>& between, int pieces = 8);
+  // The same for a scheme with dense output: dense_output(s) is y(s) within the step. Times of
+  // Options::output_times inside the step are recorded, and events are located from samples in `pieces`
+  // pieces of the step. False also at an event that ends the run; the result is then valid up to the event.
+  bool accept(double t, In y, const std::function<Vec(double)>& dense_output, int pieces = 8);
 
   // Whether an event has ended the run, within the last step.
-  [[nodiscard]] bool ended_by_event() const { return path_.ending == Ending::event; }
+  [[nodiscard]] bool ended_by_event() const { return path_.status == SolveStatus::terminal_event; }
 
-  // Between two steps, with Options::checkpoints. resume() restores a stored state and returns whether there
-  // is one; offer() lets the checkpoints store the present one. `state` archives the state of the scheme; the
-  // state of this object is added.
-  bool resume(const State& state);
-  void offer(const State& state);
+  // Between two steps, with Options::checkpoints. resume_from_checkpoint() restores a stored state and
+  // returns whether there is one; offer_checkpoint() lets the checkpoints store the present one. `state`
+  // archives the state of the scheme; the state of this object is added.
+  bool resume_from_checkpoint(const StateArchiver& state);
+  void offer_checkpoint(const StateArchiver& state);
 
   // Ends the run because the step to t has no result.
-  void fail(Ending ending, double t);
+  void fail(SolveStatus ending, double t);
   // Ends the run because Newton's method for all times at once has not converged, with its last residual.
   void fail_without_convergence(double residual);
 
@@ -54,22 +55,22 @@ class Run {
 
  private:
   bool check_step(double t, In y);
-  void record_step(double before, double t, In y, const std::function<Vec(double)>& between);
+  void record_step(double before, double t, In y, const std::function<Vec(double)>& dense_output);
   void state(Archive& archive);
   void record(double t, In y);
-  void keep(double t, In y);
-  bool asked_for(double t);
+  void store(double t, In y);
+  bool is_output_time(double t);
 
   const Problem& problem_;
   const Options& options_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Vec start_, f_;
-  std::size_t next_output_ = 0;  // index in Options::at of the next output time
+  std::size_t next_output_ = 0;  // index in Options::output_times of the next output time
   std::optional<EventLocator> events_{};
   Trajectory path_;
 };
 
 // The weight tables of one memory sum: the same family for every component, each with its own order.
-std::vector<WeightTable> tables(const Problem& problem, const WeightFamily& family);
+std::vector<WeightTable> weight_tables(const Problem& problem, const WeightFamily& family);
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -27,19 +28,23 @@ struct Options {
   double tolerance = 1e-15;
   double budget = std::numeric_limits<double>::infinity();  // seconds of run time after which the run ends
   int threads = 1;  // >= 1; may share a step of many unknowns; the result has the same bits for any number
-  std::vector<double> at{};     // output times, increasing, each up to rounding; empty: all times
-  bool all_solutions = false;   // search for further solutions of a two-sided problem: Trajectory::others
+  std::vector<double> output_times{};  // increasing, each up to rounding; empty: all times
+  // Whether to search for further solutions of a two-sided problem: Trajectory::other_solutions.
+  bool all_solutions = false;
   std::vector<Event> events{};  // only for schemes with an adaptive step size; the others throw
-  std::function<void(double t, In y)> observer{};  // called after every step and at t = 0, whatever `at` is
+  // Called after every step and at t = 0, whatever `output_times` is.
+  std::function<void(double t, In y)> observer{};
   // Where the run stores and resumes its state, for schemes with Capabilities::checkpoints; nullptr: none.
   // The state of the observer is not part of a checkpoint.
   CheckpointStore* checkpoints = nullptr;
 };
 
-// The capabilities of a scheme: which resolutions it accepts and which problems it can solve.
+// How the steps of a run are given: as a grid, or by a tolerance for an adaptive step size.
+enum class ResolutionKind { grid, tolerance };
+
+// The capabilities of a scheme: which resolution it takes and which problems it can solve.
 struct Capabilities {
-  bool solves_on_grid = true;
-  bool takes_accuracy = false;         // adaptive step size
+  ResolutionKind resolution = ResolutionKind::grid;
   bool discretises_equations = false;  // discretises Problem::equations instead of the rows
   bool uniform_grid = false;           // only uniform grids
   bool implicit = false;               // solves an equation in each step and uses Problem::derivatives
@@ -47,6 +52,8 @@ struct Capabilities {
   double max_order = 2.0;
   bool is_two_sided = false;  // accepts right derivatives and boundary conditions
   bool checkpoints = false;   // supports Options::checkpoints, for problems that it solves by time stepping
+
+  [[nodiscard]] bool is_adaptive() const { return resolution == ResolutionKind::tolerance; }
 };
 
 // Where an error is measured: at a fixed time t > 0, at t_1 = h, or as the maximum over all grid times. The
@@ -62,18 +69,22 @@ struct Theorem {
 using Solve = std::function<Trajectory(const Problem&, const Resolution&, const Options&)>;
 using GridSolve = std::function<Trajectory(const Problem&, const Grid&, const Options&)>;
 
+// The theoretical rate of a scheme on grids with this grading, in this norm.
+using ExpectedRate = std::function<double(const Problem&, const Smoothness&, double grading, Norm norm)>;
+
 // A scheme: its description and the function that runs it; it has no state.
 struct Scheme {
   std::string_view id, title, source;
-  Capabilities needs;
+  Capabilities capabilities;
   // The theoretical rate as steps -> infinity on grids with this grading, with default options, for the
   // components that are not algebraic rows; empty: unknown.
-  std::function<double(const Problem&, const Smoothness&, double grading, Norm)> expected_rate{};
-  // Runs the scheme. Precondition: refusal(...) is empty. Never throws for numerical failure: see
-  // Trajectory::ending. Of Options::at it returns the times that are grid times or that it can interpolate.
+  ExpectedRate expected_rate{};
+  // Runs the scheme. Precondition: unsupported_reason(...) is empty. Never throws for numerical failure: see
+  // Trajectory::status. Of Options::output_times it returns the times that are grid times or that it can
+  // interpolate.
   Solve solve;
-  // A reason to refuse a problem that `needs` does not express; empty function: none.
-  std::function<std::optional<std::string>(const Problem&)> refuses{};
+  // A reason to refuse a problem that `capabilities` does not express; empty function: none.
+  std::function<std::optional<std::string>(const Problem&)> unsupported_problem_reason{};
   // The symbol of the scheme with this step size and one correction. Preconditions: the problem is linear,
   // has no algebraic rows and no right derivatives, and is not refused.
   std::function<Symbol(const Problem&, double length)> symbol{};
@@ -90,11 +101,11 @@ struct Scheme {
 Solve on_grid(GridSolve solve);
 
 // Why the scheme cannot solve the problem with this resolution, as part of a sentence; nullopt: it can.
-std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
-                                   const Resolution& resolution);
+std::optional<std::string> unsupported_reason(const Scheme& scheme, const Problem& problem,
+                                              const Resolution& resolution);
 
 // Why the scheme does not support checkpoints for this problem, as part of a sentence; nullopt: it does.
-std::optional<std::string> refusal_of_checkpoints(const Scheme& scheme, const Problem& problem);
+std::optional<std::string> unsupported_checkpoints_reason(const Scheme& scheme, const Problem& problem);
 
 // All schemes, in the order of list.def.
 std::span<const Scheme> schemes();

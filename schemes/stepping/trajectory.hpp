@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,8 @@ namespace fde {
 
 using Rows = Matrix;  // one row a component, one column a time
 
-// How a run ended. A scheme returns one of the first ten; the others are set by callers, most of them after a
-// comparison with the reference.
-enum class Ending {
+// How a solve ended.
+enum class SolveStatus {
   finished,
   non_finite,
   not_converged,   // Newton's method did not converge
@@ -23,16 +23,10 @@ enum class Ending {
   step_too_small,  // the error test failed down to the smallest step size
   blow_up,         // the solution grows without bound as time nears a finite one
   sliding,         // the state stays on a switching surface, no solution leaves it (Filippov sliding)
-  singular,        // the state left the domain of the problem
+  left_domain,     // the state left the domain of the problem, at a singularity of its right-hand side
   out_of_budget,
-  event,               // an event with Event::ends ended the run
-  accuracy_lost,       // finished with an error as large as the value up to the end
-  overflow,            // finished where the solution itself is infinite
-  no_reference,        // finished, without a reference to compare with
-  passed_singularity,  // finished after a singularity of the solution
-  false_singularity,   // singular, although the solution has no singularity there
-  program_failed,      // an external program crashed, was ended or wrote no trajectory
-  refused,             // the run was not started
+  terminal_event,  // an event with Event::terminal ended the run
+  refused,         // the run was not started
 };
 
 // The cost of a run apart from time. A quantity that was not counted is nullopt.
@@ -40,25 +34,25 @@ struct Cost {
   std::optional<std::int64_t> rhs_calls{}, newton_iterations{};
   std::optional<std::size_t> history_bytes{};
   // Number of components that were integrated; more than the problem has where a scheme splits orders.
-  std::optional<int> states{};
-  std::optional<int> start_weights{};            // starting weights (of f_0, f_1, ...) in every step
+  std::optional<int> components{};
+  std::optional<int> starting_weights{};         // their number in every step: those of f_0, f_1, ...
   std::optional<std::int64_t> rejected_steps{};  // attempted and rejected
   std::string_view linear_solver{};              // for sparse systems; empty: there were none
 };
 
-// The result of a scheme: y at the output times, by default at all of its own times, up to `reached`.
+// The result of a scheme: y at the output times, by default at all of its own times, up to `last_time`.
 struct Trajectory {
-  std::vector<double> times{};            // increasing
-  Rows y{};                               // y.col(c) belongs to times[c]
-  std::function<Vec(double t)> dense{};   // dense output, 0 <= t <= reached; empty: not available
-  std::vector<EventOccurrence> events{};  // zeros of Options::events, by increasing time
-  Ending ending = Ending::finished;
-  double reached = 0.0;                  // the last time with a result, also where it is no output time
+  std::vector<double> times{};                  // increasing
+  Rows y{};                                     // y.col(c) belongs to times[c]
+  std::function<Vec(double t)> dense_output{};  // y at any 0 <= t <= last_time; empty: not available
+  std::vector<EventOccurrence> events{};        // zeros of Options::events, by increasing time
+  SolveStatus status = SolveStatus::finished;
+  double last_time = 0.0;                // the last time with a result, also where it is no output time
   std::optional<double> failure_time{};  // the end of the step that failed; nullopt: none did
   std::optional<double> residual{};      // the last residual, where Newton's method for all times failed
   std::int64_t steps = 0;                // number of steps with a result
   Cost cost{};
-  std::vector<Trajectory> others{};  // further solutions with Options::all_solutions
+  std::vector<Trajectory> other_solutions{};  // further solutions with Options::all_solutions
 
   // The time of this column of y.
   [[nodiscard]] double time(Eigen::Index column) const { return times[static_cast<std::size_t>(column)]; }

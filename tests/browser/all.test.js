@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One browser for all tests, two at a time.
 import { after, before, describe } from "node:test";
 import { start, stop } from "./browser.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { RESULTS, settled, withPage } from "./browser.js";
@@ -16,7 +17,7 @@ test("the first screen has the answer of every scene, the cheapest run in each c
     assert.ok((await table.boundingBox()).y < 400);
     const row = table.locator("tbody tr", { has: page.locator('th a[href="#scene-pendulum"]') });
     for (const [column, accuracy] of [[0, 1e-2], [2, 1e-6]]) {
-      const within = finished(runs).filter((run) => run.scene === "pendulum" && run.error_maximum_mixed <= accuracy && !run.trivial_maximum_mixed);
+      const within = finished(runs).filter((run) => run.scene === "pendulum" && run.error_maximum_mixed <= accuracy && !run.baseline_maximum_mixed);
       const best = within.reduce((a, b) => (a.time_median < b.time_median ? a : b));
       const cell = row.locator("td").nth(column);
       assert.equal((await cell.locator("a").getAttribute("aria-label")).split(": ")[1], best.scheme);
@@ -50,7 +51,7 @@ test("each scheme has a sentence on where it wins and where not to use it", () =
     assert.deepEqual(Object.values(words).map(({ short }) => short).sort(), ["ap", "bdf4", "l1", "pt", "sc"]);
     const accuracies = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
     const winners = scenesOf(runs).flatMap((scene) => accuracies.map((accuracy) => finished(runs)
-      .filter((run) => run.scene === scene && run.error_maximum_mixed <= accuracy && !run.trivial_maximum_mixed && run.time_median)
+      .filter((run) => run.scene === scene && run.error_maximum_mixed <= accuracy && !run.baseline_maximum_mixed && run.time_median)
       .reduce((a, b) => (!a || b.time_median < a.time_median ? b : a), null)).filter(Boolean));
     for (const [scheme, { wins }] of Object.entries(words)) {
       const won = winners.filter((run) => run.scheme === scheme).length;
@@ -67,7 +68,7 @@ test("trials have their verdict", () =>
     assert.equal(await cells.count(), trials.length);
     const surviving = trials.filter((run) => run.ending === "finished" && run.error_relative <= 1e-2);
     assert.equal(await page.locator('#stability td[data-tone="survives"]').count(), surviving.length);
-    // The smaller its error, the fuller its colour.
+    // The smaller its error, the darker its colour.
     const shades = await page.locator('#stability td[data-tone="survives"]').evaluateAll((all) =>
       all.map((cell) => [parseFloat(cell.style.getPropertyValue("--strength")), Number(/, ([\d.e-]+) of the value/.exec(cell.title)[1])]).sort((a, b) => a[1] - b[1]).map(([shade]) => shade));
     assert.deepEqual(shades, [...shades].sort((a, b) => b - a));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The checks of this folder see what is broken: each of these pages has one fault.
 import assert from "node:assert/strict";
 import { test } from "node:test";

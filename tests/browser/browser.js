@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pages in a headless browser. Whatever a test does, the page must not complain.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -25,8 +26,8 @@ function complaintsOf(page) {
   return complaints;
 }
 
-// Opens the page and calls visit with it. address: what stands behind the file, "#scene-relaxation". changed: a text of the file and what
-// stands in its place.
+// Opens the page and calls visit with it. address: what follows the file, "#scene-relaxation". changed: a text of the file and its
+// replacement.
 export async function withPage({ width = 1280, height = 900, dark = false, address = "", changed, page: file = PAGE }, visit) {
   const context = await browser.newContext({
     viewport: { width, height }, colorScheme: dark ? "dark" : "light", reducedMotion: "reduce", acceptDownloads: true,

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """browser_test.py FDEBENCH FOLDER: makes a small page in FOLDER and tries it in Debian's Chromium. Exit code 77, for skipped, where
 Chromium, node or the packages of this folder are missing; ./setup.sh --tests installs them."""
 

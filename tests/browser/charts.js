@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What must hold of charts, checked on the page.
 import assert from "node:assert/strict";
 import { drawn, finished, scenesOf } from "./records.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -101,12 +102,12 @@ test("a click in the legend leaves one line bright", () =>
 test("the numbers behind a chart are a table and a file", () =>
   withPage({ address: "#scene-pendulum" }, async (page) => {
     await settled(page);
-    const figure = sectionOf(page, "pendulum").locator('figure[data-chart="delivered-against-asked"]');
-    const asked = finished(runs).filter((run) => run.scene === "pendulum" && run.asked);
+    const figure = sectionOf(page, "pendulum").locator('figure[data-chart="delivered-against-requested"]');
+    const requested = finished(runs).filter((run) => run.scene === "pendulum" && run.requested);
     const rows = await figure.locator("tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
-    assert.deepEqual(rows.map((row) => row.slice(0, 3)), asked.map((run) => [run.scheme, errorText(run.asked), errorText(run[shown])]));
+    assert.deepEqual(rows.map((row) => row.slice(0, 3)), requested.map((run) => [run.scheme, errorText(run.requested), errorText(run[shown])]));
     const [download] = await Promise.all([page.waitForEvent("download"), figure.locator(".numbers > a").click()]);
     const lines = readFileSync(await download.path(), "utf8").trim().split("\n").map((line) => line.split(","));
-    assert.deepEqual(lines[0], ["scheme", "asked", "mixed maximum error", "ratio", "N", "run time in s"]);
-    assert.deepEqual(lines.slice(1).map(([, , error, , steps]) => [Number(error).toPrecision(4), steps]), asked.map((run) => [run[shown].toPrecision(4), String(run.steps)]));
+    assert.deepEqual(lines[0], ["scheme", "requested", "mixed maximum error", "ratio", "N", "run time in s"]);
+    assert.deepEqual(lines.slice(1).map(([, , error, , steps]) => [Number(error).toPrecision(4), steps]), requested.map((run) => [run[shown].toPrecision(4), String(run.steps)]));
   }));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pages of two results: side by side, and of two machines.
 import assert from "node:assert/strict";
 import { dirname, join } from "node:path";
@@ -26,7 +27,7 @@ test("a page of two results says what changed, and leads to the scenes", () =>
     await sectionOf(page, "relaxation").scrollIntoViewIfNeeded();
     await figure.locator(".mark-symbol.role-mark path").first().waitFor({ state: "attached" });
     const drawn = await figure.locator(".mark-symbol.role-mark path").evaluateAll((marks) => marks.filter((mark) => mark.__data__.datum.line === "bdf4").length);
-    assert.equal(drawn, ofBdf4.filter((run) => !run.asked).length);
+    assert.equal(drawn, ofBdf4.filter((run) => !run.requested).length);
   }));
 
 test("results of several machines are shown of one", () =>

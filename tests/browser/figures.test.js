@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figures for papers: drawn without a browser, by the charts of the page.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
@@ -27,7 +28,7 @@ function checkPaper(svg, name) {
 }
 
 test("a figure has a mark for each record", () => {
-  for (const [kind, chart] of [["work-precision", "error-against-time"], ["memory", "error-against-memory"], ["rate", "error-against-step"], ["accuracy", "delivered-against-asked"], ["energy", "energy-against-step"]]) {
+  for (const [kind, chart] of [["work-precision", "error-against-time"], ["memory", "error-against-memory"], ["rate", "error-against-step"], ["accuracy", "delivered-against-requested"], ["energy", "energy-against-step"]]) {
     const out = figure(`${kind}.svg`);
     assert.equal(execFileSync(PROGRAM, plot(kind, out), { encoding: "utf8" }), `${out}\n`);
     const svg = readFileSync(out, "utf8");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // node measure.js PAGE...: how large pages of `fdebench report` are, and after how long they show their answer and a first chart, in
 // headless Chromium at 1280 x 800: the least of five times each. No test: a busy machine takes longer.
 import { statSync } from "node:fs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Colours of lines and verdicts as readers with colour blindness see them, and the second channel that tells lines apart.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -33,7 +34,7 @@ function nearest(all, matrix) {
 }
 
 for (const dark of [false, true]) {
-  test(`colours are told apart by the colour-blind: ${dark ? "dark" : "light"}`, () =>
+  test(`colours are distinguished by the colour-blind: ${dark ? "dark" : "light"}`, () =>
     withPage({ dark }, async (page) => {
       const all = await page.evaluate(() => colours);
       assert.equal(new Set(all).size, all.length);

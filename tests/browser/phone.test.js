@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a reader with a phone has, and what each recommendation gives: names in full, a command to copy.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";

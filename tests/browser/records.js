@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the results file says should be on the page, read without the report.
 import { readFileSync } from "node:fs";
 
@@ -7,7 +8,7 @@ const labelOf = (scene, settings = {}) =>
 // A trial has as many steps as no other run of these results.
 const trialSteps = 4096;
 
-// Each run once: {scene, scheme, steps, asked, ending, <quantity>: value, ...}.
+// Each run once: {scene, scheme, steps, requested, ending, <quantity>: value, ...}.
 export function runsOf(file) {
   const runs = new Map();
   for (const line of readFileSync(file, "utf8").trim().split("\n")) {
@@ -15,7 +16,7 @@ export function runsOf(file) {
     if (!row.quantity) continue;
     const scene = labelOf(row.scene, row.settings);
     const key = JSON.stringify([scene, row.scheme, row.accuracy ?? row.steps]);
-    if (!runs.has(key)) runs.set(key, { scene, scheme: row.scheme, steps: row.steps, h: row.h, asked: row.accuracy?.relative });
+    if (!runs.has(key)) runs.set(key, { scene, scheme: row.scheme, steps: row.steps, h: row.h, requested: row.accuracy?.relative });
     Object.assign(runs.get(key), { [row.quantity]: row.value, ...(row.ending && { ending: row.ending }) });
   }
   return [...runs.values()];
@@ -32,7 +33,7 @@ export const errorText = (value) => value.toExponential(1).replace("e+", "e");
 export const drawn = {
   "error-against-time": (runs, error) => runs.filter((run) => run[error] > 0 && run.time_minimum > 0),
   "error-against-memory": (runs, error) => runs.filter((run) => run[error] > 0 && run.history_bytes > 0),
-  "error-against-step": (runs, error) => runs.filter((run) => run[error] > 0 && !run.asked),
-  "delivered-against-asked": (runs, error) => runs.filter((run) => run[error] > 0 && run.asked),
-  "energy-against-step": (runs) => runs.filter((run) => run.energy_residual > 0 && !run.asked),
+  "error-against-step": (runs, error) => runs.filter((run) => run[error] > 0 && !run.requested),
+  "delivered-against-requested": (runs, error) => runs.filter((run) => run[error] > 0 && run.requested),
+  "energy-against-step": (runs) => runs.filter((run) => run.energy_residual > 0 && !run.requested),
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { RESULTS, settled, withPage } from "./browser.js";
@@ -6,7 +7,7 @@ import { finished, runsOf } from "./records.js";
 
 const runs = runsOf(RESULTS);
 
-// What the controls asked for in the test below.
+// What the controls requested for in the test below.
 async function checkView(page) {
   await settled(page);
   assert.equal(await page.inputValue("#norm"), "end");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "certificate/ball.hpp"
 
 #include <acb_hypgeom.h>
@@ -6,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 namespace {
 
 template <class Function>
@@ -157,4 +158,4 @@ double log2_lower_bound(const Ball& x) {
   return bits;
 }
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

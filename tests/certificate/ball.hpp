@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <acb.h>
@@ -6,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 
 // Scope guard that sets the working precision of this thread, in bits.
 class WorkingBits {
@@ -97,4 +98,4 @@ bool operator>(const Ball& a, const Ball& b);
 double log2_upper_bound(const Ball& x);
 double log2_lower_bound(const Ball& x);
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

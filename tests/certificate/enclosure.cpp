@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "certificate/enclosure.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 namespace {
 
 bool is_integer(const Ball& x) { return acb_is_int(x.get()) != 0; }
@@ -23,7 +24,7 @@ Method method_for(const Arguments& x, long bits) {
                                                                        : Method::hankel;
 }
 
-Ball attempt(const Arguments& x, Method method) {
+Ball evaluate_once(const Arguments& x, Method method) {
   const Ball value = method == Method::power_series ? power_series(x)
                      : method == Method::residues   ? integer_residues(x)
                                                     : hankel_integral(x);
@@ -40,7 +41,7 @@ Ball enclose(const Arguments& x, int digits, Method method) {
   if (method == Method::power_series) bits += std::lround(std::min(series_effort(x, goal).lost_bits, 1e4));
   while (bits <= most_bits) {
     const WorkingBits scope(bits);
-    Ball value = attempt(x, method);
+    Ball value = evaluate_once(x, method);
     const long accuracy = value.accuracy();
     if (accuracy >= goal) return value;
     bits += accuracy > 0 ? goal - accuracy + guard : bits;
@@ -53,4 +54,4 @@ Ball enclose(double alpha, double beta, std::complex<double> z, int digits, Meth
   return enclose({Ball(alpha), Ball(beta), Ball(z)}, digits, method);
 }
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

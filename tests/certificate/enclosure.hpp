@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
 
 #include "certificate/ball.hpp"
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 
 // Arguments of E_{alpha,beta}(z), each exact or an enclosure.
 struct Arguments {
@@ -35,4 +36,4 @@ struct SeriesEffort {
 };
 SeriesEffort series_effort(const Arguments& x, long bits);
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

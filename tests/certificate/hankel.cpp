@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <acb_calc.h>
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 
 #include "certificate/enclosure.hpp"
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 namespace {
 
 // With s = e^u, Hankel's integral is E = 1/(2 pi i) int f(u) du,
@@ -146,4 +147,4 @@ Ball hankel_integral(const Arguments& x) {
   return whole / (Ball(2.0) * Ball::i() * Ball::pi()) + residues(x, path);
 }
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <flint/flint.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,7 +17,7 @@
 #include "certificate/point_check.hpp"
 #include "certificate/prabhakar_enclosure.hpp"
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 namespace {
 
 struct Options {
@@ -42,11 +43,11 @@ std::vector<int> chosen_points(const Options& options) {
 
 PointCheck judge_or_fault(const Point& point, int digits) {
   try {
-    return judge(point, digits);
+    return check_point(point, digits);
   } catch (const std::exception& error) {
     PointCheck row;
     row.point = point;
-    row.faults.emplace_back(error.what());
+    row.failures.emplace_back(error.what());
     return row;
   }
 }
@@ -73,7 +74,7 @@ struct Total {
   void add(const PointCheck& row) {
     ++count;
     near_zero += row.conditioned_ulps < row.ulps ? 1 : 0;
-    faulty += row.faults.empty() ? 0 : 1;
+    faulty += row.failures.empty() ? 0 : 1;
     worst = std::max(worst, row.conditioned_ulps);
     squares += row.conditioned_ulps * row.conditioned_ulps;
     ball += row.ball_seconds;
@@ -108,11 +109,11 @@ void print_row(const PointCheck& row) {
       "{}: E_{{{:.17g},{:.17g}}}({:.17g}{:+.17g}i)\n  certified {} {} +- {}\n  computed  {:.17g} {:.17g} +- "
       "{:.3g}: {:.3f} ulp",
       row.point.region, row.point.alpha, row.point.beta, row.point.z.real(), row.point.z.imag(), row.re,
-      row.im, row.radius, row.computed.real(), row.computed.imag(), row.bound, row.ulps);
+      row.im, row.radius, row.value_in_double.real(), row.value_in_double.imag(), row.bound, row.ulps);
   if (row.conditioned_ulps < row.ulps) fmt::print(" of |E|, {:.3f} ulp of |z E'|", row.conditioned_ulps);
   fmt::print("; ball {:.1f} ms, double {:.4f} ms, digits {:.1f} ms", 1e3 * row.ball_seconds,
              1e3 * row.double_seconds, 1e3 * row.digits_seconds);
-  for (const std::string& fault : row.faults) fmt::print("\n  FAULT {}", fault);
+  for (const std::string& fault : row.failures) fmt::print("\n  FAULT {}", fault);
   fmt::print("\n");
 }
 
@@ -145,12 +146,12 @@ int run_prabhakar(int points) {
     double worst = 0.0;
     int wrong = 0;
     for (int i = kind; i < points; i += 2) {
-      const PrabhakarCheck row = judge(prabhakar_point(i));
+      const PrabhakarCheck row = check_point(prabhakar_point(i));
       times.push_back(row.seconds);
       worst = std::max(worst, row.ulps);
-      wrong += row.faults.empty() ? 0 : 1;
+      wrong += row.failures.empty() ? 0 : 1;
       const auto& [alpha, beta, gamma, z, derivative] = row.point;
-      for (const auto& fault : row.faults) {
+      for (const auto& fault : row.failures) {
         fmt::print(
             "  FAULT {}: alpha {:.17g} beta {:.17g} gamma {:.17g} z {:.17g}{:+.17g}i derivative {}: {} ulp\n",
             fault, alpha, beta, gamma, z.real(), z.imag(), derivative, row.ulps);
@@ -170,10 +171,11 @@ int run(const Options& options) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   print_regions(rows);
   print_top("worst points", rows, options.worst,
-            [](const PointCheck& row) { return std::pair(row.faults.size(), row.conditioned_ulps); });
+            [](const PointCheck& row) { return std::pair(row.failures.size(), row.conditioned_ulps); });
   print_top("slowest points", rows, options.slowest,
             [](const PointCheck& row) { return row.double_seconds + row.digits_seconds; });
-  const auto faulty = std::ranges::count_if(rows, [](const PointCheck& row) { return !row.faults.empty(); });
+  const auto faulty =
+      std::ranges::count_if(rows, [](const PointCheck& row) { return !row.failures.empty(); });
   fmt::print("\n{} points, {} faulty, {:.1f} s on {} threads\n", rows.size(), faulty, seconds.count(),
              options.threads);
   if (!options.out.empty()) write_table(rows, options.out);
@@ -181,10 +183,10 @@ int run(const Options& options) {
 }
 
 }  // namespace
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate
 
 int main(int argc, char** argv) try {
-  fde::certificate::Options options;
+  fde::reference::certificate::Options options;
   CLI::App app{"Judges mittag_leffler by rigorous enclosures at 10,000 points; exit code 1 on any fault"};
   app.add_option("--every", options.every, "judge each K-th point")->check(CLI::PositiveNumber);
   app.add_option("--region", options.region, "only that region");
@@ -196,8 +198,8 @@ int main(int argc, char** argv) try {
   app.add_option("--prabhakar", options.prabhakar,
                  "that many points of derivatives and Prabhakar's function instead");
   CLI11_PARSE(app, argc, argv);
-  if (options.prabhakar > 0) return fde::certificate::run_prabhakar(options.prabhakar);
-  return fde::certificate::run(options);
+  if (options.prabhakar > 0) return fde::reference::certificate::run_prabhakar(options.prabhakar);
+  return fde::reference::certificate::run(options);
 } catch (const std::invalid_argument& error) {
   std::cerr << error.what() << '\n';
   return 2;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "certificate/point_check.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 namespace {
 
 template <class Function>
@@ -64,7 +65,7 @@ Slope slope_at(const Arguments& x, const Ball& value) {
   return {abs(slope), like_a_zero && Ball(4.0) * abs(value) < abs(slope)};
 }
 
-// Whether each infinite part of `computed` is justified: the value overflows a double with that sign.
+// Whether each infinite part of `value_in_double` is justified: the value overflows a double with that sign.
 bool overflows(const Ball& value, std::complex<double> computed) {
   const Ball largest(std::numeric_limits<double>::max());
   const auto holds = [&](const Ball& part, double said) {
@@ -76,20 +77,21 @@ bool overflows(const Ball& value, std::complex<double> computed) {
 void judge_double(PointCheck& row, const Arguments& x, const Ball& value, const Implementations& faces) {
   const auto [computed, bound] =
       timed_evaluation(row.double_seconds, [&] { return faces.evaluate_in_double(row.point); });
-  row.computed = computed;
+  row.value_in_double = computed;
   row.bound = bound;
   if (!std::isfinite(computed.real()) || !std::isfinite(computed.imag())) {
-    if (!overflows(value, computed)) row.faults.emplace_back("not finite, where the value does not overflow");
+    if (!overflows(value, computed))
+      row.failures.emplace_back("not finite, where the value does not overflow");
     return;
   }
   const Ball error = abs(Ball(computed) - value);
   row.ulps = row.conditioned_ulps = in_ulps(error, value);
-  if (!is_not_certainly_above(error, Ball(bound))) row.faults.emplace_back("error above the stated bound");
+  if (!is_not_certainly_above(error, Ball(bound))) row.failures.emplace_back("error above the stated bound");
   if (row.ulps <= allowed_ulps) return;
   const auto [slope, near_zero] = slope_at(x, value);
   if (near_zero) row.conditioned_ulps = in_ulps(error, slope);
   if (row.conditioned_ulps > allowed_ulps)
-    row.faults.emplace_back(fmt::format("error above {} ulp", allowed_ulps));
+    row.failures.emplace_back(fmt::format("error above {} ulp", allowed_ulps));
 }
 
 void judge_digits(PointCheck& row, const Ball& value, int digits, const Implementations& faces) {
@@ -97,10 +99,10 @@ void judge_digits(PointCheck& row, const Ball& value, int digits, const Implemen
       timed_evaluation(row.digits_seconds, [&] { return faces.in_digits(row.point, digits); });
   const Ball bound = Ball::parse(text.bound, "0"), error = abs(Ball::parse(text.re, text.im) - value);
   if (!is_not_certainly_above(error, bound))
-    row.faults.push_back(fmt::format("{} digits: error above the stated bound", digits));
+    row.failures.push_back(fmt::format("{} digits: error above the stated bound", digits));
   const Ball unit = abs(value) * exp(Ball(1.0 - digits) * log(Ball(10.0)));
   if (!is_not_certainly_above(bound, unit))
-    row.faults.push_back(fmt::format("{} digits: the bound is not as small as promised", digits));
+    row.failures.push_back(fmt::format("{} digits: the bound is not as small as promised", digits));
 }
 
 }  // namespace
@@ -121,7 +123,7 @@ Implementations library_implementations() {
               }};
 }
 
-PointCheck judge(const Point& point, int digits, const Implementations& faces) {
+PointCheck check_point(const Point& point, int digits, const Implementations& faces) {
   constexpr int least_digits = 30, guard = 6;
   PointCheck row;
   row.point = point;
@@ -137,4 +139,4 @@ PointCheck judge(const Point& point, int digits, const Implementations& faces) {
   return row;
 }
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "certificate/points.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 #include "certificate/enclosure.hpp"
 #include "certificate/random.hpp"
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 namespace {
 
 using std::numbers::pi;
@@ -67,7 +68,7 @@ Point growing_sector(Random& random) {
 
 Point decaying_sector(Random& random) {
   const double alpha = random.between(0.05, 1.95);
-  const double turn = random.either(random.between(alpha * pi / 2.0, pi));
+  const double turn = random.with_random_sign(random.between(alpha * pi / 2.0, pi));
   return {{}, alpha, usual_beta(random, alpha), Polar{random.power_of_ten(-1, 3), turn}};
 }
 
@@ -76,7 +77,7 @@ Point decaying_sector(Random& random) {
 Point stokes_line(Random& random) {
   const double alpha = random.between(0.05, 1.0),
                off = random.one_of(std::array{0.0, 1e-15, 1e-12, 1e-8, 1e-3});
-  const double turn = random.either(alpha * pi * (1.0 + random.either(off)));
+  const double turn = random.with_random_sign(alpha * pi * (1.0 + random.with_random_sign(off)));
   return {{}, alpha, usual_beta(random, alpha), Polar{size_of_root(random, alpha, -1, 4), turn}};
 }
 
@@ -84,28 +85,31 @@ Point stokes_line(Random& random) {
 Point anti_stokes_line(Random& random) {
   const double alpha = random.between(0.02, 1.99),
                off = random.one_of(std::array{0.0, 1e-15, 1e-12, 1e-8, 1e-4});
-  const double turn = random.either(alpha * pi / 2.0 * (1.0 + random.either(off)));
+  const double turn = random.with_random_sign(alpha * pi / 2.0 * (1.0 + random.with_random_sign(off)));
   return {{}, alpha, usual_beta(random, alpha), Polar{size_of_root(random, alpha, -1, 6), turn}};
 }
 
 Point small_order(Random& random) {
   const double alpha = random.between(0.01, 0.1), beta = usual_beta(random, alpha);
-  if (random.toss()) return {{}, alpha, beta, -random.power_of_ten(-3, 6)};
+  if (random.flip_coin()) return {{}, alpha, beta, -random.power_of_ten(-3, 6)};
   return {{}, alpha, beta, Polar{random.between(0.3, 1.5), random.between(-pi, pi)}};
 }
 
 Point order_near_one(Random& random) {
-  const double alpha = 1.0 + random.either(random.power_of_ten(-12, -2)), beta = usual_beta(random, alpha);
+  const double alpha = 1.0 + random.with_random_sign(random.power_of_ten(-12, -2)),
+               beta = usual_beta(random, alpha);
   return {{}, alpha, beta, -random.power_of_ten(-2, 4)};
 }
 
 Point order_near_one_complex(Random& random) {
-  const double alpha = 1.0 + random.either(random.power_of_ten(-12, -2)), beta = usual_beta(random, alpha);
+  const double alpha = 1.0 + random.with_random_sign(random.power_of_ten(-12, -2)),
+               beta = usual_beta(random, alpha);
   return {{}, alpha, beta, Polar{random.power_of_ten(-1, 3), random.between(-pi, pi)}};
 }
 
 Point order_near_two(Random& random) {
-  const double alpha = 2.0 + random.either(random.power_of_ten(-12, -2)), beta = usual_beta(random, alpha);
+  const double alpha = 2.0 + random.with_random_sign(random.power_of_ten(-12, -2)),
+               beta = usual_beta(random, alpha);
   return {{}, alpha, beta, -random.power_of_ten(-1, 8)};
 }
 
@@ -140,31 +144,31 @@ Point near_zero(Random& random) {
   }
   if (at(low, 3) * at(high, 3) > 0.0) return near_zero(random);  // too few zeros at this alpha
   const double zero = std::pow(zero_between(at, low, high), alpha);
-  return {{}, alpha, beta, -zero * (1.0 + random.either(random.power_of_ten(-12, -3)))};
+  return {{}, alpha, beta, -zero * (1.0 + random.with_random_sign(random.power_of_ten(-12, -3)))};
 }
 
 Point beta_at_gamma_pole(Random& random) {
   const double alpha = random.between(0.05, 2.0), whole = random.one_of(std::array{0.0, -1.0, -2.0, -5.0});
-  const double beta = whole + random.either(random.one_of(std::array{0.0, 0.0, 1e-14, 1e-9, 1e-4}));
-  if (random.toss()) return {{}, alpha, beta, -random.power_of_ten(-3, 5)};
+  const double beta = whole + random.with_random_sign(random.one_of(std::array{0.0, 0.0, 1e-14, 1e-9, 1e-4}));
+  if (random.flip_coin()) return {{}, alpha, beta, -random.power_of_ten(-3, 5)};
   return {{}, alpha, beta, Polar{size_of_root(random, alpha, -1, 2.5), random.between(-pi, pi)}};
 }
 
 Point kernel(Random& random) {
   const double alpha = random.between(0.02, 2.0);
-  if (random.toss()) return {{}, alpha, alpha, -random.power_of_ten(-3, 8)};
+  if (random.flip_coin()) return {{}, alpha, alpha, -random.power_of_ten(-3, 8)};
   return {{}, alpha, alpha, Polar{size_of_root(random, alpha, -1, 2.8), random.between(-pi, pi)}};
 }
 
 Point large_beta(Random& random) {
   const double alpha = random.between(0.05, 3.0), beta = random.between(4.0, 20.0);
-  if (random.toss()) return {{}, alpha, beta, -random.power_of_ten(-2, 6)};
+  if (random.flip_coin()) return {{}, alpha, beta, -random.power_of_ten(-2, 6)};
   return {{}, alpha, beta, Polar{size_of_root(random, alpha, -1, 2.8), random.between(-pi, pi)}};
 }
 
 Point negative_beta(Random& random) {
   const double alpha = random.between(0.05, 3.0), beta = random.between(-10.0, 0.0);
-  if (random.toss()) return {{}, alpha, beta, -random.power_of_ten(-2, 6)};
+  if (random.flip_coin()) return {{}, alpha, beta, -random.power_of_ten(-2, 6)};
   return {{}, alpha, beta, Polar{size_of_root(random, alpha, -1, 2.7), random.between(-pi, pi)}};
 }
 
@@ -178,13 +182,13 @@ Point order_above_two(Random& random) {
 Point whole_order(Random& random) {
   const double alpha = random.one_of(std::array{0.5, 1.0, 1.0, 2.0, 3.0, 4.0, 5.0});
   const double beta = std::floor(random.between(-2.0, 6.0));
-  if (random.toss()) return {{}, alpha, beta, -size_of_root(random, alpha, -1, 2.8)};
+  if (random.flip_coin()) return {{}, alpha, beta, -size_of_root(random, alpha, -1, 2.8)};
   return {{}, alpha, beta, Polar{size_of_root(random, alpha, -1, 2.8), random.between(-pi, pi)}};
 }
 
 Point huge_argument(Random& random) {
   const double alpha = random.between(0.02, 1.9),
-               turn = random.either(random.between(alpha * pi / 2.0 * 1.0001, pi));
+               turn = random.with_random_sign(random.between(alpha * pi / 2.0 * 1.0001, pi));
   return {{}, alpha, usual_beta(random, alpha), Polar{random.power_of_ten(6, 10), turn}};
 }
 
@@ -231,4 +235,4 @@ Point point(int index) {
   return point;
 }
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

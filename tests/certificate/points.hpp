@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <complex>
 #include <string_view>
 #include <vector>
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 
 // Arguments of E_{alpha,beta}(z); the doubles are taken exactly.
 struct Point {
@@ -22,4 +23,4 @@ constexpr int points_in_a_region = 500, point_count = 20 * points_in_a_region;
 // double.
 Point point(int index);
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

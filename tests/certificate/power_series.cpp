@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,7 +7,7 @@
 
 #include "certificate/enclosure.hpp"
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 
 // Successive terms |z^k / Gamma(alpha k + beta)| have the ratio r_k = |z| Gamma(x)/Gamma(x + alpha),
 // x = alpha k + beta, which decreases with k once x > 0, because log Gamma is convex. So the remainder after
@@ -53,4 +54,4 @@ SeriesEffort series_effort(const Arguments& x, long bits) {
   return {terms, std::max(0.0, (root - growth) / std::numbers::ln2)};
 }
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "certificate/prabhakar_enclosure.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 #include "certificate/random.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 namespace {
 
 // The power series at the working precision of this thread.
@@ -49,7 +50,8 @@ PrabhakarPoint prabhakar_point(int index) {
   const double beta =
       random.one_of(std::array{1.0, alpha, 2.0, 0.5, 1e-12, 1e-30, random.between(-2.0, 4.0)});
   const double size = std::pow(random.power_of_ten(-2.0, std::log10(largest_pole)), alpha);
-  const double turn = random.toss() ? std::numbers::pi : random.between(-std::numbers::pi, std::numbers::pi);
+  const double turn =
+      random.flip_coin() ? std::numbers::pi : random.between(-std::numbers::pi, std::numbers::pi);
   const std::complex<double> z = turn == std::numbers::pi ? std::complex(-size) : std::polar(size, turn);
   if (index % 2 == 0) return {alpha, beta, 1.0, z, 1 + static_cast<int>(random.between(0.0, 8.0))};
   return {alpha, beta, random.one_of(std::array{1.0, 2.0, 3.0, 5.0, 9.0, 0.5, 1.5, random.between(0.1, 4.0)}),
@@ -70,7 +72,7 @@ Ball prabhakar_enclosure(const PrabhakarPoint& x, int digits) {
   throw std::runtime_error("certificate: not that many digits of the value within 4000 bits");
 }
 
-PrabhakarCheck judge(const PrabhakarPoint& point) {
+PrabhakarCheck check_point(const PrabhakarPoint& point) {
   constexpr double allowed = 8.0;
   PrabhakarCheck row{.point = point};
   const Ball value = prabhakar_enclosure(point, 30);
@@ -80,9 +82,9 @@ PrabhakarCheck judge(const PrabhakarPoint& point) {
   const Ball error = abs(Ball(stated) - value), size = abs(value);
   const double ulp = std::ldexp(1.0, std::ilogb(size.mid().real()) - 52);
   row.ulps = error.mid().real() / ulp;
-  if (error > Ball(bound)) row.faults.emplace_back("error above the stated bound");
-  if (!(bound <= allowed * ulp)) row.faults.emplace_back("the bound is above 8 ulp");
+  if (error > Ball(bound)) row.failures.emplace_back("error above the stated bound");
+  if (!(bound <= allowed * ulp)) row.failures.emplace_back("the bound is above 8 ulp");
   return row;
 }
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

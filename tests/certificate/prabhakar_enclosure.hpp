@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -5,7 +6,7 @@
 
 #include "certificate/ball.hpp"
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 
 // E^gamma_{alpha,beta}(z) or, with derivative > 0, that derivative of E_{alpha,beta}; the doubles are taken
 // exactly.
@@ -30,11 +31,11 @@ struct PrabhakarCheck {
   PrabhakarPoint point;
   double ulps = 0.0;  // |error| in units of the last place of the value
   double seconds = 0.0;
-  std::vector<std::string> faults{};
+  std::vector<std::string> failures{};
 };
 
 // Checks the value in double: its error is within the stated bound, and the bound is at most 8 ulp of the
 // value.
-PrabhakarCheck judge(const PrabhakarPoint& point);
+PrabhakarCheck check_point(const PrabhakarPoint& point);
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

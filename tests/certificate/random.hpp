@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -6,7 +7,7 @@
 #include <cstdint>
 #include <random>
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 
 // Random numbers that do not depend on the implementation of the standard library, unlike its distributions.
 class Random {
@@ -17,8 +18,8 @@ class Random {
   }
   double power_of_ten(double low, double high) { return std::pow(10.0, between(low, high)); }
   double sign() { return between(0.0, 1.0) < 0.5 ? -1.0 : 1.0; }
-  bool toss() { return between(0.0, 1.0) < 0.5; }
-  double either(double x) { return x * sign(); }
+  bool flip_coin() { return between(0.0, 1.0) < 0.5; }
+  double with_random_sign(double x) { return x * sign(); }
   template <std::size_t n>
   double one_of(const std::array<double, n>& values) {
     return values.at(static_cast<std::size_t>(between(0.0, static_cast<double>(n))));
@@ -37,4 +38,4 @@ struct Polar {
   }  // NOLINT(google-explicit-constructor)
 };
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

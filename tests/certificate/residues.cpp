@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include <cmath>
 
 #include "certificate/enclosure.hpp"
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 
 // For integers alpha = n and beta the integrand of Hankel's integral has no branch cut, so E is the sum of
 // its residues at the n roots s^n = z, e^s s^(1-beta)/n, and at 0, - sum_{j>=1} z^-j / Gamma(beta - n j).
@@ -22,4 +23,4 @@ Ball integer_residues(const Arguments& x) {
   return sum;
 }
 
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

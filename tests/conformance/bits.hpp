@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The final values of a run, to the bit: an entry of tests/bits.txt, as printed by fde_bits.
 struct FinalValues {
@@ -28,7 +29,7 @@ struct FinalValues {
 // The final values of every scheme on scenes of each kind: linear, nonlinear, a chain, with a constraint,
 // two-sided; with the direct history (few steps) and with exponentials. A scheme that refuses a scene has no
 // entry there.
-inline std::vector<FinalValues> endings() {
+inline std::vector<FinalValues> final_values() {
   std::vector<FinalValues> found;
   for (const std::string_view id :
        {"relaxation", "relaxation_pair", "diethelm", "bagley_torvik", "pendulum", "brusselator", "knife_edge",
@@ -38,11 +39,11 @@ inline std::vector<FinalValues> endings() {
     for (const auto& scheme : schemes()) {
       for (const int steps : {64, 1500}) {
         const Grid grid{.end = scene.problem.end, .steps = steps};
-        if (refusal(scheme, scene.problem, grid)) continue;
+        if (unsupported_reason(scheme, scene.problem, grid)) continue;
         double size = 0.0;
         const auto grow = [&size](double, In y) { size = std::max(size, y.cwiseAbs().maxCoeff()); };
-        const auto path = scheme.solve(scene.problem, grid, {.at = {grid.end}, .observer = grow});
-        if (path.ending != Ending::finished) continue;
+        const auto path = scheme.solve(scene.problem, grid, {.output_times = {grid.end}, .observer = grow});
+        if (path.status != SolveStatus::finished) continue;
         const Vec last = path.y.col(0);
         found.push_back({fmt::format("{} {} {}", id, scheme.id, steps), {last.begin(), last.end()}, size});
       }
@@ -77,4 +78,4 @@ inline std::vector<FinalValues> read_final_values(const std::string& file) {
   return found;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Properties of every scheme, whatever its formulas. A new line in list.def is tested here without further
 // code.
 
@@ -10,7 +11,7 @@
 #include "fdebench/schemes/rules/start_weights/start_weights.hpp"
 #include "support/implicit_schemes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class Conformance : public testing::TestWithParam<const Scheme*> {
@@ -18,14 +19,14 @@ class Conformance : public testing::TestWithParam<const Scheme*> {
   // The scheme's own trajectory. Fails the test when it refuses.
   static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
     const Grid grid{.end = problem.end, .steps = steps};
-    EXPECT_EQ(refusal(*GetParam(), problem, grid), std::nullopt);
+    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
     return GetParam()->solve(problem, grid, options);
   }
 
   // They have a common denominator, so that the commensurate expansion is tested too.
   static std::vector<double> orders() {
     std::vector<double> all{0.2, 0.5, 0.8, 1.0, 1.3, 1.7, 2.0};
-    const auto& refuses = GetParam()->refuses;
+    const auto& refuses = GetParam()->unsupported_problem_reason;
     if (refuses)
       std::erase_if(all, [&](double order) { return refuses({.components = {component(order, 0.0)}}); });
     return all;
@@ -52,7 +53,7 @@ TEST_P(Conformance, WithoutRightHandSideOnlyTheTaylorPartIsLeft) {
     if (order <= 1.0) continue;
     const auto path = run(
         {.components = {component(order, 1.0, -0.75)}, .rhs = [](double, In, Out f) { f.setZero(); }}, 64);
-    if (path.cost.states > 2) continue;
+    if (path.cost.components > 2) continue;
     const auto taylor = 1.0 - 0.75 * Eigen::ArrayXd::LinSpaced(65, 0.0, 1.0);
     EXPECT_LT((path.y.row(0).transpose().array() - taylor).abs().maxCoeff(), 1e-14) << order;
   }
@@ -93,7 +94,7 @@ Problem mixed_problem_with_algebraic_row() {
 }
 
 std::vector<Problem> mixed_problems(const Scheme& scheme) {
-  if (!scheme.needs.algebraic_rows) return {mixed_problem()};
+  if (!scheme.capabilities.algebraic_rows) return {mixed_problem()};
   return {mixed_problem(), mixed_problem_with_algebraic_row()};
 }
 
@@ -104,8 +105,8 @@ TEST_P(Conformance, HistoriesAgree) {
     for (const auto& grid : grids_of(*GetParam(), problem.end, 700)) {
       const auto path = [&](HistoryKind kind) { return GetParam()->solve(problem, grid, {.history = kind}); };
       const auto direct = path(HistoryKind::direct), exponentials = path(HistoryKind::exponentials);
-      ASSERT_EQ(direct.ending, Ending::finished);
-      ASSERT_EQ(exponentials.ending, Ending::finished);
+      ASSERT_EQ(direct.status, SolveStatus::finished);
+      ASSERT_EQ(exponentials.status, SolveStatus::finished);
       EXPECT_LE((direct.y - exponentials.y).cwiseAbs().maxCoeff(), 1e-13 * direct.y.cwiseAbs().maxCoeff())
           << "grading " << grid.grading;
     }
@@ -131,7 +132,7 @@ TEST_P(Conformance, PermutingComponentsPermutesTheAnswer) {
     std::vector<Eigen::Index> order{2, 0, 1};
     if (straight.size() == 4) order.insert(order.begin(), 3);
     const Rows a = run(straight, 100).y, b = run(permuted(straight, order), 100).y;
-    EXPECT_LT((Rows(a(order, Eigen::all)) - b).cwiseAbs().maxCoeff(), rounding(*GetParam(), 1e-13));
+    EXPECT_LT((Rows(a(order, Eigen::all)) - b).cwiseAbs().maxCoeff(), rounding_allowance(*GetParam(), 1e-13));
   }
 }
 
@@ -148,8 +149,10 @@ TEST_P(Conformance, UncoupledSystemsEqualTheirScalarRuns) {
                      }};
   const auto together = run(both, 128);
   const auto first = run(scalar(0.5, -1.0), 128), second = run(scalar(other, -3.0), 128);
-  EXPECT_LT((together.y.row(0) - first.y.row(0)).cwiseAbs().maxCoeff(), rounding(*GetParam(), 1e-14));
-  EXPECT_LT((together.y.row(1) - second.y.row(0)).cwiseAbs().maxCoeff(), rounding(*GetParam(), 1e-14));
+  EXPECT_LT((together.y.row(0) - first.y.row(0)).cwiseAbs().maxCoeff(),
+            rounding_allowance(*GetParam(), 1e-14));
+  EXPECT_LT((together.y.row(1) - second.y.row(0)).cwiseAbs().maxCoeff(),
+            rounding_allowance(*GetParam(), 1e-14));
 }
 
 TEST_P(Conformance, ALinearPartAJacobianAndDifferencesGiveTheSameAnswer) {
@@ -161,8 +164,8 @@ TEST_P(Conformance, ALinearPartAJacobianAndDifferencesGiveTheSameAnswer) {
   const Rows newton = run(problem, 64).y;
   problem.derivatives = DenseLinearPart{a};
   const Rows linear = run(problem, 64).y;
-  EXPECT_LT((differenced - newton).cwiseAbs().maxCoeff(), rounding(*GetParam(), 1e-13));
-  EXPECT_LT((linear - newton).cwiseAbs().maxCoeff(), rounding(*GetParam(), 1e-13));
+  EXPECT_LT((differenced - newton).cwiseAbs().maxCoeff(), rounding_allowance(*GetParam(), 1e-13));
+  EXPECT_LT((linear - newton).cwiseAbs().maxCoeff(), rounding_allowance(*GetParam(), 1e-13));
 }
 
 TEST_P(Conformance, CallsAreCounted) {
@@ -174,8 +177,8 @@ TEST_P(Conformance, CallsAreCounted) {
   };
   const auto path = GetParam()->solve(problem, Grid{problem.end, 40}, {});
   EXPECT_EQ(path.cost.rhs_calls, calls);
-  EXPECT_EQ(path.cost.newton_iterations > 0, GetParam()->needs.implicit);
-  if (!GetParam()->needs.implicit) {
+  EXPECT_EQ(path.cost.newton_iterations > 0, GetParam()->capabilities.implicit);
+  if (!GetParam()->capabilities.implicit) {
     EXPECT_EQ(calls, 2 * 40);
   }
 }
@@ -183,11 +186,12 @@ TEST_P(Conformance, CallsAreCounted) {
 TEST_P(Conformance, ALinearProblemTakesOneNewtonIterationAStep) {
   const auto scene = scene_of("damped_oscillator");
   const auto path = run(scene.problem, 32);
-  EXPECT_EQ(path.cost.newton_iterations, GetParam()->needs.implicit ? 32 : 0);
+  EXPECT_EQ(path.cost.newton_iterations, GetParam()->capabilities.implicit ? 32 : 0);
 }
 
 TEST_P(Conformance, OnlyTheStepsAskedForAreKept) {
-  const auto all = run(mixed_problem(), 64), some = run(mixed_problem(), 64, {.at = {0.0, 0.21875, 2.0}});
+  const auto all = run(mixed_problem(), 64),
+             some = run(mixed_problem(), 64, {.output_times = {0.0, 0.21875, 2.0}});
   EXPECT_EQ(some.times, (std::vector{0.0, 0.21875, 2.0}));
   EXPECT_EQ(some.y, Rows(all.y(Eigen::all, std::vector{0, 7, 64})));
 }
@@ -201,20 +205,20 @@ TEST_P(Conformance, BlowUpIsAnOutcomeWithItsStep) {
                          .rhs = [](double, In y, Out f) { f = y.array().cube().matrix(); },
                          .end = 50.0},
                         100);
-  EXPECT_NE(path.ending, Ending::finished);
+  EXPECT_NE(path.status, SolveStatus::finished);
   EXPECT_LT(path.steps, 100);
   EXPECT_EQ(path.y.cols(), path.steps + 1);
-  EXPECT_EQ(path.reached, path.times.back());
-  EXPECT_DOUBLE_EQ(path.failure_time.value(), path.reached + 0.5);
+  EXPECT_EQ(path.last_time, path.times.back());
+  EXPECT_DOUBLE_EQ(path.failure_time.value(), path.last_time + 0.5);
   EXPECT_TRUE(path.y.allFinite());
 }
 
 TEST_P(ImplicitConformance, AnImpossibleStepIsAnOutcome) {
-  // y = past + kappa (1e6 + y^2) has no real solution.
+  // y = known + kappa (1e6 + y^2) has no real solution.
   const auto path =
       run({.components = {{0.5, {0.0}}}, .rhs = [](double, In y, Out f) { f[0] = 1e6 + y[0] * y[0]; }}, 4);
-  EXPECT_EQ(path.ending, Ending::not_converged);
-  EXPECT_EQ(path.reached, 0.0);
+  EXPECT_EQ(path.status, SolveStatus::not_converged);
+  EXPECT_EQ(path.last_time, 0.0);
   EXPECT_EQ(path.failure_time, 0.25);
 }
 
@@ -222,22 +226,22 @@ TEST_P(Conformance, RefusalsNameTheReason) {
   const auto refuses = [](double order, std::vector<double> initial, const Grid& grid) {
     const Problem problem{.components = {{order, std::move(initial)}},
                           .rhs = [](double, In, Out f) { f.setZero(); }};
-    return refusal(*GetParam(), problem, grid).value_or("accepted");
+    return unsupported_reason(*GetParam(), problem, grid).value_or("accepted");
   };
   const Grid grid{1.0, 10};
-  const auto& needs = GetParam()->needs;
+  const auto& capabilities = GetParam()->capabilities;
   const auto in_range = fmt::format("takes orders in {}0, {}], component 0 has ",
-                                    needs.algebraic_rows ? '[' : '(', needs.max_order);
+                                    capabilities.algebraic_rows ? '[' : '(', capabilities.max_order);
   EXPECT_EQ(refuses(2.5, {1, 0, 0}, grid), in_range + "2.5");
   EXPECT_EQ(refuses(-0.5, {1}, grid), in_range + "-0.5");
   EXPECT_EQ(refuses(0.0, {1}, grid),
-            needs.algebraic_rows ? "accepted"
-            : needs.implicit     ? "takes no algebraic rows: component 0 is an algebraic row (order 0)"
-                                 : "steps explicitly: component 0 is an algebraic row (order 0)");
+            capabilities.algebraic_rows ? "accepted"
+            : capabilities.implicit     ? "takes no algebraic rows: component 0 is an algebraic row (order 0)"
+                                        : "steps explicitly: component 0 is an algebraic row (order 0)");
   EXPECT_EQ(refuses(std::nan(""), {1}, grid), in_range + "nan");
   EXPECT_EQ(refuses(1.5, {1}, grid), "needs 2 initial values for order 1.5, component 0 has 1");
   EXPECT_EQ(refuses(0.5, {1}, {1.0, 10, 2.0}),
-            needs.uniform_grid ? "needs a uniform grid, not one graded with 2" : "accepted");
+            capabilities.uniform_grid ? "needs a uniform grid, not one graded with 2" : "accepted");
 }
 
 INSTANTIATE_TEST_SUITE_P(, Conformance, testing::ValuesIn(row_schemes()), id_of_param);
@@ -247,7 +251,7 @@ INSTANTIATE_TEST_SUITE_P(, ImplicitConformance, testing::ValuesIn(implicit_schem
 TEST_P(Conformance, HistoriesAgreeOnScenes) {
   for (const auto* id : {"pendulum", "extensible_pendulum", "brusselator", "fractional_oscillator"}) {
     const auto scene = scene_of(id);
-    if (refusal(*GetParam(), scene.problem, Grid{scene.problem.end, 1})) continue;
+    if (unsupported_reason(*GetParam(), scene.problem, Grid{scene.problem.end, 1})) continue;
     const Rows direct = run(scene.problem, 4096, {.history = HistoryKind::direct}).y;
     const Rows exponentials = run(scene.problem, 4096, {.history = HistoryKind::exponentials}).y;
     const auto relative = (exponentials - direct).rowwise().lpNorm<Eigen::Infinity>().array() /
@@ -304,11 +308,11 @@ TEST(Identities, OfOrderOneL1AndGrunwaldLetnikovAreTheSameMethod) {
 
 TEST(Refusal, OrdersWithoutACommonDenominator) {
   const auto scene = scene_of("relaxation", {{"gamma", 1.0 / std::numbers::pi}});
-  EXPECT_EQ(refusal(*find_scheme("commensurate_adams_pc"), scene.problem, Grid{1.0, 8}),
+  EXPECT_EQ(unsupported_reason(*find_scheme("commensurate_adams_pc"), scene.problem, Grid{1.0, 8}),
             "needs orders that are multiples of one 1/M with M at most 64");
 }
 
 TEST(Registry, UnknownSchemesAreNotFound) { EXPECT_EQ(find_scheme("adams"), nullptr); }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -5,7 +6,7 @@
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 const SceneFactory& maker(std::string_view id) { return *find_scene(id); }
@@ -18,7 +19,7 @@ TEST_P(Singularity, EndsTheRunWithStepAndTime) {
   Scene scene = make_scene(maker("extensible_pendulum"),
                            {{"phi0", 0.0}, {"xi0", 3.0}, {"K_over_m", 5.0}, {"g_over_L", 0.1}});
   const auto path = GetParam()->solve(scene.problem, Grid{scene.problem.end, 4096}, {});
-  ASSERT_EQ(path.ending, Ending::singular);
+  ASSERT_EQ(path.status, SolveStatus::left_domain);
   EXPECT_EQ(describe(scene.problem, path).find("ran into the singularity r = L (1 + xi) = 0 at step 1"), 0U)
       << describe(scene.problem, path);
   EXPECT_GT(scene.problem.domain.margin(0.0, path.y.rightCols(1)), 0.0);
@@ -33,8 +34,8 @@ INSTANTIATE_TEST_SUITE_P(, Singularity,
 // Backward Euler damps the free pendulum by 5 % a step, to below the smallest doubles.
 TEST(Underflow, IsNoFailureOfNewtonsMethod) {
   Scene scene = make_scene(maker("pendulum"), {{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}});
-  const auto path = find_scheme("l1")->solve(scene.problem, Grid{4e3, 10000}, {.at = {4e3}});
-  EXPECT_EQ(path.ending, Ending::finished) << describe(scene.problem, path);
+  const auto path = find_scheme("l1")->solve(scene.problem, Grid{4e3, 10000}, {.output_times = {4e3}});
+  EXPECT_EQ(path.status, SolveStatus::finished) << describe(scene.problem, path);
   EXPECT_LT(path.y.cwiseAbs().maxCoeff(), 1e-290);
 }
 
@@ -46,10 +47,10 @@ TEST(Examination, TellsStopsAtASingularityFromWrongOnesAndFromNone) {
     return examine({}, scene, reference, *find_scheme(scheme), {steps}).back().ending->kind;
   };
   const ParameterValues falls{{"phi0", 0.0}, {"xi0", 3.0}, {"K_over_m", 5.0}, {"g_over_L", 0.1}};
-  EXPECT_EQ(ending(falls, 2.0, "l1", 1024), Ending::singular);
-  EXPECT_EQ(ending(falls, 2.0, "l1", 1), Ending::step_too_large);
-  EXPECT_EQ(ending(falls, 2.0, "adams_pc", 1), Ending::passed_singularity);
-  EXPECT_EQ(ending({{"K_over_m", 1e4}}, 1.0, "adams_pc", 100), Ending::false_singularity);
+  EXPECT_EQ(ending(falls, 2.0, "l1", 1024), SolveStatus::left_domain);
+  EXPECT_EQ(ending(falls, 2.0, "l1", 1), SolveStatus::step_too_large);
+  EXPECT_EQ(ending(falls, 2.0, "adams_pc", 1), Verdict::passed_singularity);
+  EXPECT_EQ(ending({{"K_over_m", 1e4}}, 1.0, "adams_pc", 100), Verdict::false_singularity);
 }
 
 class Budget : public testing::TestWithParam<const Scheme*> {};
@@ -57,7 +58,7 @@ class Budget : public testing::TestWithParam<const Scheme*> {};
 TEST_P(Budget, OfNoTimeEndsTheRun) {
   const Scene scene = make_scene(maker("relaxation"));
   const auto path = GetParam()->solve(scene.problem, Grid{1.0, 1000}, {.budget = 0.0});
-  EXPECT_EQ(path.ending, Ending::out_of_budget);
+  EXPECT_EQ(path.status, SolveStatus::out_of_budget);
   EXPECT_LT(path.steps, 100);
   EXPECT_NE(describe(scene.problem, path).find("out of its budget of time at step"), std::string::npos);
 }
@@ -71,16 +72,16 @@ INSTANTIATE_TEST_SUITE_P(, Budget,
 
 TEST(BudgetOfShortRuns, IsLookedAtToo) {
   const Scene scene = make_scene(maker("relaxation"));
-  EXPECT_EQ(find_scheme("l1")->solve(scene.problem, Grid{1.0, 2}, {.budget = 0.0}).ending,
-            Ending::out_of_budget);
+  EXPECT_EQ(find_scheme("l1")->solve(scene.problem, Grid{1.0, 2}, {.budget = 0.0}).status,
+            SolveStatus::out_of_budget);
 }
 
 TEST(BudgetOfTwoSided, EndsNewtonsMethod) {
   const Scene scene = make_scene(maker("fractional_hamilton"));
   const auto path =
       find_scheme("product_trapezoidal")->solve(scene.problem, Grid{scene.problem.end, 64}, {.budget = 0.0});
-  EXPECT_EQ(path.ending, Ending::out_of_budget);
+  EXPECT_EQ(path.status, SolveStatus::out_of_budget);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Properties of every scheme that discretises the equations of a problem in place of its rows.
 
 #include <gtest/gtest.h>
@@ -9,13 +10,13 @@
 #include "fdebench/schemes/problem/chain_problem.hpp"
 #include "support/implicit_schemes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class OnEquations : public testing::TestWithParam<const Scheme*> {
  protected:
   static Trajectory run(const Problem& problem, const Grid& grid, const Options& options = {}) {
-    EXPECT_EQ(refusal(*GetParam(), problem, grid), std::nullopt);
+    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
     return GetParam()->solve(problem, grid, options);
   }
   static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
@@ -29,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(, OnEquations, testing::ValuesIn(equation_schemes()), i
 Problem coupled() {
   const Chain first({2.0, 1.8}, {{0.4, 0.3}, {0.7, 1.1}}, {1.0, -0.5});
   const Chain second({1.0, 0.9}, {{0.5, 0.6}}, {0.25}, first.size());
-  const auto u = first.first(), v = second.first(), fractional = *first.row(0.3);
+  const auto u = first.first_row(), v = second.first_row(), fractional = *first.row(0.3);
   return chain_problem(
       {{.chain = first,
         .force = [=](double t, In y) { return std::cos(t) - std::sin(y[u]) + y[v]; },
@@ -68,7 +69,7 @@ TEST_P(OnEquations, ALineIsExactWhereItsForceIsALine) {
 TEST_P(OnEquations, WithoutTermsTheRowSchemeIsLeft) {
   const auto rule = GetParam()->id.substr(std::string_view("multi_term_").size());
   const auto* row_scheme = find_scheme(rule == "trapezoidal" ? "product_trapezoidal" : rule);
-  if (!GetParam()->needs.implicit) return;
+  if (!GetParam()->capabilities.implicit) return;
   for (const double order : {0.4, 1.0, 1.6, 2.0}) {
     if (GetParam()->starting_powers && order > 1.0) continue;  // u' is a row with start powers of its own
     std::vector<double> initial{1.0, -0.3};
@@ -88,7 +89,7 @@ TEST_P(OnEquations, WithoutTermsTheRowSchemeIsLeft) {
 
 // k u as a term, or in the force with the opposite sign: the same integral of u.
 TEST_P(OnEquations, ATermOfOrderZeroIsAForce) {
-  if (!GetParam()->needs.implicit) return;
+  if (!GetParam()->capabilities.implicit) return;
   constexpr double k = 2.5;
   const std::vector<Term> others{{0.4, 0.6}, {0.3, 1.4}};
   std::vector<Term> all = others;
@@ -100,7 +101,7 @@ TEST_P(OnEquations, ATermOfOrderZeroIsAForce) {
   const Problem termed = chain_problem(
       {{.chain = with, .force = [](double, In) { return 0.0; }, .derivatives = LinearForce{0.0}}}, 3.0);
   for (const auto& grid : grids_of(*GetParam(), 3.0, 300)) {
-    if (GetParam()->needs.uniform_grid) continue;  // the Taylor part of a term is integrated exactly
+    if (GetParam()->capabilities.uniform_grid) continue;  // the Taylor part of a term is integrated exactly
     const Rows a = run(forced, grid).y, b = run(termed, grid).y;
     EXPECT_LT((a - b).row(0).cwiseAbs().maxCoeff(), 1e-12);
   }
@@ -111,8 +112,8 @@ TEST_P(OnEquations, HistoriesAgree) {
   for (const auto& grid : grids_of(*GetParam(), problem.end, 700)) {
     const auto path = [&](HistoryKind kind) { return run(problem, grid, {.history = kind}); };
     const auto direct = path(HistoryKind::direct), exponentials = path(HistoryKind::exponentials);
-    ASSERT_EQ(direct.ending, Ending::finished);
-    ASSERT_EQ(exponentials.ending, Ending::finished);
+    ASSERT_EQ(direct.status, SolveStatus::finished);
+    ASSERT_EQ(exponentials.status, SolveStatus::finished);
     EXPECT_LE((direct.y - exponentials.y).cwiseAbs().maxCoeff(), 1e-13 * direct.y.cwiseAbs().maxCoeff())
         << "grading " << grid.grading;
   }
@@ -124,7 +125,7 @@ TEST_P(OnEquations, EquationsThatDoNotDriveEachOtherEqualTheirOwnRuns) {
   if (GetParam()->starting_powers) return;
   const auto equation = [](Eigen::Index first, double alpha) {
     const Chain chain({1.0, 1.9}, {{0.5, alpha}}, {1.0, 0.5}, first);
-    const auto u = chain.first();
+    const auto u = chain.first_row();
     return MultiTermEquation{.chain = chain, .force = [=](double, In y) { return -std::sin(y[u]); }};
   };
   const auto first = equation(0, 0.4), second = equation(first.chain.size(), 1.2);
@@ -139,13 +140,13 @@ TEST_P(OnEquations, EquationsThatDoNotDriveEachOtherEqualTheirOwnRuns) {
 TEST_P(OnEquations, CoupledEquationsTendToWhatTheChainTendsTo) {
   Problem problem = scene_of("extensible_pendulum", {{"dphi0", 0.4}}).problem;
   problem.end = 4.0;
-  const Rows chain = solve("product_trapezoidal", problem, 16384, {.at = {4.0}}).y;
+  const Rows chain = solve("product_trapezoidal", problem, 16384, {.output_times = {4.0}}).y;
   const auto distance = [&](int steps) {
-    return (run(problem, steps, {.at = {4.0}}).y - chain).cwiseAbs().maxCoeff();
+    return (run(problem, steps, {.output_times = {4.0}}).y - chain).cwiseAbs().maxCoeff();
   };
   const double coarse = distance(128), fine = distance(256);
   EXPECT_LT(fine, 0.55 * coarse);
-  EXPECT_LT(fine, GetParam()->needs.uniform_grid ? 2e-2 : 1e-4);
+  EXPECT_LT(fine, GetParam()->capabilities.uniform_grid ? 2e-2 : 1e-4);
 }
 
 TEST_P(OnEquations, CallsAreCounted) {
@@ -157,27 +158,27 @@ TEST_P(OnEquations, CallsAreCounted) {
   };
   const auto path = run(problem, 40);
   EXPECT_EQ(path.cost.rhs_calls, calls);
-  EXPECT_EQ(path.cost.newton_iterations > 0, GetParam()->needs.implicit);
-  if (!GetParam()->needs.implicit) {
+  EXPECT_EQ(path.cost.newton_iterations > 0, GetParam()->capabilities.implicit);
+  if (!GetParam()->capabilities.implicit) {
     EXPECT_EQ(calls, 2 * 40);
   }
 }
 
 TEST_P(OnEquations, ALinearProblemTakesOneNewtonIterationAStep) {
   const auto path = run(scene_of("damped_oscillator").problem, 32);
-  EXPECT_EQ(path.cost.newton_iterations, GetParam()->needs.implicit ? 32 : 0);
+  EXPECT_EQ(path.cost.newton_iterations, GetParam()->capabilities.implicit ? 32 : 0);
 }
 
 TEST_P(OnEquations, GivenDerivativesAndDifferencesGiveTheSameResult) {
   Problem problem = scene_of("extensible_pendulum").problem;
   problem.end = 2.0;
-  const Rows told = run(problem, 64).y;
+  const Rows first = run(problem, 64).y;
   problem.derivatives = NoDerivatives{};
-  EXPECT_LT((run(problem, 64).y - told).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((run(problem, 64).y - first).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST_P(OnEquations, OnlyTheStepsAskedForAreKeptWithTheSameBits) {
-  const auto all = run(coupled(), 64), some = run(coupled(), 64, {.at = {0.0, 0.21875, 2.0}});
+  const auto all = run(coupled(), 64), some = run(coupled(), 64, {.output_times = {0.0, 0.21875, 2.0}});
   EXPECT_EQ(some.times, (std::vector{0.0, 0.21875, 2.0}));
   EXPECT_EQ(some.y, Rows(all.y(Eigen::all, std::vector{0, 7, 64})));
 }
@@ -186,9 +187,9 @@ TEST_P(OnEquations, BlowUpIsAnOutcomeWithItsStep) {
   const Chain chain({1.0, 0.5}, {{0.1, 0.2}}, {1.0});
   const auto path = run(
       chain_problem({{.chain = chain, .force = [](double, In y) { return y[0] * y[0] * y[0]; }}}, 50.0), 100);
-  EXPECT_NE(path.ending, Ending::finished);
-  EXPECT_EQ(path.reached, path.times.back());
-  EXPECT_DOUBLE_EQ(path.failure_time.value(), path.reached + 0.5);
+  EXPECT_NE(path.status, SolveStatus::finished);
+  EXPECT_EQ(path.last_time, path.times.back());
+  EXPECT_DOUBLE_EQ(path.failure_time.value(), path.last_time + 0.5);
   EXPECT_TRUE(path.y.allFinite());
 }
 
@@ -197,10 +198,10 @@ TEST_P(OnEquations, TermsThatGrowFasterThanTheStepsEndTheRun) {
   const auto path = [&](int steps) {
     const Chain chain({1.0, 1.0}, {{-60.0, 0.5}}, {0.0});
     return run(chain_problem({{.chain = chain, .force = [](double, In) { return 1.0; }}}, 1e-3), steps)
-        .ending;
+        .status;
   };
-  EXPECT_EQ(path(1), Ending::step_too_large);
-  EXPECT_EQ(path(4), Ending::finished);
+  EXPECT_EQ(path(1), SolveStatus::step_too_large);
+  EXPECT_EQ(path(4), SolveStatus::finished);
 }
 
 TEST_P(OnEquations, RefusalsNameTheReason) {
@@ -208,15 +209,16 @@ TEST_P(OnEquations, RefusalsNameTheReason) {
   const Grid grid{1.0, 10};
   Problem problem = coupled();
   problem.components.push_back({0.5, {0.0}});
-  EXPECT_EQ(refusal(scheme, problem, grid), "discretises multi-term equations only: 1 of 7 rows are of none");
+  EXPECT_EQ(unsupported_reason(scheme, problem, grid),
+            "discretises multi-term equations only: 1 of 7 rows are of none");
   const Chain high({1.0, 2.5}, {}, {0.0, 0.0, 0.0});
-  EXPECT_EQ(
-      refusal(scheme, chain_problem({{.chain = high, .force = [](double, In) { return 0.0; }}}, 1.0), grid),
-      "takes leading orders up to 2, not 2.5");
-  EXPECT_EQ(refusal(scheme, scene_of("brusselator").problem, grid),
-            "discretises multi-term equations, and the problem is not told as one");
-  EXPECT_EQ(refusal(scheme, coupled(), Grid{1.0, 10, 2.0}).value_or("accepted"),
-            scheme.needs.uniform_grid ? "needs a uniform grid, not one graded with 2" : "accepted");
+  EXPECT_EQ(unsupported_reason(
+                scheme, chain_problem({{.chain = high, .force = [](double, In) { return 0.0; }}}, 1.0), grid),
+            "takes leading orders up to 2, not 2.5");
+  EXPECT_EQ(unsupported_reason(scheme, scene_of("brusselator").problem, grid),
+            "discretises multi-term equations, and the problem is not given in multi-term form");
+  EXPECT_EQ(unsupported_reason(scheme, coupled(), Grid{1.0, 10, 2.0}).value_or("accepted"),
+            scheme.capabilities.uniform_grid ? "needs a uniform grid, not one graded with 2" : "accepted");
 }
 
 // y' = -y: backward Euler, the trapezoidal rule, and the trapezoidal rule with the newest slope at a
@@ -227,11 +229,11 @@ TEST(OnEquationsOfOrderOne, TheSchemesAreClassicalMethods) {
   const Rows trapezoidal = solve("multi_term_trapezoidal", decay, 20).y,
              euler = solve("multi_term_grunwald_letnikov", decay, 20).y,
              predicted = solve("multi_term_pc", decay, 20).y;
-  double past = 1.0 - h / 2, before = 1.0, last = 1.0;
+  double known = 1.0 - h / 2, before = 1.0, last = 1.0;
   for (int n = 1; n <= 20; ++n) {
-    const double prediction = past - h / 2 * (2.0 * last - before);
-    before = std::exchange(last, past - h / 2 * prediction);
-    past -= h * last;
+    const double prediction = known - h / 2 * (2.0 * last - before);
+    before = std::exchange(last, known - h / 2 * prediction);
+    known -= h * last;
     EXPECT_NEAR(predicted(0, n), last, 1e-14) << n;
     EXPECT_NEAR(trapezoidal(0, n), std::pow((1.0 - h / 2) / (1.0 + h / 2), n), 1e-14) << n;
     EXPECT_NEAR(euler(0, n), std::pow(1.0 + h, -n), 1e-14) << n;
@@ -240,4 +242,4 @@ TEST(OnEquationsOfOrderOne, TheSchemesAreClassicalMethods) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

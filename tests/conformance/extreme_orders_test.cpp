@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reference at orders close to 0, 1 and 2, and its limits.
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include "fdebench/reference/linear/linear_equation.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // E_g(lambda) by its power series with 120 digits in mpmath.
@@ -20,7 +21,7 @@ class ExtremeOrder : public testing::TestWithParam<Extreme> {};
 
 TEST_P(ExtremeOrder, RelaxationIsTheMittagLefflerFunction) {
   const auto [gamma, lambda, value] = GetParam();
-  const ReferenceValue reference =
+  const reference::ReferenceValue reference =
       scene_of("relaxation", {{"gamma", gamma}, {"lambda", lambda}}).reference.at(1.0);
   EXPECT_NEAR(reference.value[0], value, reference.bound[0]);
   EXPECT_LT(reference.bound[0], 2e-16);
@@ -37,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(, ExtremeOrder,
 
 // E_g(-z) = 1 - z t^g / Gamma(1+g) + ... where t^g is far from 0 at the smallest times.
 TEST(ExtremeOrders, AStartLikeATwentiethPowerIsKnownAtEveryTime) {
-  const Reference exact = scene_of("relaxation", {{"gamma", 0.05}}).reference;
+  const reference::Reference exact = scene_of("relaxation", {{"gamma", 0.05}}).reference;
   const double small = 1e-15 / std::tgamma(1.05);
   EXPECT_NEAR(exact.at(1e-300).value[0], 1.0 - small, 2e-16);
   double series = 0.0;
@@ -49,15 +50,16 @@ TEST(ExtremeOrders, AStartLikeATwentiethPowerIsKnownAtEveryTime) {
 // Caputo derivatives have one-sided limits: D^b u -> u - u(0) for b -> 0, D^a u -> u' - u'(0) for a -> 1.
 TEST(ExtremeOrders, TheDampedOscillatorGoesWhereItsDerivativesGo) {
   constexpr double tau = 0.8, mu = 0.06, lambda = 0.1, nu = 0.1, u0 = 1.0, du0 = -0.3, t = 20.0;
-  const Reference limit = linear_reference({.terms = {{1.0, 2.0}, {mu + lambda, 1.0, tau}, {1.0 + nu, 0.0}},
-                                            .initial = {u0, du0},
-                                            .loads = {{nu * u0 + mu * tau * du0}}},
-                                           {0.0, 1.0});
-  const ReferenceValue at_limit = limit.at(t);
+  const reference::Reference limit =
+      reference::linear_reference({.terms = {{1.0, 2.0}, {mu + lambda, 1.0, tau}, {1.0 + nu, 0.0}},
+                                   .initial = {u0, du0},
+                                   .loads = {{nu * u0 + mu * tau * du0}}},
+                                  {0.0, 1.0});
+  const reference::ReferenceValue at_limit = limit.at(t);
   double last = 0.0;
   for (const double off : {1e-3, 1e-4, 1e-5, 1e-6, 1e-9}) {
     const Scene scene = scene_of("damped_oscillator", {{"alpha", 1.0 + off}, {"beta", off}});
-    const ReferenceValue known = scene.reference.at(t);  // u, D^b u, u', D^a u
+    const reference::ReferenceValue known = scene.reference.at(t);  // u, D^b u, u', D^a u
     const double distance = std::abs(known.value[0] - at_limit.value[0]);
     EXPECT_LT(distance, 5.0 * off) << off;
     EXPECT_NEAR(known.value[1], known.value[0] - u0, 5.0 * off) << off;
@@ -82,8 +84,8 @@ TEST(ExtremeOrders, PendulumsOfMixedOrdersSwingLikeOscillatorsWhenTheySwingLittl
     Scene scene = scene_of("pendulum", swing);
     scene.name.clear();
     scene.problem.end = t;
-    const ReferenceValue known = reference_of(scene).at(t),
-                         linear = scene_of("damped_oscillator", line).reference.at(t);
+    const reference::ReferenceValue known = reference_of(scene).at(t),
+                                    linear = scene_of("damped_oscillator", line).reference.at(t);
     for (Eigen::Index c = 0; c < known.value.size(); ++c) {
       EXPECT_NEAR(known.value[c], linear.value[c], known.bound[c] + small * small * small)
           << alpha << " " << c;
@@ -120,4 +122,4 @@ TEST(ExtremeOrders, TermsNextToEachOtherThatCancelAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reference of scenes with huge and tiny values, decay rates and times, and scenes without a reference.
 
 #include <gmock/gmock.h>
@@ -8,22 +9,23 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-ReferenceValue exact_at(std::string_view scene, const ParameterValues& values, double t) {
+reference::ReferenceValue exact_at(std::string_view scene, const ParameterValues& values, double t) {
   return scene_of(scene, values).reference.at(t);
 }
 
 // Linear scenes without load: the solution is proportional to its initial value.
 TEST(ExtremeSizes, LinearScenesScale) {
   for (const double size : {1e150, 1e-150, 1e300, 1e-290}) {
-    const ReferenceValue one = exact_at("relaxation", {}, 0.5),
-                         scaled = exact_at("relaxation", {{"y0", size}}, 0.5);
+    const reference::ReferenceValue one = exact_at("relaxation", {}, 0.5),
+                                    scaled = exact_at("relaxation", {{"y0", size}}, 0.5);
     EXPECT_NEAR(scaled.value[0] / size, one.value[0], 1e-15) << size;
     EXPECT_LT(scaled.bound[0], 1e-15 * size);
-    const ReferenceValue swing = exact_at("damped_oscillator", {}, 20.0);
-    const ReferenceValue large = exact_at("damped_oscillator", {{"u0", size}, {"du0", -0.3 * size}}, 20.0);
+    const reference::ReferenceValue swing = exact_at("damped_oscillator", {}, 20.0);
+    const reference::ReferenceValue large =
+        exact_at("damped_oscillator", {{"u0", size}, {"du0", -0.3 * size}}, 20.0);
     for (Eigen::Index c = 0; c < swing.value.size(); ++c) {
       EXPECT_NEAR(large.value[c] / size, swing.value[c], 2e-15) << size;
       EXPECT_LT(large.bound[c], 1e-15 * size);
@@ -35,7 +37,7 @@ TEST(ExtremeSizes, LinearScenesScale) {
 TEST(ExtremeSizes, RatesMayBeHugeAndTiny) {
   const double root = std::sqrt(std::acos(-1.0));
   for (const double rate : {1e100, 1e150, 1e300}) {
-    const ReferenceValue known = exact_at("stiff_relaxation", {{"lambda", -rate}}, 1.0);
+    const reference::ReferenceValue known = exact_at("stiff_relaxation", {{"lambda", -rate}}, 1.0);
     EXPECT_NEAR(known.value[0] * rate * root, 1.0, 1e-15) << rate;
     EXPECT_NEAR(exact_at("relaxation", {{"lambda", -1.0 / rate}}, 1.0).value[0], 1.0, 1e-16) << rate;
   }
@@ -46,8 +48,8 @@ TEST(ExtremeSizes, ATinySwingHasRelativeAccuracy) {
   Scene scene = scene_of("pendulum", {{"phi0", 1e-150}, {"dphi0", 0.0}});
   scene.name.clear();
   scene.problem.end = 5.0;
-  const ReferenceValue known = reference_of(scene).at(5.0);
-  const ReferenceValue linear = exact_at("damped_oscillator", {{"u0", 1.0}, {"du0", 0.0}}, 5.0);
+  const reference::ReferenceValue known = reference_of(scene).at(5.0);
+  const reference::ReferenceValue linear = exact_at("damped_oscillator", {{"u0", 1.0}, {"du0", 0.0}}, 5.0);
   for (Eigen::Index c = 0; c < known.value.size(); ++c) {
     EXPECT_NEAR(known.value[c] / 1e-150, linear.value[c], 1e-13) << c;
   }
@@ -57,7 +59,7 @@ TEST(ExtremeSizes, ATinySwingHasRelativeAccuracy) {
 // u = cos t - 0.3 sin t at t = 1e5 with 40 digits in mpmath.
 TEST(ExtremeTimes, TheOscillatorKeepsItsPhase) {
   const ParameterValues free{{"mu", 0.0}, {"lambda", 0.0}, {"nu", 0.0}};
-  const ReferenceValue known = exact_at("damped_oscillator", free, 1e5);
+  const reference::ReferenceValue known = exact_at("damped_oscillator", free, 1e5);
   EXPECT_NEAR(known.value[0], -1.0100854468298174047, known.bound[0]);
   EXPECT_LT(known.bound.maxCoeff(), 1e-12);
 }
@@ -67,7 +69,7 @@ TEST(ExtremeTimes, TheOscillatorKeepsItsPhase) {
 TEST(ExtremeTimes, TheDampedOscillatorEndsInItsMemory) {
   const double coefficient = (0.1 - 0.06 * 0.8 * 0.3) * std::sqrt(0.8 / std::acos(-1.0));
   for (const double t : {1e5, 1e10, 1e100, 1e250}) {
-    const ReferenceValue known = exact_at("damped_oscillator", {}, t);
+    const reference::ReferenceValue known = exact_at("damped_oscillator", {}, t);
     EXPECT_NEAR(known.value[0] * std::sqrt(t) / coefficient, 1.0, 0.4 / t + 1e-14) << t;
   }
 }
@@ -89,4 +91,4 @@ TEST(Singularities, ASphereEndsAtItsPoles) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A right-hand side that jumps: the rate of a scheme holds where the jump is at a time of the grid. Inside a
 // step it reduces the rate to 1.
 
@@ -9,7 +10,7 @@
 #include "fdebench/schemes/stepping/rates.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The load of the Bagley-Torvik plate ends at t = 1.
@@ -48,7 +49,7 @@ TEST_P(JumpRate, IsOneWhereTheJumpFallsInsideAStep) {
     double largest = 0.0;
     for (int more = 0; more < 16; ++more) {
       const double end = scene.problem.end;
-      const auto path = scheme_.solve(scene.problem, Grid{end, steps + more}, {.at = {end}});
+      const auto path = scheme_.solve(scene.problem, Grid{end, steps + more}, {.output_times = {end}});
       const Rows errors = columns_of(scene.outputs, path) - reference.at(path.times);
       largest = std::max(largest, errors.cwiseAbs().maxCoeff());
     }
@@ -64,4 +65,4 @@ INSTANTIATE_TEST_SUITE_P(, JumpRate,
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pendulums over 15000 swings, T = 1e5.
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double end = 1e5;
@@ -18,7 +19,7 @@ Scene pendulum(const ParameterValues& values) {
 }
 
 struct Energies {
-  Ending ending = Ending::finished;
+  SolveStatus ending = SolveStatus::finished;
   double first = 0.0, largest = 0.0, last = 0.0;
 };
 
@@ -27,14 +28,14 @@ Energies energies(const Scene& scene, std::string_view scheme) {
   const Scene rest = pendulum({{"phi0", 0.0}, {"dphi0", 0.0}});
   const double lowest = rest.energy.value(columns_at(rest.outputs, 0.0, taylor_part(rest.problem, 0.0)));
   Energies seen;
-  Options options{.at = {end}};
+  Options options{.output_times = {end}};
   options.observer = [&, n = 0](double t, In y) mutable {
     if (n++ % 16 != 0) return;
     seen.last = scene.energy.value(columns_at(scene.outputs, t, y)) - lowest;
     if (t == 0.0) seen.first = seen.last;
     seen.largest = std::max(seen.largest, seen.last);
   };
-  seen.ending = find_scheme(scheme)->solve(scene.problem, Grid{end, steps}, options).ending;
+  seen.ending = find_scheme(scheme)->solve(scene.problem, Grid{end, steps}, options).status;
   return seen;
 }
 
@@ -44,7 +45,7 @@ class DampedForLong : public testing::TestWithParam<std::string_view> {};
 // like a power of t.
 TEST_P(DampedForLong, KeepsItsEnergyBounded) {
   const auto seen = energies(pendulum({}), GetParam());
-  EXPECT_EQ(seen.ending, Ending::finished);
+  EXPECT_EQ(seen.ending, SolveStatus::finished);
   EXPECT_LE(seen.largest, seen.first);
   EXPECT_LT(seen.last, 1e-7 * seen.first);
 }
@@ -60,7 +61,7 @@ const ParameterValues undamped{{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}};
 // from that of the pendulum: the energy does not drift, while the phase does.
 TEST(UndampedForLong, TheTrapezoidalRuleKeepsTheEnergy) {
   const auto seen = energies(pendulum(undamped), "product_trapezoidal");
-  EXPECT_EQ(seen.ending, Ending::finished);
+  EXPECT_EQ(seen.ending, SolveStatus::finished);
   EXPECT_LT(seen.largest, 1.01 * seen.first);
   EXPECT_GT(seen.last, 0.99 * seen.first);
 }
@@ -68,11 +69,11 @@ TEST(UndampedForLong, TheTrapezoidalRuleKeepsTheEnergy) {
 // Backward Euler dissipates energy, Heun's method adds energy.
 TEST(UndampedForLong, OthersDoNot) {
   const auto euler = energies(pendulum(undamped), "grunwald_letnikov");
-  EXPECT_EQ(euler.ending, Ending::finished);
+  EXPECT_EQ(euler.ending, SolveStatus::finished);
   EXPECT_LT(euler.last, 1e-9);
   const auto heun = energies(pendulum(undamped), "adams_pc");
   EXPECT_GT(heun.largest, 1.1 * heun.first);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

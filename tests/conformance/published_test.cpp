@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Errors and values of independent published codes for the same problems and steps: fde12 and pi2_im
 // (Garrappa, Octave) for adams_pc and product_trapezoidal, pycaputo for l1, an independent C++ program for
 // the chain.
@@ -9,12 +10,12 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 Vec at_end(const Scene& scene, std::string_view scheme, int steps) {
   const auto path = solve(scheme, scene.problem, steps);
-  EXPECT_EQ(path.ending, Ending::finished);
+  EXPECT_EQ(path.status, SolveStatus::finished);
   return path.y.rightCols(1);
 }
 
@@ -75,4 +76,4 @@ TEST(PublishedValue, BrusselatorReference) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every (scene, scheme) pair that fits shows the rate that theory gives, two-sided, at a fixed time and in
 // the maximum over all steps. Each test is for one norm: a solution that starts like t^g has different
 // rates in the two.
@@ -14,7 +15,7 @@
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Case {
@@ -47,16 +48,16 @@ bool the_rest(const Case& c) {
 
 // Calls check for every one of these schemes that takes the scene on this grid. Excepted are, on graded
 // grids, the commensurate expansion, which is adams_pc again with powers of h too close to separate, and
-// schemes with start weights, whose errors are at rounding with so many steps (rates:
+// schemes with starting weights, whose errors are at rounding with so many steps (rates:
 // tests/schemes/rules/start_weights).
 void for_each_of(const std::vector<const Scheme*>& some, const RateScene& variant,
                  const std::function<void(const Case&)>& check) {
   const Scene& scene = make(variant);
   for (const auto* scheme : some) {
     if (scheme->starting_powers) continue;
-    if (refusal(*scheme, scene.problem, Grid{variant.end, 256, variant.grading})) continue;
+    if (unsupported_reason(*scheme, scene.problem, Grid{variant.end, 256, variant.grading})) continue;
     if (variant.grading != 1.0 && !scheme->expansion_of.empty()) continue;
-    // Its hidden rows have errors h and -h, which cancel in the output columns.
+    // Its unmeasured rows have errors h and -h, which cancel in the output columns.
     const bool of_parabolas = scheme->id == "l1_2" || scheme->id == "l2_1_sigma";
     if (of_parabolas && variant.name == "nonlinear_fractional_oscillator_integrated") continue;
     SCOPED_TRACE(scheme->id);
@@ -71,9 +72,9 @@ void for_each_scheme(const RateScene& variant, const std::function<void(const Ca
 Rows errors(const Case& c, const Scene& scene, MemoizedReference& reference, int steps, Norm norm) {
   const Grid grid{scene.problem.end, steps, c.variant.grading};
   Options options;
-  if (norm == Norm::end) options.at = {grid.end};
+  if (norm == Norm::end) options.output_times = {grid.end};
   const auto path = c.scheme->solve(scene.problem, grid, options);
-  EXPECT_EQ(path.ending, Ending::finished);
+  EXPECT_EQ(path.status, SolveStatus::finished);
   return columns_of(scene.outputs, path) - reference.at(path.times);
 }
 
@@ -258,10 +259,10 @@ TEST(AWrongWeight, IsCaughtByTheRate) {
     Vec last = Vec::Zero(problem.size());
     return solve_implicit(
         problem, grid, options,
-        {.tables = tables(problem, families::trapezoid),
-         .past =
-             [&](double t, In convolved, In, In kappa, Out past) {
-               past = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
+        {.tables = weight_tables(problem, families::trapezoid),
+         .known =
+             [&](double t, In convolved, In, In kappa, Out known) {
+               known = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
              },
          .sample = [&](fde::Run& run, double t, In y, In, Out sample) { last = sample = run.rhs(t, y); }});
   });
@@ -273,4 +274,4 @@ TEST(AWrongWeight, IsCaughtByTheRate) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

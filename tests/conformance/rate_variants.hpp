@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "support/testing.hpp"
 
 // The scenes of the tests of rates.
-namespace fde {
+namespace fde::bench {
 
 // A scene with parameters and an end at which 256 ... 4096 steps are in the asymptotic range.
 struct RateScene {
@@ -163,4 +164,4 @@ inline std::vector<RateScene> multi_term_variants() {
 inline void PrintTo(const RateScene& variant, std::ostream* out) { *out << variant.name; }
 inline constexpr auto name_of_variant = [](const auto& test) { return test.param.name; };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Properties of every scene in the list, and of single ones.
 
 #include <gtest/gtest.h>
@@ -12,12 +13,12 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::vector<const SceneFactory*> scenes_with(bool (*capability)(const Scene&)) {
   std::vector<const SceneFactory*> some;
-  for (const auto& maker : scenes()) {
+  for (const auto& maker : built_in_scenes()) {
     if (capability(make_scene(maker))) some.push_back(&maker);
   }
   return some;
@@ -58,7 +59,7 @@ class SceneWithEnergy : public EveryScene {};
 
 TEST_P(EveryScene, FitsEverySchemeOrIsRefusedWithAReason) {
   for (const auto& scheme : schemes()) {
-    const auto reason = refusal(scheme, scene_.problem, Grid{scene_.problem.end, 16});
+    const auto reason = unsupported_reason(scheme, scene_.problem, Grid{scene_.problem.end, 16});
     if (reason) {
       EXPECT_GT(reason->size(), 10U);
     } else if (scheme.expected_rate) {
@@ -69,13 +70,13 @@ TEST_P(EveryScene, FitsEverySchemeOrIsRefusedWithAReason) {
 
 TEST_P(EveryScene, SaysItsEquations) {
   const SceneFactory& maker = *GetParam();
-  EXPECT_FALSE(maker.equations.empty() && maker.shown.empty());
+  EXPECT_FALSE(maker.equations.empty() && maker.display_equations.empty());
 }
 
 TEST_P(EveryScene, HasConsistentShapes) {
   const auto size = static_cast<std::size_t>(scene_.problem.size());
   EXPECT_EQ(scene_.smoothness.powers.size(), size);
-  if (!scene_.outputs.of) {
+  if (!scene_.outputs.evaluate) {
     EXPECT_EQ(scene_.outputs.names.size(), size);
   }
   for (const auto& component : scene_.problem.components) {
@@ -118,8 +119,8 @@ TEST_P(EveryScene, IsApproachedByTheMostAccurateScheme) {
   Scene scene = scene_;
   scene.problem.end = std::min(scene.problem.end, 8.0);
   const auto path = solve("product_trapezoidal", scene.problem, 4096);
-  ASSERT_EQ(path.ending, Ending::finished);
-  const ReferenceValue known = reference_of(scene).at(scene.problem.end);
+  ASSERT_EQ(path.status, SolveStatus::finished);
+  const reference::ReferenceValue known = reference_of(scene).at(scene.problem.end);
   EXPECT_LT((columns_of(scene.outputs, path).rightCols(1) - known.value).cwiseAbs().maxCoeff(), 2e-4);
   EXPECT_LT(known.bound.maxCoeff(), 1e-9);
 }
@@ -127,7 +128,7 @@ TEST_P(EveryScene, IsApproachedByTheMostAccurateScheme) {
 // dE/dt = power + shares times the rates of columns, along solutions: the chain rule with y' taken from the
 // reference.
 TEST_P(SceneWithEnergy, ItsPowerIsTheRateOfEnergy) {
-  const Reference reference = reference_of(scene_);
+  const reference::Reference reference = reference_of(scene_);
   for (const double t : {0.7, 3.0, 9.0}) {
     constexpr double h = 1e-3;
     const auto rate_of = [&](const auto& value) {
@@ -135,11 +136,11 @@ TEST_P(SceneWithEnergy, ItsPowerIsTheRateOfEnergy) {
       return (8.0 * (at(t + h) - at(t - h)) - (at(t + 2 * h) - at(t - 2 * h))) / (12.0 * h);
     };
     const Vec columns = reference.at(t).value;
-    Vec shares(std::ssize(scene_.energy.rated));
-    if (shares.size() > 0) scene_.energy.shares(t, columns, shares);
+    Vec shares(std::ssize(scene_.energy.differentiated_columns));
+    if (shares.size() > 0) scene_.energy.rate_coefficients(t, columns, shares);
     double power = scene_.energy.power(t, columns);
     for (Eigen::Index k = 0; k < shares.size(); ++k) {
-      const Eigen::Index rated = scene_.energy.rated[static_cast<std::size_t>(k)];
+      const Eigen::Index rated = scene_.energy.differentiated_columns[static_cast<std::size_t>(k)];
       power += shares[k] * rate_of([rated](const Vec& at) { return at[rated]; });
     }
     EXPECT_NEAR(rate_of(scene_.energy.value), power, 1e-9) << "t = " << t;
@@ -151,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(, SceneWithExactStart, testing::ValuesIn(scenes_with(ex
 INSTANTIATE_TEST_SUITE_P(, SceneWithDerivatives, testing::ValuesIn(scenes_with(derivatives)), id_of_param);
 INSTANTIATE_TEST_SUITE_P(, SceneWithEnergy, testing::ValuesIn(scenes_with(power)), id_of_param);
 
-TEST(Scenes, HaveTheColumnsOfTheContract) {
+TEST(SceneRegistry, HaveTheColumnsOfTheContract) {
   const std::vector<std::string> chain{"phi", "Dbeta_phi", "dphi", "Dalpha_phi"};
   EXPECT_EQ(scene_of("pendulum").outputs.names, chain);
   EXPECT_EQ(scene_of("bagley_torvik").outputs.names, (std::vector<std::string>{"y", "dy", "Dalpha_y"}));
@@ -162,7 +163,7 @@ TEST(Scenes, HaveTheColumnsOfTheContract) {
 
 // D^0.5 x = -x + y, D^1.5 y = -4 x - 4: from x(0) = 1 and y(0) = 0 x has the powers 1/2, 1, 3/2, but y has
 // none below 3/2, which gives x the power 2; at (-1, -1) the system is at rest.
-TEST(Scenes, ALinearSystemStartsWithThePowersOfItsSeries) {
+TEST(SceneRegistry, ALinearSystemStartsWithThePowersOfItsSeries) {
   const ParameterValues values{{"gamma1", 0.5}, {"gamma2", 1.5}, {"a21", -4.0},
                                {"a22", 0.0},    {"c2", -4.0},    {"y0", 0.0}};
   const auto powers = scene_of("linear_system", values).smoothness.powers;
@@ -173,7 +174,7 @@ TEST(Scenes, ALinearSystemStartsWithThePowersOfItsSeries) {
   for (const auto& none : scene_of("linear_system", rest).smoothness.powers) EXPECT_TRUE(none.empty());
 }
 
-TEST(Scenes, LeaveOutTheColumnsOfDroppedTerms) {
+TEST(SceneRegistry, LeaveOutTheColumnsOfDroppedTerms) {
   EXPECT_EQ(scene_of("pendulum", {{"mu", 0.0}}).outputs.names,
             (std::vector<std::string>{"phi", "Dbeta_phi", "dphi"}));
   EXPECT_EQ(scene_of("pendulum", {{"mu", 0.0}, {"nu", 0.0}}).problem.components.size(), 2U);
@@ -181,7 +182,7 @@ TEST(Scenes, LeaveOutTheColumnsOfDroppedTerms) {
 
 // With alpha = 1 and beta = 0 the pendulum is u'' + (lambda + mu) tau u' + nu u + sin u = 0: no memory is
 // left.
-TEST(Scenes, AtWholeOrdersThePendulumIsAnOrdinaryEquation) {
+TEST(SceneRegistry, AtWholeOrdersThePendulumIsAnOrdinaryEquation) {
   const auto scene = scene_of("pendulum", {{"alpha", 1.0}, {"beta", 0.0}});
   ASSERT_EQ(scene.problem.components.size(), 2U);
   for (const auto& component : scene.problem.components) EXPECT_EQ(component.order, 1.0);
@@ -226,4 +227,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 #include "fdebench/schemes/problem/progress/progress.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Cancels the work of this thread at its first report.
@@ -19,8 +20,8 @@ TEST(Work, OfEverySchemeIsReportedAndCancelledWhereAListenerThrows) {
   for (const Scheme& scheme : schemes()) {
     for (const Scene* scene : {&at_one_end, &at_both}) {
       const Grid grid{.end = scene->problem.end, .steps = 64};
-      if (refusal(scheme, scene->problem, grid)) continue;
-      const ProgressScope listening(end_it);
+      if (unsupported_reason(scheme, scene->problem, grid)) continue;
+      const ProgressScope scope(end_it);
       EXPECT_THROW(scheme.solve(scene->problem, grid, {}), Cancelled) << scheme.id << ' ' << scene->name;
     }
   }
@@ -39,4 +40,4 @@ TEST(Work, IsReportedToAllListeners) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

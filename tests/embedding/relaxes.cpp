@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstdio>
 
@@ -11,8 +12,8 @@ int main() {
   const auto* scheme = fde::find_scheme("product_trapezoidal");
   // Times (n / 4096)^2: fine where y changes like sqrt(t).
   const fde::Grid grid{.end = 1.0, .steps = 4096, .grading = 2.0};
-  const auto path = scheme->solve(problem, grid, {.at = {1.0}});
-  if (path.ending != fde::Ending::finished) return 3;
+  const auto path = scheme->solve(problem, grid, {.output_times = {1.0}});
+  if (path.status != fde::SolveStatus::finished) return 3;
   const double y = path.y(0, 0), error = std::abs(y - std::exp(1.0) * std::erfc(1.0));
   std::printf("y(1) = %.12f, error %.1e\n", y, error);
   return error < 1e-7 ? 0 : 1;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Niminet & Blanuta 2009, as printed and corrected, for the particle z' = y x' (mass 1, flat metric).
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 
 #include "fdebench/reference/linear/linear_system.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
@@ -26,10 +27,10 @@ TEST(NiminetNormalisation, TheHalfOfEquation26BelongsToTwiceTheKineticEnergy) {
   const double g = 9.81, t = 2.0;
   const auto falls = [&](double factor) -> Vec {
     const Matrix flow = (Matrix(2, 2) << 0.0, 1.0, 0.0, 0.0).finished();
-    return linear_reference(LinearSystem{.orders = {1.0, 1.0},
-                                         .initial = {{0.0}, {0.0}},
-                                         .matrix = flow,
-                                         .loads = {{}, {{-factor * g}}}})
+    return reference::linear_reference(reference::LinearSystem{.orders = {1.0, 1.0},
+                                                               .initial = {{0.0}, {0.0}},
+                                                               .matrix = flow,
+                                                               .loads = {{}, {{-factor * g}}}})
         .at(t)
         .value;
   };
@@ -115,4 +116,4 @@ TEST(ErrataNiminet, Equation25LosesTheMinus) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tarasov & Zaslavsky 2006, the calculus: eqs 22-28, as printed and corrected.
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 
 #include "support/caputo.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // f = (1 - s)^3 at t = 0.3, order 1/2, from the right end 1: by the power rule and by quadrature.
@@ -18,7 +19,7 @@ TEST(ErrataTarasov, Equation22LacksTheSignAndTurnsTheKernel) {
   EXPECT_NEAR(exact, 0.740150679203982, 1e-14);
   EXPECT_NEAR(right_caputo(slope, order, t, 1.0), exact, 1e-12);
   // As printed (t - s)^(-1/2) with t < s, without (-1)^m: an imaginary number.
-  const double size = integral(slope, t, 1.0, -order) * reciprocal_gamma(1.0 - order);
+  const double size = integral(slope, t, 1.0, -order) * reference::reciprocal_gamma(1.0 - order);
   const std::complex<double> printed = std::pow(std::complex<double>(-1.0), -order) * size;
   EXPECT_NEAR(printed.real(), 0.0, 1e-12);
   EXPECT_NEAR(printed.imag(), exact, 1e-12);
@@ -33,8 +34,8 @@ TEST(ErrataTarasov, Equation23HoldsOnlyForDerivativesFromZero) {
                       (2.0 - order) * caputo_derivative_of_power(2.0, order, x) / x;
   EXPECT_NEAR(left, 3.38513750128654, 1e-13);
   const double higher = fractional_integral([](double) { return 2.0; }, 1.0 - order, x);  // D^(3/2) f
-  EXPECT_NEAR(higher + slope_at_a * std::pow(t - a, -order) / gamma(1.0 - order), left, 1e-12);
-  const double printed = higher + slope_at_a * std::pow(t, -order) / gamma(1.0 - order);
+  EXPECT_NEAR(higher + slope_at_a * std::pow(t - a, -order) / reference::gamma(1.0 - order), left, 1e-12);
+  const double printed = higher + slope_at_a * std::pow(t, -order) / reference::gamma(1.0 - order);
   EXPECT_NEAR(printed, 3.05464289499389, 1e-12);
   EXPECT_NEAR(left - printed, 2.0 * (1.0 - 1.0 / std::sqrt(2.0)) / std::sqrt(std::numbers::pi), 1e-12);
 }
@@ -42,12 +43,12 @@ TEST(ErrataTarasov, Equation23HoldsOnlyForDerivativesFromZero) {
 // d/dt J^e f = J^e f' + boundary term for f = t^2, e = 0.3, between a = 1 and t = 2.
 TEST(ErrataTarasov, Equation26HoldsOnlyForIntegralsFromZero) {
   const double a = 1.0, t = 2.0, x = t - a, order = 0.3, value_at_a = 1.0;
-  const double left = value_at_a * std::pow(x, order - 1.0) / gamma(order) +
+  const double left = value_at_a * std::pow(x, order - 1.0) / reference::gamma(order) +
                       2.0 * caputo_derivative_of_power(1.0, 1.0 - order, x) +
                       caputo_derivative_of_power(2.0, 1.0 - order, x);
   const double inner = fractional_integral([&](double s) { return 2.0 * (a + s); }, order, x);
-  EXPECT_NEAR(inner + value_at_a * std::pow(t - a, order - 1.0) / gamma(order), left, 1e-12);
-  EXPECT_GT(left - (inner + value_at_a * std::pow(t, order - 1.0) / gamma(order)), 0.1);
+  EXPECT_NEAR(inner + value_at_a * std::pow(t - a, order - 1.0) / reference::gamma(order), left, 1e-12);
+  EXPECT_GT(left - (inner + value_at_a * std::pow(t, order - 1.0) / reference::gamma(order)), 0.1);
 }
 
 // (43) inherits the error of (23): D^(a+1) q lacks the same power of t - a.
@@ -56,9 +57,9 @@ TEST(ErrataTarasov, Equation43TakesThePowerOfTOver) {
   // q = x^2: D^1.4 q is a power, its derivative follows by the power rule, D^2.4 q = J^0.6 q''' = 0.
   const double left = (2.0 - order) * caputo_derivative_of_power(2.0, order, x) / x;
   EXPECT_EQ(caputo_derivative_of_power(2.0, order + 1.0, x), 0.0);
-  EXPECT_NEAR(second_at_a * std::pow(t - a, 1.0 - order) / gamma(2.0 - order), left, 1e-14);
-  EXPECT_GT(std::abs(second_at_a * std::pow(t, 1.0 - order) / gamma(2.0 - order) - left), 0.1);
+  EXPECT_NEAR(second_at_a * std::pow(t - a, 1.0 - order) / reference::gamma(2.0 - order), left, 1e-14);
+  EXPECT_GT(std::abs(second_at_a * std::pow(t, 1.0 - order) / reference::gamma(2.0 - order) - left), 0.1);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

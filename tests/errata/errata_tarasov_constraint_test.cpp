@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 // Tarasov & Zaslavsky 2006, the two-dimensional example: eqs 61-66, as printed and corrected, for the exact
 // solution of eqs 59, 60.
 
 #include "support/caputo.hpp"
 #include "support/linear_system_testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // x = (q1 + q2)/2, y = (q1 - q2)/2 and the other terms of eqs 61-66, for u = (q1^2 - q2^2)/4, that is, K = x.
@@ -19,7 +20,7 @@ constexpr double g = 0.8, x0 = 0.7, y0 = -0.2, dy0 = 0.5;  // x'(0) = 0: on the 
 
 // Eqs 59, 60 integrated once: p2 = q2' + (g/2) D^alpha q2 has p2' = x/2, and p1 + p2 is constant. The last
 // four components are the fractional integrals J^(2-alpha) of x', y' and x, and J^(alpha-1) of x'.
-Reference solution_of_59_and_60(double alpha) {
+reference::Reference solution_of_59_and_60(double alpha) {
   enum Row : Eigen::Index { q1, q2, v2, p2, of_dx, of_dy, of_x, rest_of_dx };
   const double total = 0.0;  // p1 + p2 = 2 x'(0)
   Matrix m = Matrix::Zero(8, 8);
@@ -31,28 +32,30 @@ Reference solution_of_59_and_60(double alpha) {
   m.row(of_dy) = 0.5 * (m.row(q1) - m.row(q2));
   m(of_x, q1) = m(of_x, q2) = 0.5;
   m.row(rest_of_dx) = m.row(of_dx);
-  return linear_reference(
-      LinearSystem{.orders = {1.0, 1.0, alpha - 1.0, 1.0, 2.0 - alpha, 2.0 - alpha, 2.0 - alpha, alpha - 1.0},
-                   .initial = {{x0 + y0}, {x0 - y0}, {-dy0}, {-dy0}, {0.0}, {0.0}, {0.0}, {0.0}},
-                   .matrix = m,
-                   .loads = {{{total}}, {}, {}, {}, {}, {{-dy0}}, {}, {}}});
+  return reference::linear_reference(reference::LinearSystem{
+      .orders = {1.0, 1.0, alpha - 1.0, 1.0, 2.0 - alpha, 2.0 - alpha, 2.0 - alpha, alpha - 1.0},
+      .initial = {{x0 + y0}, {x0 - y0}, {-dy0}, {-dy0}, {0.0}, {0.0}, {0.0}, {0.0}},
+      .matrix = m,
+      .loads = {{{total}}, {}, {}, {}, {}, {{-dy0}}, {}, {}}});
 }
 
 // Derivatives by central differences of rate 4 of values with 40 digits.
 State state_at(double t, double alpha) {
   const auto precision = test_precision();
-  const Reference solution = solution_of_59_and_60(alpha);
-  const BigReal h("1e-6");
-  std::vector<std::vector<BigReal>> at;
+  const reference::Reference solution = solution_of_59_and_60(alpha);
+  const reference::BigReal h("1e-6");
+  std::vector<std::vector<reference::BigReal>> at;
   for (int k = -2; k <= 2; ++k) at.push_back(digits_at(solution, std::round(1e6 * t + k) / 1e6));
   const auto first = [&](std::size_t i) {
-    return BigReal((at[0][i] - 8 * at[1][i] + 8 * at[3][i] - at[4][i]) / (12 * h)).convert_to<double>();
-  };
-  const auto second = [&](std::size_t i) {
-    return BigReal((-at[0][i] + 16 * at[1][i] - 30 * at[2][i] + 16 * at[3][i] - at[4][i]) / (12 * h * h))
+    return reference::BigReal((at[0][i] - 8 * at[1][i] + 8 * at[3][i] - at[4][i]) / (12 * h))
         .convert_to<double>();
   };
-  const auto x = BigReal((at[2][0] + at[2][1]) / 2).convert_to<double>();
+  const auto second = [&](std::size_t i) {
+    return reference::BigReal((-at[0][i] + 16 * at[1][i] - 30 * at[2][i] + 16 * at[3][i] - at[4][i]) /
+                              (12 * h * h))
+        .convert_to<double>();
+  };
+  const auto x = reference::BigReal((at[2][0] + at[2][1]) / 2).convert_to<double>();
   return {.x = x,
           .dx = (first(0) + first(1)) / 2,
           .ddx = (second(0) + second(1)) / 2,
@@ -98,7 +101,8 @@ TEST(ErrataTarasov, Equation63NeedsAnOrderAboveOne) {
       dy0 * caputo_derivative_of_power(1.0, alpha, t) + 0.3 * caputo_derivative_of_power(2.0, alpha, t);
   const double from_acceleration = fractional_integral([](double) { return 0.6; }, 2.0 - alpha, t);
   EXPECT_NEAR(left - from_acceleration, 0.797884560802865, 1e-12);
-  EXPECT_NEAR(left - from_acceleration, dy0 * std::pow(t, 1.0 - alpha) / gamma(2.0 - alpha), 1e-12);
+  EXPECT_NEAR(left - from_acceleration, dy0 * std::pow(t, 1.0 - alpha) / reference::gamma(2.0 - alpha),
+              1e-12);
   EXPECT_NEAR(0.3 * caputo_derivative_of_power(2.0, 1.5, t),
               fractional_integral([](double) { return 0.6; }, 0.5, t), 1e-12);
 }
@@ -137,4 +141,4 @@ TEST(ErrataTarasov, Equation66LosesAnOrderOfItsDamping) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

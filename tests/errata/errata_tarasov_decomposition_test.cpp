@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tarasov & Zaslavsky 2006, the decomposition of the one-dimensional example: eqs 52-54, as printed and
 // corrected.
 
@@ -9,7 +10,7 @@
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "support/caputo.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The part f of eq. 53 that decays like a power, by quadrature, and the oscillating part g.
@@ -32,8 +33,8 @@ double g(double nu, int k, double t) {
 TEST(ErrataTarasov, Equation52HasAFactorTTooMany) {
   for (const double nu : {1.2, 1.5, 1.8}) {
     const double t = 2.0, z = -std::pow(t, nu);
-    EXPECT_NEAR(f(nu, 0, t) + g(nu, 0, t), mittag_leffler(nu, 1.0, z), 1e-12) << nu;
-    EXPECT_NEAR(f(nu, 1, t) + g(nu, 1, t), t * mittag_leffler(nu, 2.0, z), 1e-12) << nu;
+    EXPECT_NEAR(f(nu, 0, t) + g(nu, 0, t), reference::mittag_leffler(nu, 1.0, z), 1e-12) << nu;
+    EXPECT_NEAR(f(nu, 1, t) + g(nu, 1, t), t * reference::mittag_leffler(nu, 2.0, z), 1e-12) << nu;
   }
   EXPECT_NEAR(f(1.5, 1, 2.0) + g(1.5, 1, 2.0), 0.829939692024598, 1e-12);
   EXPECT_NEAR(2.0 * (f(1.5, 1, 2.0) + g(1.5, 1, 2.0)), 1.6598793840492, 1e-12);
@@ -41,38 +42,38 @@ TEST(ErrataTarasov, Equation52HasAFactorTTooMany) {
 
 TEST(ErrataTarasov, Equation52HoldsForOmegaOneOnly) {
   const double nu = 1.5, w2 = 4.0, t = 2.0, scaled = std::pow(w2, 1.0 / nu) * t;
-  const double exact = mittag_leffler(nu, 1.0, -w2 * std::pow(t, nu));
+  const double exact = reference::mittag_leffler(nu, 1.0, -w2 * std::pow(t, nu));
   EXPECT_NEAR(exact, -0.0599491843836891, 1e-14);
   EXPECT_NEAR(f(nu, 0, t) + g(nu, 0, t), -0.149363895024064, 1e-12);
   EXPECT_NEAR(f(nu, 0, scaled) + g(nu, 0, scaled), exact, 1e-12);
   EXPECT_NEAR((f(nu, 1, scaled) + g(nu, 1, scaled)) * std::pow(w2, -1.0 / nu),
-              t * mittag_leffler(nu, 2.0, -w2 * std::pow(t, nu)), 1e-12);
+              t * reference::mittag_leffler(nu, 2.0, -w2 * std::pow(t, nu)), 1e-12);
 }
 
 // With alpha as printed, 2 < alpha < 3, it is the wrong function and g grows; for orders below 1 there is no
 // g.
 TEST(ErrataTarasov, Equation53HoldsForTheOrderAlphaMinusOne) {
   const double t = 2.0, printed = f(2.5, 0, t) + g(2.5, 0, t);
-  EXPECT_NEAR(printed, mittag_leffler(2.5, 1.0, -std::pow(t, 2.5)), 1e-12);
+  EXPECT_NEAR(printed, reference::mittag_leffler(2.5, 1.0, -std::pow(t, 2.5)), 1e-12);
   EXPECT_NEAR(printed, -0.448106490585671, 1e-12);
-  EXPECT_NEAR(mittag_leffler(1.5, 1.0, -std::pow(t, 1.5)), -0.149363895024064, 1e-14);
+  EXPECT_NEAR(reference::mittag_leffler(1.5, 1.0, -std::pow(t, 1.5)), -0.149363895024064, 1e-14);
   EXPECT_GT(std::cos(std::numbers::pi / 2.5), 0.3);
   EXPECT_LT(std::cos(std::numbers::pi / 1.5), 0.0);
-  EXPECT_NEAR(f(0.5, 0, t), mittag_leffler(0.5, 1.0, -std::sqrt(t)), 1e-12);
+  EXPECT_NEAR(f(0.5, 0, t), reference::mittag_leffler(0.5, 1.0, -std::sqrt(t)), 1e-12);
   EXPECT_NEAR(f(0.5, 0, t), 0.336204002446341, 1e-12);
   EXPECT_GT(f(0.5, 0, t) + g(0.5, 0, t), 29.0);
 }
 
 // The solution of D^(3/2) q + q = 1 with q(0) = 1, q'(0) = 0 is 1, not E_{3/2}(-t^(3/2)).
 TEST(ErrataTarasov, Equation54HoldsWithoutItsMiddleMember) {
-  const double nu = 1.5, t = 2.0, e = mittag_leffler(nu, 1.0, -std::pow(t, nu));
-  const Reference solution =
-      linear_reference(LinearEquation{{{1.0, nu}, {1.0, 0.0}}, {1.0, 0.0}, {{1.0}}}, {0.0});
+  const double nu = 1.5, t = 2.0, e = reference::mittag_leffler(nu, 1.0, -std::pow(t, nu));
+  const reference::Reference solution = reference::linear_reference(
+      reference::LinearEquation{{{1.0, nu}, {1.0, 0.0}}, {1.0, 0.0}, {{1.0}}}, {0.0});
   EXPECT_NEAR(solution.at(t).value[0], 1.0, 1e-14);
   EXPECT_NEAR(e, -0.149363895024064, 1e-14);
-  const auto kernel = [&](double s) { return mittag_leffler(nu, nu, -std::pow(s, nu)); };
+  const auto kernel = [&](double s) { return reference::mittag_leffler(nu, nu, -std::pow(s, nu)); };
   EXPECT_NEAR(f(nu, 0, t) + g(nu, 0, t) + integral(kernel, 0.0, t, nu - 1.0), 1.0, 1e-12);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

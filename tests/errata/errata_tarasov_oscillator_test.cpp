@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tarasov & Zaslavsky 2006, the one-dimensional example: eqs 47-50, as printed and corrected.
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "support/caputo.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The one-dimensional example with a1/b1 = 2 and these initial values, at this time.
@@ -19,10 +20,10 @@ Vec one_dimensional_example() {
   Matrix links = Matrix::Zero(4, 4);
   links(position, velocity) = links(velocity, d_three_halves) = links(d_three_halves, acceleration) = 1.0;
   links(acceleration, velocity) = -ratio;
-  return linear_reference(LinearSystem{.orders = {1.0, 0.5, 0.5, 0.5},
-                                       .initial = {{q0}, {q1}, {0.0}, {q2}},
-                                       .matrix = links,
-                                       .loads = {{}, {}, {}, {{ratio * constant}}}})
+  return reference::linear_reference(reference::LinearSystem{.orders = {1.0, 0.5, 0.5, 0.5},
+                                                             .initial = {{q0}, {q1}, {0.0}, {q2}},
+                                                             .matrix = links,
+                                                             .loads = {{}, {}, {}, {{ratio * constant}}}})
       .at(time_of_test)
       .value;
 }
@@ -31,19 +32,20 @@ Vec one_dimensional_example() {
 TEST(TarasovOneDimensionalExample, HasAClosedForm) {
   const double t = time_of_test, z = -ratio * std::pow(t, alpha - 1.0);
   const Vec now = one_dimensional_example();
-  EXPECT_NEAR(now[position], q0 + q1 * t + q2 * t * t * mittag_leffler(alpha - 1.0, 3.0, z), 1e-14);
-  EXPECT_NEAR(now[d_three_halves], q2 * std::sqrt(t) * mittag_leffler(alpha - 1.0, 1.5, z), 1e-14);
+  EXPECT_NEAR(now[position], q0 + q1 * t + q2 * t * t * reference::mittag_leffler(alpha - 1.0, 3.0, z),
+              1e-14);
+  EXPECT_NEAR(now[d_three_halves], q2 * std::sqrt(t) * reference::mittag_leffler(alpha - 1.0, 1.5, z), 1e-14);
 }
 
 TEST(ErrataTarasov, Equation47HasTheWrongInitialValueInItsBoundaryTerm) {
   const double t = time_of_test, z = -ratio * std::pow(t, alpha - 1.0);
-  const double rate = q2 / std::sqrt(t) * mittag_leffler(alpha - 1.0, 0.5, z);  // d/dt D^(3/2) q
+  const double rate = q2 / std::sqrt(t) * reference::mittag_leffler(alpha - 1.0, 0.5, z);  // d/dt D^(3/2) q
   const double left = one_dimensional_example()[velocity] + rate / ratio;
   EXPECT_NEAR(left, 0.574224049799008, 1e-14);
   // m = 3, and the power of t belongs to q''(0).
-  EXPECT_NEAR(constant + std::pow(t, 2.0 - alpha) / gamma(3.0 - alpha) * q2 / ratio, left, 1e-14);
+  EXPECT_NEAR(constant + std::pow(t, 2.0 - alpha) / reference::gamma(3.0 - alpha) * q2 / ratio, left, 1e-14);
   const auto printed = [=](double m) {
-    return constant + std::pow(t, m - alpha) / gamma(m - alpha + 1.0) * q0 / ratio;
+    return constant + std::pow(t, m - alpha) / reference::gamma(m - alpha + 1.0) * q0 / ratio;
   };
   EXPECT_NEAR(printed(3.0), 1.14327509825807, 1e-13);
   EXPECT_NEAR(printed(2.0), 0.747413499330026, 1e-13);
@@ -54,8 +56,11 @@ TEST(ErrataTarasov, Equation48HasTheWrongForce) {
   const Vec now = one_dimensional_example();
   const double left = now[d_three_halves] + ratio * now[position];
   EXPECT_NEAR(left, 3.68596505895484, 1e-13);
-  EXPECT_NEAR(q2 * std::pow(t, 3.0 - alpha) / gamma(4.0 - alpha) + ratio * (q0 + q1 * t), left, 1e-13);
-  const auto boundary = [=](double m) { return std::pow(t, m - alpha + 1.0) / gamma(m - alpha + 2.0) * q0; };
+  EXPECT_NEAR(q2 * std::pow(t, 3.0 - alpha) / reference::gamma(4.0 - alpha) + ratio * (q0 + q1 * t), left,
+              1e-13);
+  const auto boundary = [=](double m) {
+    return std::pow(t, m - alpha + 1.0) / reference::gamma(m - alpha + 2.0) * q0;
+  };
   const double line = ratio * (constant * t + q0);  // C1 t + C2, C2 from t = 0
   EXPECT_NEAR(boundary(3.0) + line, 4.41501017031399, 1e-13);
   EXPECT_NEAR(boundary(2.0) + line, 4.58655019651614, 1e-13);
@@ -67,21 +72,25 @@ TEST(ErrataTarasov, Equation48HasTheWrongForce) {
 // D^(3/2) q + 4 q = 1 from rest at t = 1, and the convolution with the kernel by quadrature.
 TEST(ErrataTarasov, Equation50LacksTheFactorOneOverOmegaSquared) {
   const double nu = 1.5, w2 = 4.0, t = 1.0;
-  const double exact =
-      linear_reference(LinearEquation{{{1.0, nu}, {w2, 0.0}}, {0.0, 0.0}, {{1.0}}}, {0.0}).at(t).value[0];
+  const double exact = reference::linear_reference(
+                           reference::LinearEquation{{{1.0, nu}, {w2, 0.0}}, {0.0, 0.0}, {{1.0}}}, {0.0})
+                           .at(t)
+                           .value[0];
   EXPECT_NEAR(exact, 0.318106219727485, 1e-14);
-  const auto kernel = [&](double s) { return mittag_leffler(nu, nu, -w2 * std::pow(s, nu)); };
+  const auto kernel = [&](double s) { return reference::mittag_leffler(nu, nu, -w2 * std::pow(s, nu)); };
   const double convolution = integral(kernel, 0.0, t, nu - 1.0);
   EXPECT_NEAR(convolution, exact, 1e-12);
   const double printed = w2 * convolution;  // -int q0' with q0' = -w2 s^(nu-1) E_{nu,nu}
-  EXPECT_NEAR(printed, 1.0 - mittag_leffler(nu, 1.0, -w2 * std::pow(t, nu)), 1e-12);
+  EXPECT_NEAR(printed, 1.0 - reference::mittag_leffler(nu, 1.0, -w2 * std::pow(t, nu)), 1e-12);
   EXPECT_NEAR(printed, 1.27242487890994, 1e-12);
 }
 
 // w2 = a1/b1 of 49 in another unit of time, t = c t': q(c t') has the coefficient w2 c^nu.
 TEST(ErrataTarasov, Equation49HasAFrequencyWithADimension) {
   const auto at = [](double w2, double t) {
-    return linear_reference(LinearEquation{{{1.0, 1.5}, {w2, 0.0}}, {1.0, 0.0}}, {0.0}).at(t).value[0];
+    return reference::linear_reference(reference::LinearEquation{{{1.0, 1.5}, {w2, 0.0}}, {1.0, 0.0}}, {0.0})
+        .at(t)
+        .value[0];
   };
   const double c = 3.0, q = at(2.0, c * 0.7);
   EXPECT_NEAR(at(2.0 * std::pow(c, 1.5), 0.7), q, 1e-14);
@@ -90,4 +99,4 @@ TEST(ErrataTarasov, Equation49HasAFrequencyWithADimension) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

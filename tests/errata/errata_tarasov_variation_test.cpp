@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tarasov & Zaslavsky 2006, the variational side: the Helmholtz conditions, eq. 38 and eqs 70-86.
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 #include "fdebench/reference/linear/linear_system.hpp"
 #include "support/caputo.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Eigen::Vector2d;
@@ -52,14 +53,16 @@ TEST(ErrataTarasov, Equation70KeepsTheLeftDerivative) {
   EXPECT_NEAR(exact, 0.0707355302631, 1e-12);
   // The right Riemann-Liouville derivative; the direction vanishes at 1 and cancels its singularity
   // (1 - t)^(-1/2).
-  const auto slope = [](double t) { return 1.0 / (2.0 * gamma(1.5) * std::sqrt(t)); };
+  const auto slope = [](double t) { return 1.0 / (2.0 * reference::gamma(1.5) * std::sqrt(t)); };
   const double adjoint = integral(
       [&](double t) { return direction(t) * right_riemann_liouville(slope, momentum(1.0), order, t, 1.0); },
       0.0, 1.0);
   EXPECT_NEAR(adjoint, exact, 1e-10);
   const double printed = integral(
-      [&](double t) { return direction(t) * caputo_derivative_of_power(0.5, order, t) / gamma(1.5); }, 0.0,
-      1.0);
+      [&](double t) {
+        return direction(t) * caputo_derivative_of_power(0.5, order, t) / reference::gamma(1.5);
+      },
+      0.0, 1.0);
   EXPECT_NEAR(printed, 1.0 / 6.0, 1e-12);
 }
 
@@ -72,7 +75,7 @@ TEST(ErrataTarasov, Equation70KeepsTheRightDerivative) {
       integral([&](double t) { return (1.0 + t) * right_caputo(slope, order, t, 1.0); }, 0.0, 1.0);
   const double adjoint = integral(
       [&](double t) {
-        const double of_constant = std::pow(t, -order) / gamma(1.0 - order);
+        const double of_constant = std::pow(t, -order) / reference::gamma(1.0 - order);
         return direction(t) * (of_constant + caputo_derivative_of_power(1.0, order, t));
       },
       0.0, 1.0);
@@ -109,7 +112,8 @@ TEST(ErrataTarasov, Equation82InheritsTheLeftDerivative) {
 TEST(ErrataTarasov, Equation78HasTheWrongSignOfTheForce) {
   const auto at = [](double sign, double t) -> Vector2d {
     const Matrix flow = (Matrix(2, 2) << 0.0, 1.0, sign, 0.0).finished();
-    return linear_reference(LinearSystem{.orders = {1.0, 1.0}, .initial = {{1.0}, {0.0}}, .matrix = flow})
+    return reference::linear_reference(
+               reference::LinearSystem{.orders = {1.0, 1.0}, .initial = {{1.0}, {0.0}}, .matrix = flow})
         .at(t)
         .value;
   };
@@ -132,4 +136,4 @@ TEST(ErrataTarasov, Equation86HasNoLimitWithoutTheConstraint) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Yin, Liu & Anh 2007, sections 5 and 6: steps, chain and energy of the pendulums, as printed and corrected.
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 double power(double x, double p) { return x > 0.0 ? std::pow(x, p) : 0.0; }
@@ -37,7 +38,7 @@ Vec predictor_corrector(const Problem& problem, int steps, Eigen::Index row_of_o
   Vec order(size), factor(size);  // h^g / Gamma(g)
   for (Eigen::Index i = 0; i < size; ++i) {
     order[i] = problem.components[static_cast<std::size_t>(i)].order;
-    factor[i] = std::pow(problem.end / steps, order[i]) / gamma(order[i]);
+    factor[i] = std::pow(problem.end / steps, order[i]) / reference::gamma(order[i]);
   }
   Vec y = start, prediction = start;
   std::vector<Vec> f;
@@ -106,7 +107,7 @@ TEST(ErrataYin, Equation64HasAStiffnessThatConservesNothing) {
   scene.problem.end = 5.0;
   const double stiffness = 1.3, length = 2.0;
   const auto xi = std::ranges::find(scene.outputs.names, "xi") - scene.outputs.names.begin();
-  const Reference reference = reference_of(scene);
+  const reference::Reference reference = reference_of(scene);
   const double start = scene.energy.value(reference.at(0.0).value);
   double conserved = 0.0, printed = 0.0;
   for (double t = 0.0; t <= 5.0; t += 0.05) {
@@ -127,7 +128,7 @@ TEST(ErrataYin, Equation64HasAStiffnessThatConservesNothing) {
 TEST(ErrataYin, EnergyHasMaximaAtTheFourthAndSixthExtremum) {
   Scene scene = scene_of("pendulum");
   scene.problem.end = 20.0;
-  const Reference reference = reference_of(scene);
+  const reference::Reference reference = reference_of(scene);
   const auto speed = [&](double t) { return reference.at(t).value[2]; };
   std::vector<double> bends;
   for (const auto& [time, bend] : {std::pair{2.9183, 0.03400},
@@ -148,4 +149,4 @@ TEST(ErrataYin, EnergyHasMaximaAtTheFourthAndSixthExtremum) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

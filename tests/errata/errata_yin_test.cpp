@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Yin, Liu & Anh 2007, sections 2 to 4: the lemmas, the chain and the theorem, as printed and corrected.
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 #include "support/caputo.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // u = t: D^(1/2) D^(3/4) u is a power of t, D^(5/4) u vanishes. A chain with a link that ends at u' is
@@ -41,8 +42,9 @@ constexpr double a = 3.0, b = 0.5, c = 0.4, d = 0.3;
 
 // u, D^0.5 u, u', D^1.5 u and u'' of a u'' + b D^1.5 u + c u' + d D^0.5 u + u = 1 at t = 1.5.
 Vec with_leading_coefficient() {
-  const LinearEquation equation{{{a, 2.0}, {b, 1.5}, {c, 1.0}, {d, 0.5}, {1.0, 0.0}}, {1.0, -0.3}, {{1.0}}};
-  return linear_reference(equation, {0.0, 0.5, 1.0, 1.5, 2.0}).at(1.5).value;
+  const reference::LinearEquation equation{
+      {{a, 2.0}, {b, 1.5}, {c, 1.0}, {d, 0.5}, {1.0, 0.0}}, {1.0, -0.3}, {{1.0}}};
+  return reference::linear_reference(equation, {0.0, 0.5, 1.0, 1.5, 2.0}).at(1.5).value;
 }
 
 TEST(ErrataYin, Equation21LacksTheLeadingCoefficient) {
@@ -63,18 +65,18 @@ TEST(ErrataYin, Equation311ClosesItsBracketTooEarly) {
 // plus t^(1/2). So u is in C^2, as 2.1 requires, but D^gamma1 u_1 is not, and u is not in C^3.
 TEST(ErrataYin, Theorem43DoesNotCoverItsOwnExample) {
   const double mu = 0.06, lambda = 0.1, nu = 0.1, tau = 0.8, u1 = -0.3;
-  const LinearEquation pendulum{{{1.0, 2.0}, {mu, 1.5, tau}, {lambda, 1.0, tau}, {nu, 0.5, tau}, {1.0, 0.0}},
-                                {1.0, u1}};
-  const Reference exact = linear_reference(pendulum, {0.5, 2.0});
+  const reference::LinearEquation pendulum{
+      {{1.0, 2.0}, {mu, 1.5, tau}, {lambda, 1.0, tau}, {nu, 0.5, tau}, {1.0, 0.0}}, {1.0, u1}};
+  const reference::Reference exact = reference::linear_reference(pendulum, {0.5, 2.0});
   const double at_0 = exact.at(0.0).value[1];
   EXPECT_NEAR(at_0, -0.976, 1e-15);
-  const double slope = -(mu * std::pow(tau, 1.5) * at_0 + nu * std::sqrt(tau) * u1) / gamma(1.5);
+  const double slope = -(mu * std::pow(tau, 1.5) * at_0 + nu * std::sqrt(tau) * u1) / reference::gamma(1.5);
   EXPECT_NEAR(slope, 0.0775591, 1e-7);
   for (const double t : {1e-8, 1e-10, 1e-12}) {
     const auto values = exact.digits(t, 30);
     const double half = std::stod(values[0].value);
-    EXPECT_NEAR(half / std::sqrt(t), u1 / gamma(1.5), 10.0 * t);
-    const auto rise = static_cast<double>(parse<long double>(values[1].value) + 0.976L);
+    EXPECT_NEAR(half / std::sqrt(t), u1 / reference::gamma(1.5), 10.0 * t);
+    const auto rise = static_cast<double>(reference::parse<long double>(values[1].value) + 0.976L);
     EXPECT_NEAR(rise / std::sqrt(t), slope, 0.5 * std::sqrt(t));
   }
 }
@@ -99,4 +101,4 @@ TEST(ErrataYin, Equation43FailsAtTheFirstStep) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

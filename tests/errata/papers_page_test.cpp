@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every test named in docs/papers.md exists, and the page names every test of a printed error.
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 #include <set>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::string text_of_the_page() {
@@ -88,4 +89,4 @@ TEST(PapersPage, HasEveryTestOfAPrintedError) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

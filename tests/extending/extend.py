@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Follows docs/extending.md to the letter.
 
     extend.py write FOLDER      writes the files of the page there, laid out as in the repository, and beside them the

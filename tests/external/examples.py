@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """examples.py FDEBENCH SCHEME WORD...: the program of docs/examples run by these words has the errors of this scheme, and is
 listed with it in results, on the page and in recommendations."""
 

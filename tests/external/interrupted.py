@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """interrupted.py FDEBENCH: a signal ends a sweep and the external program it runs, and leaves no temporary file and no partial row."""
 
 import os

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The command with arbitrary arguments, one a line of the input: exit code 0, 1 (compare), 2 or 3; a failure
 // is one printable line on err. It runs in a folder of its own. Arguments with a slash and commands that
 // would take minutes are skipped.
@@ -16,6 +17,7 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 using Words = std::vector<std::string>;
 
 Words lines_of(std::string_view text) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary text as an equation file: either a scene with its problem, a few steps and its exact reference,
 // or a one-line error.
 
@@ -16,10 +17,12 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 void require_shapes(const Scene& scene) {
   const auto size = scene.problem.size();
-  fuzz::require(scene.outputs.of || std::ssize(scene.outputs.names) == size, "a column for each component");
+  fuzz::require(scene.outputs.evaluate || std::ssize(scene.outputs.names) == size,
+                "a column for each component");
   fuzz::require(scene.smoothness.powers.empty() || std::ssize(scene.smoothness.powers) == size,
                 "start powers of all rows, or of none");
 }
@@ -40,16 +43,17 @@ void solve(const Scene& scene, std::string_view scheme) {
   constexpr int steps = 5;
   const Grid grid{scene.problem.end, steps};
   const auto* found = find_scheme(scheme);
-  if (refusal(*found, scene.problem, grid)) return;
+  if (unsupported_reason(*found, scene.problem, grid)) return;
   const auto path = found->solve(scene.problem, grid, {.budget = 0.5});
-  fuzz::require(path.ending != Ending::finished || path.y.allFinite(), "what finished is finite", scene.name);
+  fuzz::require(path.status != SolveStatus::finished || path.y.allFinite(), "what finished is finite",
+                scene.name);
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  fuzz::answers([&] {
+  fuzz::require_one_line_errors([&] {
     const Scene scene = make_scene(equation_scene(parse_equation_text("fuzz.toml", text)));
     require_shapes(scene);
     evaluate(scene);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-namespace fde::fuzz {
+namespace fde::bench::fuzz {
 
 // Aborts if a promise is broken, which the fuzzer detects.
 inline void require(bool holds, std::string_view what, std::string_view shown = "") {
@@ -27,7 +28,7 @@ inline void require(bool holds, std::string_view what, std::string_view shown = 
 
 // Runs a call, which must return or throw with a one-line message.
 template <class Call>
-void answers(const Call& call) {
+void require_one_line_errors(const Call& call) {
   const auto check = [](std::string_view message) {
     require(!message.empty() && message.find('\n') == std::string_view::npos, "one line", message);
   };
@@ -54,7 +55,7 @@ class Bytes {
     return number;
   }
   // An index below `count`.
-  std::size_t place(std::size_t count) { return take<std::uint8_t>() % count; }
+  std::size_t index_below(std::size_t count) { return take<std::uint8_t>() % count; }
   // The text up to the next line end.
   std::string_view line() {
     const auto text = rest_.substr(0, rest_.find('\n'));
@@ -82,4 +83,4 @@ inline bool contains_nan_or_inf(std::string_view text) {
   return false;
 }
 
-}  // namespace fde::fuzz
+}  // namespace fde::bench::fuzz

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes with arbitrary parameters, a few steps of any scheme, and their exact references. The input: a line
 // with the id of the scene, one with that of the scheme, then bytes that choose the rest.
 
@@ -13,6 +14,7 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 // The entry with this id; for any other text, an entry chosen by its hash.
 template <class List>
@@ -25,7 +27,7 @@ const auto& named(const List& list, std::string_view id) {
 double number(fuzz::Bytes& bytes, const Parameter& parameter) {
   const auto& [low, high, open_low, open_high] = parameter.range;
   constexpr double tiny = std::numeric_limits<double>::denorm_min();
-  switch (bytes.place(12)) {
+  switch (bytes.index_below(12)) {
     case 0:
       return low;
     case 1:
@@ -37,7 +39,7 @@ double number(fuzz::Bytes& bytes, const Parameter& parameter) {
     case 4:
       return tiny;
     case 5:
-      return std::nextafter(1.0, bytes.place(2) == 0 ? 0.0 : 2.0);
+      return std::nextafter(1.0, bytes.index_below(2) == 0 ? 0.0 : 2.0);
     case 6:
       return 1e-300;
     case 7:
@@ -52,21 +54,21 @@ double number(fuzz::Bytes& bytes, const Parameter& parameter) {
 }
 
 ParameterValue value(fuzz::Bytes& bytes, const Parameter& parameter) {
-  if (!parameter.choices.empty()) return parameter.choices[bytes.place(parameter.choices.size())];
+  if (!parameter.choices.empty()) return parameter.choices[bytes.index_below(parameter.choices.size())];
   if (!std::holds_alternative<std::vector<double>>(parameter.value)) return number(bytes, parameter);
-  std::vector<double> numbers(bytes.place(4));
+  std::vector<double> numbers(bytes.index_below(4));
   for (double& one : numbers) one = number(bytes, parameter);
   return numbers;
 }
 
 void solve(const Scene& scene, const Scheme& scheme, const Resolution& resolution) {
-  if (const auto reason = refusal(scheme, scene.problem, resolution)) {
+  if (const auto reason = unsupported_reason(scheme, scene.problem, resolution)) {
     fuzz::require(!reason->empty(), "a refusal has a reason");
     return;
   }
   const auto path = scheme.solve(scene.problem, resolution, {.budget = 0.5});
   const auto shown = fmt::format("{} {} T = {}", scene.name, scheme.id, scene.problem.end);
-  fuzz::require(path.ending != Ending::finished || path.y.allFinite(), "what finished is finite", shown);
+  fuzz::require(path.status != SolveStatus::finished || path.y.allFinite(), "what finished is finite", shown);
   fuzz::require(!describe(scene.problem, path).empty(), "an ending has a description", shown);
 }
 
@@ -87,21 +89,21 @@ void check_reference(const Scene& scene, double t) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
-  const auto& maker = named(scenes(), bytes.line());
+  const auto& maker = named(built_in_scenes(), bytes.line());
   const auto& scheme = named(schemes(), bytes.line());
-  const int steps = 1 + static_cast<int>(bytes.place(24));
-  const bool exact = bytes.place(4) == 0;
+  const int steps = 1 + static_cast<int>(bytes.index_below(24));
+  const bool exact = bytes.index_below(4) == 0;
   ParameterValues values;
   while (!bytes.empty() && !maker.parameters.empty()) {
-    const auto& parameter = maker.parameters[bytes.place(maker.parameters.size())];
+    const auto& parameter = maker.parameters[bytes.index_below(maker.parameters.size())];
     values[parameter.name] = value(bytes, parameter);
   }
-  fuzz::answers([&] {
+  fuzz::require_one_line_errors([&] {
     const Scene scene = make_scene(maker, values);
-    if (!scene.refusal.empty()) return;
+    if (!scene.ill_posed_reason.empty()) return;
     if (exact) {
       check_reference(scene, scene.problem.end);
-    } else if (scheme.needs.takes_accuracy) {
+    } else if (scheme.capabilities.is_adaptive()) {
       const double error = std::pow(10.0, -steps / 2.0);
       solve(scene, scheme, Tolerance{error, error});
     } else {

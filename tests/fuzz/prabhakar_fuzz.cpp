@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Derivatives of the Mittag-Leffler function, the Prabhakar function and small matrices, for arbitrary
 // doubles: finite values with finite bounds, or a one-line error.
 
@@ -13,6 +14,7 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 void require_bounded(std::complex<double> value, double bound, const std::string& shown) {
   fuzz::require(std::isfinite(value.real()) && std::isfinite(value.imag()), "a value is finite", shown);
@@ -41,12 +43,12 @@ void of_a_number(fuzz::Bytes& bytes, double alpha, double beta, bool derivative)
   const auto z = moderate(std::complex(re, im), alpha);
   if (derivative) {
     const int k = bytes.take<std::int8_t>() / 4;
-    const auto [value, bound] = mittag_leffler_derivative(k, alpha, beta, z);
+    const auto [value, bound] = reference::mittag_leffler_derivative(k, alpha, beta, z);
     require_bounded(value, bound,
                     fmt::format("derivative {} {} {} {} {}", k, alpha, beta, z.real(), z.imag()));
   } else {
     const double gamma = moderate(bytes.take<double>());
-    const auto [value, bound] = prabhakar(alpha, beta, gamma, z);
+    const auto [value, bound] = reference::prabhakar(alpha, beta, gamma, z);
     require_bounded(value, bound, fmt::format("{} {} {} {} {}", alpha, beta, gamma, z.real(), z.imag()));
   }
 }
@@ -55,7 +57,7 @@ void of_a_number(fuzz::Bytes& bytes, double alpha, double beta, bool derivative)
 // entries differ. An eigenvalue is at most the sum of the sizes of all entries.
 void of_a_matrix(fuzz::Bytes& bytes, double alpha, double beta, int rows) {
   Eigen::MatrixXcd matrix(rows, rows);
-  const bool real = bytes.place(2) == 0;
+  const bool real = bytes.index_below(2) == 0;
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < rows; ++j) {
       const auto re = bytes.take<double>();
@@ -64,7 +66,7 @@ void of_a_matrix(fuzz::Bytes& bytes, double alpha, double beta, int rows) {
       matrix(i, j) = {without_tiny_values(entry.real()), without_tiny_values(entry.imag())};
     }
   }
-  const auto [values, bounds] = mittag_leffler(alpha, beta, matrix);
+  const auto [values, bounds] = reference::mittag_leffler(alpha, beta, matrix);
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < rows; ++j)
       require_bounded(values(i, j), bounds(i, j), fmt::format("entry {} {} of a matrix", i, j));
@@ -75,11 +77,11 @@ void of_a_matrix(fuzz::Bytes& bytes, double alpha, double beta, int rows) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
-  const auto kind = bytes.place(5);
+  const auto kind = bytes.index_below(5);
   const auto order = bytes.take<double>();
   const double alpha = is_order(order) ? std::max(order, least_order) : order,
                beta = moderate(bytes.take<double>());
-  fuzz::answers([&] {
+  fuzz::require_one_line_errors([&] {
     if (kind < 2) {
       of_a_number(bytes, alpha, beta, kind == 0);
     } else {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as a results file: read, or a one-line error; the page and the recommendation from it
 // contain no nan or inf, and the file can be appended to.
 
@@ -16,6 +17,7 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 // Absent values of a run are null in their column; a value that is not finite would be written as null too.
 bool all_finite(const nlohmann::json& value) {
@@ -30,7 +32,7 @@ void show(const Results& results) {
   fuzz::require(all_finite(data), "numbers of the charts are finite", page);
   if (results.records.empty()) return;
   for (const double accuracy : {1e-3, 1e-12}) {
-    for (const ErrorKind& kind : error_kinds()) {
+    for (const ErrorKind& kind : error_kinds) {
       const auto made = recommend(runs_of(results), results.records.front().key.scene, kind, accuracy);
       for (const auto& text : made.others)
         fuzz::require(!fuzz::contains_nan_or_inf(text), "numbers of what is missing", text);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arbitrary bytes as reference data: table, description, index, checksums, a folder of one table, and a file
 // of the reference cache. Read, or a one-line error; the cache returns only tables that fit the problem.
 
@@ -16,6 +17,7 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 const TemporaryFolder& folder() {
   static const TemporaryFolder made;
@@ -66,7 +68,7 @@ void read(std::size_t kind, const std::string& text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
-  const auto kind = bytes.place(6);
+  const auto kind = bytes.index_below(6);
   try {
     read(kind, std::string(bytes.rest()));
   } catch (const std::invalid_argument& refusal) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs a fuzz target on every file of its corpus, without a fuzzer: the arguments are files and folders.
 
 #include <algorithm>

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: MIT
 // fde_bits > tests/bits.txt: the results of tests/conformance/bits.hpp, one a line, with numbers as
-// hexadecimal fractions. Regenerate the file, with g++, when the rounding of a scheme changes on purpose.
+// hexadecimal fractions. Regenerate the file when a scheme or a scene is added.
 // fde_bits FILE prints the distance of this build from a file, sorted by distance.
 
 #include <algorithm>
@@ -13,10 +14,11 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 void print_distances(const std::vector<FinalValues>& table) {
   std::vector<std::pair<double, std::string>> distances;
-  const auto here = endings();
+  const auto here = final_values();
   if (!std::ranges::equal(here, table, {}, &FinalValues::run, &FinalValues::run))
     throw std::runtime_error("the file has other runs than this build");
   for (std::size_t i = 0; i < here.size(); ++i)
@@ -49,7 +51,7 @@ int main(int count, char** arguments) {
       return 1;
     }
   }
-  for (const auto& [run, values, size] : endings()) {
+  for (const auto& [run, values, size] : final_values()) {
     fmt::print("{}", run);
     for (const double value : values) fmt::print(" {:a}", value);
     fmt::print("\n");

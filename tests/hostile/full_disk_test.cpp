@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Full disks: one line naming the path, no partial files, and existing files are kept.
 
 #include "support/full_disk.hpp"
@@ -13,7 +14,7 @@
 #include "hostile/unwritable_testing.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using FullDisks = Unwritable;
@@ -81,4 +82,4 @@ TEST_F(FullDisks, MayBeTheStandardOutput) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

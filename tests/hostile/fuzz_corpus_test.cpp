@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The seeds of the fuzzer must be updated if a scene or scheme is renamed. A new one needs no seed: unknown
 // ids are mapped to existing ones.
 
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The texts of that line in the files of tests/fuzz/corpus/parameter_values.
@@ -35,4 +36,4 @@ TEST(FuzzCorpus, NamesSchemesThatThereAre) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

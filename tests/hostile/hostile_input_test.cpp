@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Inputs found by fuzzing, each with its message; the fuzz targets are in tests/fuzz.
 
 #include <gmock/gmock.h>
@@ -13,7 +14,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -117,7 +118,7 @@ TEST(HostileInput, AnEmptyArgumentIsNamed) {
 TEST(HostileInput, AnOrderNextToZeroIsNoMultipleOfOneOverM) {
   const Scene scene = scene_of("pendulum", {{"alpha", 1.0}, {"beta", 5e-324}});
   const auto reason =
-      refusal(*find_scheme("commensurate_adams_pc"), scene.problem, Grid{.end = 1.0, .steps = 8});
+      unsupported_reason(*find_scheme("commensurate_adams_pc"), scene.problem, Grid{.end = 1.0, .steps = 8});
   EXPECT_EQ(reason, "needs orders that are multiples of one 1/M with M at most 64");
 }
 
@@ -138,4 +139,4 @@ TEST(HostileInput, DescriptionsOfOtherTypesAreRefusedInOurWords) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

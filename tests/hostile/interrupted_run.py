@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A sweep that is interrupted after its first run prints how to resume it, ends by the signal and keeps its results."""
 
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A solve that is killed repeatedly, also while it writes its checkpoint, prints the same bits as an uninterrupted one.
 
 killed_solve.py FDEBENCH [KILLS]: 12 kills by default. A checkpoint is written after every step.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // fde_kill_test FDEBENCH KILLS: runs a small sweep in a process of its own, ends it by a signal at a random
 // moment, resumes it, and so on. After each kill the file must be readable and begin with the rows that were
 // complete before; at the end it must contain each run once, with the values of an uninterrupted sweep.
@@ -26,6 +27,7 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 namespace fs = std::filesystem;
 
 pid_t start(const std::string& program, const fs::path& file) {
@@ -86,7 +88,7 @@ class KillTest {
   void operator()(int kills) {
     while (killed_ < kills) {
       fs::remove(file_);
-      while (killed_ < kills && once()) {
+      while (killed_ < kills && run_and_kill()) {
       }
       if (killed_ == kills) require(wait_for(start(program_, file_)) == 0, "a last run fails");
       require(sorted(values(read_results(file_))) == whole_,
@@ -99,7 +101,7 @@ class KillTest {
 
  private:
   // Starts one run and kills it; false if it finished before.
-  bool once() {
+  bool run_and_kill() {
     constexpr std::array signals{SIGKILL, SIGINT, SIGTERM, SIGKILL, SIGHUP};
     const pid_t child = start(program_, file_);
     std::this_thread::sleep_for(std::chrono::microseconds(delay_(random_)));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Read-only and removed folders: one line naming the path, no partial files. If run by root, who may write
 // everywhere, the permission tests switch to an ordinary user.
 
@@ -9,7 +10,7 @@
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "hostile/unwritable_testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Switches from root to another user during its lifetime.
@@ -70,4 +71,4 @@ TEST_F(Unwritable, AFolderThatVanishesDuringARun) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

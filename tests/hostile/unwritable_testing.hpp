@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include "support/command_output.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 namespace fs = std::filesystem;
 
@@ -33,4 +34,4 @@ class Unwritable : public testing::Test {
   const fs::path file_ = folder_.path() / "results.jsonl";
 };
 
-}  // namespace fde
+}  // namespace fde::bench

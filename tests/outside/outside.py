@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """fdebench installed, and a project outside the tree that takes it.
 
     outside.py install CMAKE BUILD PREFIX            the component `library` of a build

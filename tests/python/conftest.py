@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The command beside the module under test, and no references kept from one run to the next."""
 
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What is installed is all that `import fdebench` needs.
 
     installed.py prefix CMAKE BUILD WORK     the component `python`, in a prefix

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What is known of solutions and functions, held against mpmath and formulas."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What docs/python.md shows runs, and _core.pyi declares what there is."""
 
 import ast

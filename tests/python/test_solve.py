@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Solves from Python, held against formulas and against the command."""
 
 import csv
@@ -52,8 +53,8 @@ def test_a_problem_of_ones_own_has_its_solution():
 
 
 def test_a_jacobian_of_python_saves_calls_and_changes_no_result():
-    told = relaxation(jacobian=lambda t, y: [[-1.0]])
-    with_jacobian, without = (fdebench.solve(problem, "l1", 64) for problem in (told, relaxation()))
+    given = relaxation(jacobian=lambda t, y: [[-1.0]])
+    with_jacobian, without = (fdebench.solve(problem, "l1", 64) for problem in (given, relaxation()))
     assert with_jacobian.cost["rhs"] < without.cost["rhs"]
     assert with_jacobian["y"] == pytest.approx(without["y"], rel=1e-13)
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Long solves leave the interpreter to other threads, and Ctrl-C ends them."""
 
 import os

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/records/record.hpp"
 
 // Synthetic results for tests of reports.
-namespace fde {
+namespace fde::bench {
 
 inline constexpr double end_time = 8.0;
 inline const std::vector<int> all_steps{64, 128, 256, 512};
@@ -72,4 +73,4 @@ inline Results two_lines() {
   return results;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """foreign.py FDEBENCH WORD...: the program of docs/examples that these words run, `python3 relaxation.py` or
-`octave-cli relaxation.m`, is judged, and stands beside our runs on the page and in the answers."""
+`octave-cli relaxation.m`, is judged, and is listed with our runs on the page and in the answers."""
 
 import json
 import re

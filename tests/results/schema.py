@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """schema.py FDEBENCH: what fdebench writes is what docs/results.schema.json says; what that forbids fdebench refuses."""
 
 import copy
@@ -69,8 +70,11 @@ class Results(unittest.TestCase):
 
     def test_quantities_are_those_of_the_lists(self):
         lists = (ROOT / "benchmarks" / "measures" / "list.def").read_text()
+        kinds = (ROOT / "benchmarks" / "measures" / "error_kind.hpp").read_text()
         times = (ROOT / "benchmarks" / "measures" / "measures.cpp").read_text()
         measures = set(re.findall(r"FDE_MEASURE\((\w+)\)", lists)) | set(re.findall(r'TimeMeasure{"(\w+)"', times))
+        measures |= set(re.findall(r'"((?:error|baseline)_(?:end|maximum)\w*)"', "\n".join(
+            line for line in kinds.splitlines() if not line.lstrip().startswith("//"))))
         self.assertEqual(set(SCHEMA["$defs"]["quantity"]["enum"]), measures | {"ending"})
         page = (ROOT / "docs" / "results.md").read_text()
         for name in measures | set(SCHEMA["$defs"]["row"]["properties"]):

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Checks the includes of the sources against layers.txt, which lists for each folder the folders that it may include, and that no two
-types have the same name.
+# SPDX-License-Identifier: MIT
+"""Checks the includes of the sources against layers.txt, which lists for each folder the folders that it may include, the
+namespace of each source, and that no two types and no two headers have the same name.
 
     layers.py            check; one line for each fault, exit code 1 if there is one
     layers.py --dot      the dependency graph of the folders, for Graphviz
@@ -102,8 +103,32 @@ def twins():
                 yield f"{path}: {name} is defined in {known[name]} too"
 
 
+def twin_headers():
+    """Headers with the same file name: a reader cannot tell them apart."""
+    known = {}
+    for path in sources():
+        if path.suffix == ".hpp" and known.setdefault(path.name, path) != path:
+            yield f"{path}: {known[path.name]} has this name too"
+
+
+def space_of(path):
+    """The namespace of a source: that of its layer; of tests, that of the layer that knows everything."""
+    if path.parts[0] == "reference" or path.parts[:2] in {("tests", "reference"), ("tests", "certificate")}:
+        return "fde::reference"
+    return "fde" if path.parts[0] == "schemes" else "fde::bench"
+
+
+def wrong_namespaces():
+    for path in sources():
+        for space in re.findall(r"^namespace (fde[\w:]*) \{", (ROOT / path).read_text(), re.MULTILINE):
+            if not (space + "::").startswith(space_of(path) + "::"):
+                yield f"{path}: namespace {space} is not that of its layer, {space_of(path)}"
+
+
 def faults():
     yield from twins()
+    yield from twin_headers()
+    yield from wrong_namespaces()
     table, seen = allowed(), arrows()
     may_include = reach(table)
     yield from order_faults(table)
@@ -172,5 +197,5 @@ if __name__ == "__main__":
         sys.exit(f"layers.py: {' '.join(arguments)}: must be --dot, --sizes or nothing\n{__doc__}")
     else:
         found = list(faults())
-        print(*(found or ["every include is an allowed arrow, and no type has a twin"]), sep="\n")
+        print(*(found or ["every include is allowed, and every name and namespace is as it should be"]), sep="\n")
         sys.exit(bool(found))

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What pages say that commands print is what they print: outputs.py FDEBENCH [PAGE]...
 
 In the `console` blocks of README.md and docs/ a command follows "$ ", further lines of it follow "> ", and what comes after is its

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The version is written once, in project(... VERSION ...) of CMakeLists.txt; everything else that names it agrees.
 
     version.py             CITATION.cff, CHANGELOG.md and every find_package(fdebench ...); one line for each fault

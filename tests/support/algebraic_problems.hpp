@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 // Problems with algebraic rows, each with the same problem after elimination of these rows by hand.
 
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 inline Component starting_at_one(double order) {
   return order > 1.0 ? Component{order, {1.0, 0.0}} : Component{order, {1.0}};
@@ -91,4 +92,4 @@ inline Problem AlgebraicPlane::integrated() const {
           .end = end};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 // Fractional calculus directly from the definitions; only Gamma is taken from the library.
@@ -13,7 +14,7 @@
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 using Function = std::function<double(double)>;
 
@@ -39,27 +40,29 @@ inline double integral(const Function& f, double from, double to, double at_from
 
 // D^order x^power from 0, a fractional integral for order < 0; 0 for an integer power below the order.
 inline double caputo_derivative_of_power(double power, double order, double x) {
-  if (is_integer(power) && power < order) return 0.0;
-  return gamma(power + 1.0) * reciprocal_gamma(power + 1.0 - order) * std::pow(x, power - order);
+  if (reference::is_integer(power) && power < order) return 0.0;
+  return reference::gamma(power + 1.0) * reference::reciprocal_gamma(power + 1.0 - order) *
+         std::pow(x, power - order);
 }
 
 // J^order f from 0 to t of f(s) = s^start over_power(s), with over_power smooth.
 inline double fractional_integral(const Function& over_power, double order, double t, double start = 0.0) {
-  return integral(over_power, 0.0, t, start, order - 1.0) * reciprocal_gamma(order);
+  return integral(over_power, 0.0, t, start, order - 1.0) * reference::reciprocal_gamma(order);
 }
 
 // tD_to^order f with the sign (-1)^m and the kernel (s - t)^(m - order - 1); derivative is f^(m), m =
 // ceil(order).
 inline double right_caputo(const Function& derivative, double order, double t, double to) {
   const double m = std::ceil(order);
-  return std::pow(-1.0, m) * integral(derivative, t, to, m - order - 1.0) * reciprocal_gamma(m - order);
+  return std::pow(-1.0, m) * integral(derivative, t, to, m - order - 1.0) *
+         reference::reciprocal_gamma(m - order);
 }
 
 // The right Riemann-Liouville derivative for orders in (0, 1); at_end: the value of the function at `to`.
 inline double right_riemann_liouville(const Function& derivative, double at_end, double order, double t,
                                       double to) {
   return right_caputo(derivative, order, t, to) +
-         at_end * std::pow(to - t, -order) * reciprocal_gamma(1.0 - order);
+         at_end * std::pow(to - t, -order) * reference::reciprocal_gamma(1.0 - order);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

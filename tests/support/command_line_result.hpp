@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <iterator>
@@ -7,7 +8,7 @@
 
 #include "support/command_output.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Runs a command given as words separated by blanks.
 inline CommandOutput fdebench(const std::string& words) {
@@ -29,4 +30,4 @@ inline std::vector<std::vector<double>> csv_rows(const std::string& csv) {
   return result;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <sstream>
@@ -6,7 +7,7 @@
 
 #include "fdebench/reports/command/command.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The exit code and output of the command, run in this process.
 struct CommandOutput {
@@ -14,10 +15,11 @@ struct CommandOutput {
   std::string out, err;
 };
 
-inline CommandOutput fdebench(const std::vector<std::string>& arguments, const Scenes& known = scenes()) {
+inline CommandOutput fdebench(const std::vector<std::string>& arguments,
+                              const SceneRegistry& known = built_in_scenes()) {
   std::ostringstream out, err;
   const int code = run_fdebench(arguments, {.out = out, .err = err}, known);
   return {code, out.str(), err.str()};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <sys/resource.h>
 
 #include <csignal>
 
-namespace fde {
+namespace fde::bench {
 
 // Simulates a full disk by a limit on the size of files.
 class FullDisk {
@@ -26,4 +27,4 @@ class FullDisk {
   rlimit before_{};
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 // The motion of fractional_constraint_nonlinear, with default parameters except alpha, from its power series
@@ -8,7 +9,7 @@
 
 #include "fdebench/schemes/problem/vectors.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 struct SeriesValue {
   double alpha, t;
@@ -29,4 +30,4 @@ inline const std::vector<SeriesValue>& series_values() {
   return all;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

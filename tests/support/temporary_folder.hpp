@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 
 // An empty folder that is removed with its contents.
 class TemporaryFolder {
@@ -35,4 +36,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,10 +12,10 @@
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/schemes/rules/start_weights/start_weights.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 inline const SceneFactory& scene_maker(std::string_view id) {
-  return *std::ranges::find(scenes(), id, &SceneFactory::id);
+  return *std::ranges::find(built_in_scenes(), id, &SceneFactory::id);
 }
 
 inline Scene scene_of(std::string_view id, const ParameterValues& values = {}) {
@@ -28,7 +29,7 @@ inline Trajectory solve(std::string_view scheme, const Problem& problem, int ste
 
 // The difference that rounding may cause between two computations of the same result: starting weights may
 // amplify it.
-inline double rounding(const Scheme& scheme, double plain) {
+inline double rounding_allowance(const Scheme& scheme, double plain) {
   constexpr double unit = 1e-16;
   return scheme.starting_powers ? std::max(plain, unit * max_growth) : plain;
 }
@@ -45,20 +46,21 @@ inline std::vector<const Scheme*> all_schemes() {
 // The schemes that use a grid and have a theoretical rate.
 inline std::vector<const Scheme*> grid_schemes() {
   auto some = all_schemes();
-  std::erase_if(some,
-                [](const Scheme* scheme) { return !scheme->needs.solves_on_grid || !scheme->expected_rate; });
+  std::erase_if(some, [](const Scheme* scheme) {
+    return scheme->capabilities.is_adaptive() || !scheme->expected_rate;
+  });
   return some;
 }
 
 // Of the grid schemes, those that discretise the rows of a problem, and those that discretise its equations.
 inline std::vector<const Scheme*> row_schemes() {
   auto some = grid_schemes();
-  std::erase_if(some, [](const Scheme* scheme) { return scheme->needs.discretises_equations; });
+  std::erase_if(some, [](const Scheme* scheme) { return scheme->capabilities.discretises_equations; });
   return some;
 }
 inline std::vector<const Scheme*> equation_schemes() {
   auto some = grid_schemes();
-  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.discretises_equations; });
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->capabilities.discretises_equations; });
   return some;
 }
 
@@ -80,4 +82,4 @@ void expect_message(const Call& call, const std::string& part) {
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

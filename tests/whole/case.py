@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A test case: a problem (a scene or an equation file), the options of a command and the property to check. `kept/` stores one a file."""
 
 import json

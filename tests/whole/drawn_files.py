@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Random equation files."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Random formulas of equation files: loads, couplings, switches."""
 
 from random import Random

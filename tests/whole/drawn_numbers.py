@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Random numbers as decimal texts."""
 
 import re

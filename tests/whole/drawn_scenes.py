@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Scenes with random parameters, from the list of `fdebench scenes --json`; and the list of schemes."""
 
 import json

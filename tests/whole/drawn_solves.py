@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Random calls of solve: a problem, a scheme, and any combination of options."""
 
 from random import Random

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Schemes with adaptive step size deliver the requested accuracy, to a factor of ten, where there is a reference."""
 
 import re

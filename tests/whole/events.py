@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The events of a function of t alone are all its zeros."""
 
 import math

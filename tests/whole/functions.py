@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Properties of mittag-leffler, stability, geometry and the lists."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The limit of schemes on grids at the end time, with an uncertainty from their last differences."""
 
 from collections.abc import Sequence

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Runs one command of fdebench and checks how it ends."""
 
 import os

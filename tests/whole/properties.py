@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The properties by name. Each draws its cases, and checks a case by raising Fault."""
 
 from collections.abc import Callable

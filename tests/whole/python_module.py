@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The Python module, if it is built, returns the values of the command."""
 
 import re

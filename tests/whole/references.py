@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """`exact` is compared with two schemes that share no code with it, and with its own values to many digits."""
 
 from dataclasses import replace

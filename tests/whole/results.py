@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Results files: run, judge, merge, compare, choose and plot are consistent with each other."""
 
 import json

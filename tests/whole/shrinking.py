@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Shrinks a failing case: leaves out options, parameters, lines and terms and simplifies numbers while it fails alike."""
 
 import re

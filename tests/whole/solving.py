@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The output of solve: complete, finite, and bitwise independent of output options."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The CSV output of solve and exact."""
 
 import csv

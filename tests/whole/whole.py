@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Random whole commands: any two features are combined, and properties are checked from outside the program.
 
     whole.py FDEBENCH [--seconds S] [--seed N|date] [--jobs J] [--keep DIR] [--coverage] [--slow FACTOR] [--only PROPERTY]...

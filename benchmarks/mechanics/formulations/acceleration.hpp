@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>
@@ -8,7 +9,7 @@
 
 // The formulations acceleration and stabilised: v' = free acceleration + the reaction that gives df/dt +
 // kappa f = 0; kappa = 0 is the printed form.
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // Constraints without memory, f(t, q, v) = 0, or f(t, q, v, w) = 0 at order 1, where w = v: equations for q'
 // = v and v'. The reaction is along df/dv only, not along df/dw.
@@ -29,9 +30,9 @@ struct AccelerationWithoutMemory {
     const auto rates = linearize_constraints<S>(system, S(t), q, v, v);
     const Reaction<S, System> reaction(system, q, rates);
     const Vector<S, n> free = free_acceleration<S>(system, S(t), q, v);
-    Vector<S, System::constraints> defect = rates.slope * free + rates.flow;
+    Vector<S, System::constraints> defect = rates.acceleration_jacobian * free + rates.convective_rate;
     if (kappa != 0.0) defect += S(kappa) * rates.value;
-    return joined<S>(v, Vector<S, n>(free + reaction.answer(defect)));
+    return stacked<S>(v, Vector<S, n>(free + reaction.compensating_acceleration(defect)));
   }
   [[nodiscard]] OutputValues<n> columns(double /*t*/, const Vector<double, states>& y) const {
     return {part<layout.q>(y), part<layout.v>(y), part<layout.v>(y)};
@@ -46,10 +47,10 @@ Vector<double, System::coordinates> singular_direction(const System& system,
                                                        const InitialState<System::coordinates>& start) {
   const auto none = zeros<double, System::coordinates>();
   const auto rates = linearize_constraints<double>(system, 0.0, start.q, start.v, none);
-  Vector<double, System::constraints> moved = rates.memory * start.v;
-  const Vector<double, System::constraints> size = rates.memory.cwiseAbs() * start.v.cwiseAbs();
+  Vector<double, System::constraints> moved = rates.memory_jacobian * start.v;
+  const Vector<double, System::constraints> size = rates.memory_jacobian.cwiseAbs() * start.v.cwiseAbs();
   for (int i = 0; i < System::constraints; ++i) moved[i] = zero_if_rounding(moved[i], size[i]);
-  return Reaction<double, System>(system, start.q, rates).answer(moved);
+  return Reaction<double, System>(system, start.q, rates).compensating_acceleration(moved);
 }
 
 // 0 < alpha < 1: q' = v, D^alpha v = s, D^(1-alpha) s = v' as above, D^(1-alpha) w = v; equations 37 and 42
@@ -72,7 +73,7 @@ struct AccelerationBelowOne {
     const double alpha = system.order;
     return rows(1.0, start.q, alpha, start.v, 1.0 - alpha, none, 1.0 - alpha, none);
   }
-  [[nodiscard]] bool posed() const { return singular.isZero(0.0) || system.order < 0.5; }
+  [[nodiscard]] bool is_well_posed() const { return singular.isZero(0.0) || system.order < 0.5; }
 
   [[nodiscard]] std::vector<PowerLoad> loads() const {
     const double alpha = system.order;
@@ -92,19 +93,20 @@ struct AccelerationBelowOne {
     const auto rates = linearize_constraints<S>(system, S(t), q, v, w);
     const Reaction<S, System> reaction(system, q, rates);
     const Vector<S, n> free = free_acceleration<S>(system, S(t), q, v);
-    Vector<S, System::constraints> defect = rates.slope * free + rates.flow + rates.memory * s;
+    Vector<S, System::constraints> defect =
+        rates.acceleration_jacobian * free + rates.convective_rate + rates.memory_jacobian * s;
     if (kappa != 0.0) defect += S(kappa) * rates.value;
-    Vector<S, n> acceleration = free + reaction.answer(defect);
+    Vector<S, n> acceleration = free + reaction.compensating_acceleration(defect);
     if (t > 0.0 && !start.v.isZero(0.0)) {
-      const Vector<S, System::constraints> started = rates.memory * converted_to<S, n>(start.v);
-      acceleration += (reaction.answer(started) - converted_to<S, n>(singular)) *
+      const Vector<S, System::constraints> started = rates.memory_jacobian * converted_to<S, n>(start.v);
+      acceleration += (reaction.compensating_acceleration(started) - converted_to<S, n>(singular)) *
                       S(std::pow(t, -alpha) / std::tgamma(1.0 - alpha));
     }
-    return joined<S>(v, s, acceleration, v);
+    return stacked<S>(v, s, acceleration, v);
   }
   [[nodiscard]] OutputValues<n> columns(double /*t*/, const Vector<double, states>& y) const {
     return {part<layout.q>(y), part<layout.v>(y), part<layout.w>(y)};
   }
 };
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // The conditional extremum of the action int (L + mu f) dt, for constraints f = a(t, q) v + beta(t, q):
 // Tarasov & Zaslavsky (67). It differs from the motion of the constrained system, whose equations contain no
@@ -31,15 +32,15 @@ struct ConditionalExtremum {
     const auto none = zeros<S, n>();
     const auto rates = linearize_constraints<S>(system, S(t), q, none, none);
     const Reaction<S, System> reaction(system, q, rates);
-    const Vector<S, n> free = raised<S>(system, q, p);
-    const Vector<S, r> defect = rates.slope * free + rates.value;
-    return {free + reaction.answer(defect), -reaction.multiplier(defect)};
+    const Vector<S, n> free = raise_index<S>(system, q, p);
+    const Vector<S, r> defect = rates.acceleration_jacobian * free + rates.value;
+    return {free + reaction.compensating_acceleration(defect), -reaction.multiplier(defect)};
   }
 
   [[nodiscard]] std::vector<Component> components() const {
     Vector<double, n> p = start.v;
     if constexpr (HasMetric<System>) p = system.template metric<double>(start.q) * p;
-    p += linearize_constraints<double>(system, 0.0, start.q, start.v, start.v).reaction.transpose() *
+    p += linearize_constraints<double>(system, 0.0, start.q, start.v, start.v).velocity_jacobian.transpose() *
          multiplier;
     return rows(1.0, start.q, 1.0, p);
   }
@@ -55,7 +56,7 @@ struct ConditionalExtremum {
     if constexpr (HasPotential<System>) action -= system.template potential<D>(place);
     const Vector<D, r> f = constraint_value<D>(system, D(t), place, v, v);
     for (int i = 0; i < r; ++i) action += at.mu[i] * f[i];
-    return joined<S>(at.v, derivatives<n>(action));
+    return stacked<S>(at.v, derivatives<n>(action));
   }
   [[nodiscard]] OutputValues<n> columns(double t, const Vector<double, states>& y) const {
     const Vector<double, n> q = part<layout.q>(y);
@@ -68,7 +69,7 @@ struct ConditionalExtremum {
 template <class System>
 Scene extremum_scene(const MechanicalSetup<System>& of, const Vector<double, System::constraints>& mu) {
   Scene scene;
-  auto form = pose(ConditionalExtremum<System>{of.system, of.start, mu}, of.end);
+  auto form = make_problem(ConditionalExtremum<System>{of.system, of.start, mu}, of.end);
   scene.problem = std::move(form.problem);
   scene.smoothness = std::move(form.smoothness);
   scene.outputs = {column_names(of.coordinates, false), std::move(form.columns)};
@@ -77,4 +78,4 @@ Scene extremum_scene(const MechanicalSetup<System>& of, const Vector<double, Sys
   return scene;
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

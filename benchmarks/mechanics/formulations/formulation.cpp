@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/formulations/formulation.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 std::string name_of(Formulation formulation) {
   constexpr std::array<const char*, 4> names{"integrated", "acceleration", "stabilised", "multiplier"};
@@ -43,4 +44,4 @@ FormulationChoice formulation_choice_of(const Parameters& parameters) {
   return {formulation, formulation == Formulation::stabilised ? parameters["kappa"] : 0.0};
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

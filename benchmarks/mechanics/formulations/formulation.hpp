@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -6,7 +7,7 @@
 
 #include "fdebench/benchmarks/scenes/parameters.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // Four formulations of the same equations. They differ in the treatment of the constraint: see
 // docs/mechanics.md.
@@ -39,4 +40,4 @@ struct FormulationChoice {
 };
 FormulationChoice formulation_choice_of(const Parameters& parameters);
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/benchmarks/mechanics/motion.hpp"
@@ -7,7 +8,7 @@
 // alpha < 2: w = D^(alpha-1) v, and D^(2-alpha) w is v' without its part t^(alpha-2)/Gamma(alpha-1) w(0). P
 // w(0) = 0. The acceleration form would have the highest derivative D^(1+alpha) q inside the reaction; it is
 // not offered.
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // The vectors a, b and constants of one constraint a.v + b.w + c = 0.
 template <class System>
@@ -18,21 +19,24 @@ class ConstantConstraint {
  public:
   ConstantConstraint(const System& system, const Vector<double, n>& q)
       : projection_(system, 0.0, q, zeros<double, n>()),
-        direction_(-projection_.reaction().answer(Vector<double, 1>::Ones())),
-        slope_(projection_.rates().slope.transpose()),
-        memory_(projection_.rates().memory.transpose()),
+        direction_(-projection_.reaction().compensating_acceleration(Vector<double, 1>::Ones())),
+        acceleration_jacobian_(projection_.rates().acceleration_jacobian.transpose()),
+        memory_jacobian_(projection_.rates().memory_jacobian.transpose()),
         constant_(projection_.rates().value[0]),
-        alignment_(zero_if_rounding(memory_.dot(direction_), size_of(memory_, direction_))) {}
+        alignment_(
+            zero_if_rounding(memory_jacobian_.dot(direction_), size_of(memory_jacobian_, direction_))) {}
 
-  [[nodiscard]] Vector<double, n> projected(const Vector<double, n>& x) const { return projection_.of(x); }
+  [[nodiscard]] Vector<double, n> projected(const Vector<double, n>& x) const {
+    return projection_.project(x);
+  }
   [[nodiscard]] const Vector<double, n>& direction() const { return direction_; }  // a^#: a.a^# = 1
-  [[nodiscard]] const Vector<double, n>& memory() const { return memory_; }        // b
-  [[nodiscard]] double constant() const { return constant_; }                      // c
-  [[nodiscard]] double alignment() const { return alignment_; }                    // b.a^#
+  [[nodiscard]] const Vector<double, n>& memory_jacobian() const { return memory_jacobian_; }  // b
+  [[nodiscard]] double constant() const { return constant_; }                                  // c
+  [[nodiscard]] double alignment() const { return alignment_; }                                // b.a^#
   // The w(0) along a^# with f = 0; 0 if C0 = -c equals a.v(0). Requires b.a^# != 0.
   [[nodiscard]] Vector<double, n> initial_memory(const Vector<double, n>& velocity) const {
-    const double size = size_of(slope_, velocity) + std::abs(constant_);
-    const double missing = -zero_if_rounding(slope_.dot(velocity) + constant_, size);
+    const double size = size_of(acceleration_jacobian_, velocity) + std::abs(constant_);
+    const double missing = -zero_if_rounding(acceleration_jacobian_.dot(velocity) + constant_, size);
     return direction_ * (missing / alignment_);
   }
 
@@ -42,7 +46,7 @@ class ConstantConstraint {
   }
 
   Projection<double, System> projection_;
-  Vector<double, n> direction_, slope_, memory_;
+  Vector<double, n> direction_, acceleration_jacobian_, memory_jacobian_;
   double constant_, alignment_;
 };
 
@@ -60,29 +64,29 @@ struct IntegratedAboveOne {
   ConstantConstraint<System> constraint{system, start.q};
 
   [[nodiscard]] std::vector<Component> components() const {
-    const Vector<double, 1> chi(constraint.memory().dot(start.v));
+    const Vector<double, 1> chi(constraint.memory_jacobian().dot(start.v));
     return rows(1.0, start.q, 1.0, constraint.projected(start.v), system.order - 1.0, chi, 2.0 - system.order,
                 zeros<double, n>());
   }
-  [[nodiscard]] bool posed() const { return constraint.alignment() != 0.0; }
+  [[nodiscard]] bool is_well_posed() const { return constraint.alignment() != 0.0; }
 
   template <class S>
   [[nodiscard]] Vector<S, states> rhs(double t, const Vector<S, states>& y) const {
     const Vector<S, n> q = part<layout.q>(y), z = part<layout.z>(y);
-    const S fixed =
-        (y[layout.chi.first] - converted_to<S, n>(constraint.memory()).dot(z)) / S(constraint.alignment());
+    const S fixed = (y[layout.chi.first] - converted_to<S, n>(constraint.memory_jacobian()).dot(z)) /
+                    S(constraint.alignment());
     const Vector<S, n> v = z + converted_to<S, n>(constraint.direction()) * fixed;
-    const Vector<S, n> free =
-        Projection<S, System>(system, S(t), q, zeros<S, n>()).of(free_acceleration<S>(system, S(t), q, v));
-    return joined<S>(v, free, Vector<S, 1>(S(-constraint.constant()) - fixed), free);
+    const Vector<S, n> free = Projection<S, System>(system, S(t), q, zeros<S, n>())
+                                  .project(free_acceleration<S>(system, S(t), q, v));
+    return stacked<S>(v, free, Vector<S, 1>(S(-constraint.constant()) - fixed), free);
   }
   [[nodiscard]] OutputValues<n> columns(double /*t*/, const Vector<double, states>& y) const {
     const Vector<double, n> z = part<layout.z>(y), free_memory = part<layout.w>(y);
-    const auto &b = constraint.memory(), &direction = constraint.direction();
+    const auto &b = constraint.memory_jacobian(), &direction = constraint.direction();
     const double fixed = (y[layout.chi.first] - b.dot(z)) / constraint.alignment();
     const double memory = (-constraint.constant() - fixed - b.dot(free_memory)) / constraint.alignment();
     return {part<layout.q>(y), z + direction * fixed, free_memory + direction * memory};
   }
 };
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

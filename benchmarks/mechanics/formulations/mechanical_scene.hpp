@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 #include "fdebench/benchmarks/mechanics/formulations/reactions.hpp"
 #include "fdebench/benchmarks/mechanics/formulations/state_geometry.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 template <class System>
 Constraint constraint_of(const System& system) {
@@ -21,11 +22,11 @@ Constraint constraint_of(const System& system) {
           }};
 }
 
-// The memories of the columns w, with powers derived from those of the rows q, which are the same in all
+// The columns w as memory columns, with powers derived from those of the rows q, which are the same in all
 // formulations.
 template <class System>
 std::vector<MemoryColumn> memories_of(const System& system, const std::vector<std::vector<double>>& powers,
-                                      Group q) {
+                                      RowBlock q) {
   static constexpr Layout at = column_layout<System>();
   std::vector<MemoryColumn> memories;
   for (int i = 0; i < q.size; ++i)
@@ -36,17 +37,17 @@ std::vector<MemoryColumn> memories_of(const System& system, const std::vector<st
 // The scene of a setting, without an exact reference. Columns: coordinates, velocities and, with memory, w =
 // D^order q.
 template <class System>
-Scene mechanical_scene(const MechanicalSetup<System>& of, const FormulationChoice& asked) {
+Scene mechanical_scene(const MechanicalSetup<System>& of, const FormulationChoice& choice) {
   Scene scene;
-  auto form = posed(of, asked);
+  auto form = pose_formulation(of, choice);
   const auto names = column_names(of.coordinates, HasMemory<System>);
-  scene.refusal = std::move(form.refusal);
+  scene.ill_posed_reason = std::move(form.ill_posed_reason);
   scene.problem = std::move(form.problem);
   scene.smoothness = std::move(form.smoothness);
   scene.outputs = {names, std::move(form.columns)};
   auto powers = scene.smoothness.powers;
-  if (asked.formulation != of.reference && has_reference_form(of)) {
-    auto reference = posed(of, {of.reference});
+  if (choice.formulation != of.reference && has_reference_form(of)) {
+    auto reference = pose_formulation(of, {of.reference});
     powers = reference.smoothness.powers;  // the solution is the same
     scene.reference_problem = {std::move(reference.problem), {names, std::move(reference.columns)}};
   }
@@ -55,8 +56,8 @@ Scene mechanical_scene(const MechanicalSetup<System>& of, const FormulationChoic
   scene.geometry = geometry_of(of.system, of.coordinates, consistent_initial_state(of.system, of.start));
   std::vector<double> powers_of_w;
   if constexpr (HasMemory<System>) {
-    if (remembers(of.system)) {
-      scene.memories = memories_of(of.system, powers, form.layout.q);
+    if (has_memory_column(of.system)) {
+      scene.memory_columns = memories_of(of.system, powers, form.layout.q);
       powers_of_w = powers_of_memory(powers, form.layout.q, of.system.order);
     }
   }
@@ -87,4 +88,4 @@ inline Outputs path_on_sphere() {
           }};
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

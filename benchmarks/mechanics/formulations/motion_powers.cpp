@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/formulations/motion_powers.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 namespace {
 
 constexpr double last = 3.0;  // higher powers do not change the rate
@@ -24,7 +25,8 @@ std::vector<double> with_zero(std::vector<double> powers) {
 }
 
 // Assigns the powers of each group to its rows.
-Smoothness starting(const Layout& layout, const std::vector<std::pair<Group, std::vector<double>>>& groups) {
+Smoothness smoothness_of_groups(const Layout& layout,
+                                const std::vector<std::pair<RowBlock, std::vector<double>>>& groups) {
   Smoothness smoothness;
   smoothness.powers.resize(static_cast<std::size_t>(layout.size()));
   for (const auto& [rows, powers] : groups) {
@@ -53,26 +55,27 @@ MotionExponents powers_above_one(double order, bool moving) {
 }
 
 Smoothness integrated_start(const MotionExponents& powers, double order, const Layout& layout) {
-  return starting(layout, {{layout.q, shifted(powers.velocity, 1.0)},
-                           {layout.z, powers.free_part},
-                           {layout.w, shifted(powers.velocity, 1.0 - order)}});
+  return smoothness_of_groups(layout, {{layout.q, shifted(powers.velocity, 1.0)},
+                                       {layout.z, powers.free_part},
+                                       {layout.w, shifted(powers.velocity, 1.0 - order)}});
 }
 
 Smoothness acceleration_start(const MotionExponents& powers, double order, const Layout& layout,
                               bool singular) {
   const auto leaving = without(powers.velocity, 0.0);
-  return starting(layout, {{layout.q, shifted(powers.velocity, 1.0)},
-                           {layout.v, leaving},
-                           {layout.s, shifted(singular ? without(leaving, 1.0 - order) : leaving, -order)},
-                           {layout.w, shifted(powers.velocity, 1.0 - order)}});
+  return smoothness_of_groups(
+      layout, {{layout.q, shifted(powers.velocity, 1.0)},
+               {layout.v, leaving},
+               {layout.s, shifted(singular ? without(leaving, 1.0 - order) : leaving, -order)},
+               {layout.w, shifted(powers.velocity, 1.0 - order)}});
 }
 
 // D^(2-order) W = z'.
 Smoothness integrated_start_above_one(const MotionExponents& powers, double order, const Layout& layout) {
-  return starting(layout, {{layout.q, shifted(powers.velocity, 1.0)},
-                           {layout.z, powers.free_part},
-                           {layout.chi, shifted(without(powers.velocity, 0.0), order - 1.0)},
-                           {layout.w, shifted(powers.free_part, 1.0 - order)}});
+  return smoothness_of_groups(layout, {{layout.q, shifted(powers.velocity, 1.0)},
+                                       {layout.z, powers.free_part},
+                                       {layout.chi, shifted(without(powers.velocity, 0.0), order - 1.0)},
+                                       {layout.w, shifted(powers.free_part, 1.0 - order)}});
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

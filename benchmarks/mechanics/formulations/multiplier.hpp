@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/benchmarks/mechanics/formulations/acceleration.hpp"
@@ -6,13 +7,13 @@
 #include "fdebench/benchmarks/mechanics/motion.hpp"
 #include "fdebench/benchmarks/mechanics/reaction.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // A guess of lambda(0). If lambda is unbounded at 0, the guess is 0; only the value of lambda at t = 0 is
 // wrong then, because the constraint determines the effect of lambda on v.
 template <MemoryRows memory, class System>
-Vector<double, System::constraints> first_multiplier(const System& system,
-                                                     const InitialState<System::coordinates>& start) {
+Vector<double, System::constraints> initial_multiplier(const System& system,
+                                                       const InitialState<System::coordinates>& start) {
   constexpr int n = System::coordinates, r = System::constraints;
   const Vector<double, n> w = memory == MemoryRows::none ? start.v : zeros<double, n>();
   auto rates = linearize_constraints<double>(system, 0.0, start.q, start.v, w);
@@ -23,7 +24,8 @@ Vector<double, System::constraints> first_multiplier(const System& system,
     const ConstantConstraint<System> constraint(system, start.q);
     if (constraint.alignment() == 0.0) return zeros<double, r>();
     if (!constraint.initial_memory(start.v).isZero(0.0)) return zeros<double, r>();
-    rates.slope = rates.memory;  // b.v'(0) = 0: otherwise b.w, and with it a.v, starts like t^(2-alpha)
+    rates.acceleration_jacobian =
+        rates.memory_jacobian;  // b.v'(0) = 0: otherwise b.w, and with it a.v, starts like t^(2-alpha)
   }
   return enforcing_multiplier<double>(system, 0.0, start.q, start.v, rates);
 }
@@ -38,14 +40,14 @@ struct Multiplier {
   static constexpr int m = memory == MemoryRows::none ? 0 : n;
   static constexpr Layout layout{.q = {0, n}, .v = {n, n}, .w = {2 * n, m}, .lambda = {2 * n + m, r}};
   static constexpr int states = layout.size();
-  static constexpr Group memory_rows =
-      memory == MemoryRows::none ? layout.v : layout.w;  // without memory w = v
+  // The rows that hold w; without memory w = v.
+  static constexpr RowBlock memory_rows = memory == MemoryRows::none ? layout.v : layout.w;
   System system;
   InitialState<n> start;
 
   [[nodiscard]] std::vector<Component> components() const {
     const auto none = zeros<double, n>();
-    const auto lambda = first_multiplier<memory>(system, start);
+    const auto lambda = initial_multiplier<memory>(system, start);
     if constexpr (memory == MemoryRows::none) {
       return rows(1.0, start.q, 1.0, start.v, 0.0, lambda);
     } else if constexpr (memory == MemoryRows::below_one) {
@@ -64,14 +66,15 @@ struct Multiplier {
     const Vector<S, n> q = part<layout.q>(y), v = part<layout.v>(y), w = part<memory_rows>(y);
     const Vector<S, r> lambda = part<layout.lambda>(y);
     const auto rates = linearize_constraints<S>(system, S(t), q, v, w);
-    const Vector<S, n> acceleration = free_acceleration<S>(system, S(t), q, v) +
-                                      raised<S>(system, q, Vector<S, n>(rates.reaction.transpose() * lambda));
+    const Vector<S, n> acceleration =
+        free_acceleration<S>(system, S(t), q, v) +
+        raise_index<S>(system, q, Vector<S, n>(rates.velocity_jacobian.transpose() * lambda));
     if constexpr (memory == MemoryRows::none) {
-      return joined<S>(v, acceleration, rates.value);
+      return stacked<S>(v, acceleration, rates.value);
     } else if constexpr (memory == MemoryRows::below_one) {
-      return joined<S>(v, acceleration, v, rates.value);
+      return stacked<S>(v, acceleration, v, rates.value);
     } else {
-      return joined<S>(v, w, acceleration, rates.value);
+      return stacked<S>(v, w, acceleration, rates.value);
     }
   }
   [[nodiscard]] OutputValues<n> columns(double /*t*/, const Vector<double, states>& y) const {
@@ -79,4 +82,4 @@ struct Multiplier {
   }
 };
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

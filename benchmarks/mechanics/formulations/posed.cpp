@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/formulations/posed.hpp"
 
 #include <fmt/format.h>
@@ -5,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
-void hide(Smoothness& smoothness, Group rows) {
-  for (int i = 0; i < rows.size; ++i) smoothness.hidden.push_back(rows.first + i);
+void exclude_from_measures(Smoothness& smoothness, RowBlock rows) {
+  for (int i = 0; i < rows.size; ++i) smoothness.unmeasured.push_back(rows.first + i);
 }
 
 // Evaluated at a large y, where the constants of the right-hand side are negligible.
@@ -43,11 +44,11 @@ Smoothness linear_start(const Problem& problem, std::vector<PowerLoad> loads) {
 Smoothness nonlinear_start(const std::vector<Component>& components) {
   std::vector<double> steps{1.0};
   for (const auto& component : components) {
-    if (!algebraic(component)) steps.push_back(component.order);
+    if (!is_algebraic(component)) steps.push_back(component.order);
   }
   Smoothness smoothness;
   for (const auto& component : components) {
-    smoothness.powers.push_back(algebraic(component)
+    smoothness.powers.push_back(is_algebraic(component)
                                     ? std::vector<double>{}
                                     : power_lattice({component.order}, steps, component.order + 2.0));
   }
@@ -84,7 +85,8 @@ std::vector<double> powers_of_derivative(const std::vector<double>& powers) {
   return lowered;
 }
 
-std::vector<double> powers_of_memory(const std::vector<std::vector<double>>& powers, Group q, double order) {
+std::vector<double> powers_of_memory(const std::vector<std::vector<double>>& powers, RowBlock q,
+                                     double order) {
   std::vector<double> all;
   for (int i = 0; i < q.size; ++i) {
     for (const double power : powers[q[i]]) {
@@ -108,24 +110,24 @@ std::vector<std::string> column_names(const std::vector<std::string>& coordinate
 }
 
 MechanicalProblem refused_as_singular(Formulation formulation, double order) {
-  return {.refusal = fmt::format(
+  return {.ill_posed_reason = fmt::format(
               "formulation = {}: must be neither acceleration nor stabilised for alpha = {}: "
               "v' starts like t^-alpha unless (df/dw) v(0) = 0, which they take for alpha < 1/2 only",
               name_of(formulation), order)};
 }
 
 MechanicalProblem refused_above_one(Formulation formulation, double order) {
-  return {.refusal =
+  return {.ill_posed_reason =
               fmt::format("formulation = {}: must be integrated or multiplier for alpha = {}: above 1 the "
                           "highest derivative is D^(1+alpha) q inside the reaction",
                           name_of(formulation), order)};
 }
 
 MechanicalProblem refused_as_unaligned(double order) {
-  return {.refusal =
+  return {.ill_posed_reason =
               fmt::format("formulation = integrated: must be multiplier for alpha = {} and a.b = 0: above "
                           "1 the constraint then fixes no derivative of order alpha",
                           order)};
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/problem/linear_smoothness.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // A mechanical problem with its layout, its columns q, v and, with memory, w, and its smoothness.
 struct MechanicalProblem {
@@ -19,11 +20,11 @@ struct MechanicalProblem {
   Layout layout{};
   std::function<void(double t, In y, Out columns)> columns{};
   Smoothness smoothness{};
-  std::string refusal{};  // reason why this form is not well posed; the rest is empty then
+  std::string ill_posed_reason{};  // reason why this form is not well posed; the rest is empty then
 };
 
-// Marks rows as not measured (Smoothness::hidden).
-void hide(Smoothness& smoothness, Group rows);
+// Marks rows as not measured (Smoothness::unmeasured).
+void exclude_from_measures(Smoothness& smoothness, RowBlock rows);
 
 // The matrix A of a linear right-hand side A y + b(t).
 Matrix linear_part_of(const Problem& problem);
@@ -44,13 +45,15 @@ MechanicalProblem with_multipliers_above_one(MechanicalProblem form, const Mecha
 std::vector<double> powers_of_derivative(const std::vector<double>& powers);
 
 // The powers, without the constant, with which D^order q starts, from those of the rows q.
-std::vector<double> powers_of_memory(const std::vector<std::vector<double>>& powers, Group q, double order);
+std::vector<double> powers_of_memory(const std::vector<std::vector<double>>& powers, RowBlock q,
+                                     double order);
 
 // Column names: q1, v1, w1 for a coordinate q1; x, dx, Dalpha_x for x.
 std::vector<std::string> column_names(const std::vector<std::string>& coordinates, bool memory);
 
-// A refusal with its reason and the formulations that are well posed: for a term unbounded at t = 0; for a
-// derivative of order above 1 + alpha; for a constraint without a derivative of order alpha along a^#.
+// A form that is not well posed, with the reason and the formulations that are well posed. The reasons: a
+// term is unbounded at t = 0; a derivative of order above 1 + alpha occurs; the constraint has no derivative
+// of order alpha along a^#.
 MechanicalProblem refused_as_singular(Formulation formulation, double order);
 MechanicalProblem refused_above_one(Formulation formulation, double order);
 MechanicalProblem refused_as_unaligned(double order);
@@ -79,7 +82,7 @@ void differentiate(const Form& form, double t, const Vector<double, Form::states
 
 // The problem of a form up to `end`, with its derivatives, columns and smoothness.
 template <class Form>
-MechanicalProblem pose(const Form& form, double end) {
+MechanicalProblem make_problem(const Form& form, double end) {
   static_assert(Form::layout.is_partition());
   constexpr bool linear = Linear<decltype(form.system)>;
   using Unknowns = Vector<double, Form::states>;
@@ -90,7 +93,7 @@ MechanicalProblem pose(const Form& form, double end) {
   result.problem.end = end;
   result.columns = [form](double t, In y, Out columns) {
     const auto of = form.columns(t, Unknowns(y));
-    columns = joined<double>(of.q, of.v, of.w).head(columns.size());
+    columns = stacked<double>(of.q, of.v, of.w).head(columns.size());
   };
   if constexpr (linear) {
     result.problem.derivatives = DenseLinearPart{linear_part_of(result.problem)};
@@ -98,7 +101,7 @@ MechanicalProblem pose(const Form& form, double end) {
     result.problem.derivatives = DenseJacobian{
         [form](double t, In y, OutMatrix jacobian) { differentiate(form, t, Unknowns(y), jacobian); }};
   }
-  if (!linear || std::ranges::any_of(result.problem.components, algebraic)) {
+  if (!linear || std::ranges::any_of(result.problem.components, is_algebraic)) {
     result.smoothness = nonlinear_start(result.problem.components);
     return result;
   }
@@ -108,4 +111,4 @@ MechanicalProblem pose(const Form& form, double end) {
   return result;
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

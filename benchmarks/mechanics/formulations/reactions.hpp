@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -9,7 +10,7 @@
 
 // The reactions of the constraints as functions of the columns, the same for every formulation: lambda by
 // Tarasov & Zaslavsky (36), with w' as the rate of the columns w.
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // The positions of q, v and, with memory, w = D^order q among the columns of a scene; without memory w is v.
 template <class System>
@@ -20,7 +21,7 @@ constexpr Layout column_layout() {
 
 // Whether w is a column of its own: only with memory and an order other than 1.
 template <class System>
-bool remembers([[maybe_unused]] const System& system) {
+bool has_memory_column([[maybe_unused]] const System& system) {
   if constexpr (HasMemory<System>) {
     return system.order != 1.0;
   } else {
@@ -45,14 +46,15 @@ struct ReactionAt {
         reaction(system, q, rates) {}
 
   // lambda without the contribution of w', and that contribution.
-  [[nodiscard]] Vector<double, r> regular(const System& system, double t) const {
-    return reaction.multiplier(rates.slope * free_acceleration<double>(system, t, q, v) + rates.flow);
+  [[nodiscard]] Vector<double, r> regular_part(const System& system, double t) const {
+    return reaction.multiplier(rates.acceleration_jacobian * free_acceleration<double>(system, t, q, v) +
+                               rates.convective_rate);
   }
-  [[nodiscard]] Vector<double, r> remembered(const Point& memory_rate) const {
-    return reaction.multiplier(rates.memory * memory_rate);
+  [[nodiscard]] Vector<double, r> memory_part(const Point& memory_rate) const {
+    return reaction.multiplier(rates.memory_jacobian * memory_rate);
   }
   [[nodiscard]] double power(const Vector<double, r>& lambda) const {
-    return v.dot(rates.reaction.transpose() * lambda);
+    return v.dot(rates.velocity_jacobian.transpose() * lambda);
   }
 };
 
@@ -64,11 +66,11 @@ std::optional<Vec> multiplier_at_start(const System& system, const InitialState<
       const ConstantConstraint<System> constraint(system, start.q);
       if (constraint.alignment() == 0.0 || !constraint.initial_memory(start.v).isZero(0.0))
         return std::nullopt;
-      return Vec(first_multiplier<MemoryRows::above_one>(system, start));
+      return Vec(initial_multiplier<MemoryRows::above_one>(system, start));
     }
   }
   if (!singular_direction(system, start).isZero(0.0)) return std::nullopt;
-  return Vec(first_multiplier<MemoryRows::below_one>(system, start));
+  return Vec(initial_multiplier<MemoryRows::below_one>(system, start));
 }
 
 inline std::vector<std::string> multiplier_names(int count) {
@@ -78,7 +80,8 @@ inline std::vector<std::string> multiplier_names(int count) {
   return names;
 }
 
-// `powers`: those with which the columns w start; used if remembers(system).
+// The reactions of the constraints. `powers`: the exponents with which the columns w start; used if
+// has_memory_column(system).
 template <class System>
 Reactions reactions_of(const System& system, const InitialState<System::coordinates>& start,
                        std::vector<double> powers) {
@@ -87,19 +90,19 @@ Reactions reactions_of(const System& system, const InitialState<System::coordina
   reactions.power = [system](double t, In columns, In lambda) {
     return At(system, t, columns).power(Vector<double, At::r>(lambda));
   };
-  if (!remembers(system)) {
+  if (!has_memory_column(system)) {
     reactions.multipliers = [system](double t, In columns, In /*rates*/, Out lambda) {
-      lambda = At(system, t, columns).regular(system, t);
+      lambda = At(system, t, columns).regular_part(system, t);
     };
     return reactions;
   }
-  for (int i = 0; i < At::n; ++i) reactions.rated.push_back(At::at.w.first + i);
-  reactions.powers = std::move(powers);
+  for (int i = 0; i < At::n; ++i) reactions.differentiated_columns.push_back(At::at.w.first + i);
+  reactions.start_exponents = std::move(powers);
   reactions.multipliers = [system](double t, In columns, In rates, Out lambda) {
     const At here(system, t, columns);
-    lambda = here.regular(system, t) + here.remembered(typename At::Point(rates));
+    lambda = here.regular_part(system, t) + here.memory_part(typename At::Point(rates));
   };
-  if constexpr (HasMemory<System>) reactions.first = multiplier_at_start(system, start);
+  if constexpr (HasMemory<System>) reactions.initial_multipliers = multiplier_at_start(system, start);
   return reactions;
 }
 
@@ -129,17 +132,17 @@ Energy energy_of(const System& system) {
   };
   energy.power = [system](double t, In columns) {
     const At here(system, t, columns);
-    double power = here.power(here.regular(system, t));
+    double power = here.power(here.regular_part(system, t));
     if constexpr (HasForce<System>) power += here.v.dot(system.template force<double>(t, here.q, here.v));
     return power;
   };
-  if (!remembers(system)) return energy;
-  for (int i = 0; i < At::n; ++i) energy.rated.push_back(At::at.w.first + i);
-  energy.shares = [system](double t, In columns, Out shares) {
+  if (!has_memory_column(system)) return energy;
+  for (int i = 0; i < At::n; ++i) energy.differentiated_columns.push_back(At::at.w.first + i);
+  energy.rate_coefficients = [system](double t, In columns, Out shares) {
     const At here(system, t, columns);
-    for (int i = 0; i < At::n; ++i) shares[i] = here.power(here.remembered(At::Point::Unit(i)));
+    for (int i = 0; i < At::n; ++i) shares[i] = here.power(here.memory_part(At::Point::Unit(i)));
   };
   return energy;
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/mechanics/semispray.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // The geometry of a system at q, v. Forces and constraints are evaluated at t = 0.
 template <class System>
@@ -42,7 +43,7 @@ Vec allowed_velocity(const System& system, const Vector<double, System::coordina
   for (int i = 0; i < most_steps; ++i) {
     const auto rates = linearize_constraints<double>(system, 0.0, q, v, v);
     const Vector<double, System::coordinates> step =
-        Reaction<double, System>(system, q, rates).answer(rates.value);
+        Reaction<double, System>(system, q, rates).compensating_acceleration(rates.value);
     v += step;
     if (!(step.norm() > rounding * v.norm())) break;
   }
@@ -60,4 +61,4 @@ StateGeometry geometry_of(const System& system, const std::vector<std::string>& 
   return geometry;
 }
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Problems at both ends with T in (0, 20] and random coefficients: how many `fdebench solve` and `fdebench exact` solve.
 
 usage: benchmarks/programs/accuracy/both_ends.py FDEBENCH [--seed N] [--problems N] [--steps N]

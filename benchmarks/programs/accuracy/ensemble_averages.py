@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Averages over long motions of the chains with a thermostat, beside those of the densities that docs/mechanics.md says are stationary.
 
 usage: benchmarks/programs/accuracy/ensemble_averages.py FDEBENCH [--seed N] [--motions N] [--until T] [--step H]

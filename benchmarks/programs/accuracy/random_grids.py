@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Schemes over grids of random numbers of steps, on scenes with random parameters: how many wrong runs are silent.
 
 usage: benchmarks/programs/accuracy/random_grids.py FDEBENCH [--seed N] [--runs N] [--constrained]

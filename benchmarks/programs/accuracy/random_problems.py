@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Runs with random tolerances on scenes with random parameters, compared with `fdebench exact`.
 
 usage: benchmarks/programs/accuracy/random_problems.py FDEBENCH [--seed N] [--seconds S] [--constrained]
@@ -136,7 +137,7 @@ def main():
             count["off at most"] = max(count["off at most"], float(f"{max(off, of_multipliers):.2g}"))
             if max(off, of_multipliers) <= LIMIT:
                 continue
-            silent = "times the accuracy that is asked" not in solved[2]
+            silent = "times the requested accuracy" not in solved[2]
             count["off"] += off > LIMIT
             count["multipliers off"] += of_multipliers > LIMIT
             count["of these in silence"] += silent

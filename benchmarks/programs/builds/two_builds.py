@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Compares the times of two builds of fdebench: two_builds.py FIRST SECOND [REPEATS]
 
 Runs each solve by both programs in turn and prints the least CPU time of each and their ratio, SECOND / FIRST. For a build

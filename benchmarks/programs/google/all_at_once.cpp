@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // all_at_once/<scheme>/<N>: a nonlinear two-sided problem of six rows, three with left and three with right
 // derivatives. Prints time, error of the solution, Newton iterations and memory.
 
@@ -9,13 +10,14 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 void solve(benchmark::State& state, const Scheme& scheme, int steps) {
   const ManufacturedProblem made = smooth_two_sided();
   const Grid grid{.end = made.problem.end, .steps = steps};
   Trajectory path;
   for (auto _ : state) path = scheme.solve(made.problem, grid, {});
-  if (path.ending != Ending::finished) {
+  if (path.status != SolveStatus::finished) {
     state.SkipWithError("not converged");
     return;
   }
@@ -31,7 +33,7 @@ void solve(benchmark::State& state, const Scheme& scheme, int steps) {
 
 int main(int count, char** arguments) {
   for (const auto& scheme : schemes()) {
-    if (!scheme.needs.is_two_sided) continue;
+    if (!scheme.capabilities.is_two_sided) continue;
     for (const int steps : {1 << 10, 1 << 12, 1 << 14, 1 << 16}) {
       benchmark::RegisterBenchmark(fmt::format("all_at_once/{}/{}", scheme.id, steps).c_str(),
                                    [&scheme, steps](benchmark::State& state) { solve(state, scheme, steps); })

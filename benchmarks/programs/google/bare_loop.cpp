@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/programs/google/bare_loop.hpp"
 
 #include <array>
 
-namespace fde {
+namespace fde::bench {
 
 #if defined(__x86_64__) && defined(__clang__)
 __attribute__((target_clones("avx512f", "avx2", "default")))
@@ -21,4 +22,4 @@ void bare_multiply_add(Eigen::Index inner, Eigen::Index columns, const double* a
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

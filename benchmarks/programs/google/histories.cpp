@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The time of a step of the history (push and convolve) for a predictor-corrector with four components of
 // equal order, against the number of steps, the number of exponentials and the vector target; and of the same
 // multiply-adds in a plain loop. The result is per_step: a whole run, tables included, over the number of
@@ -14,6 +15,7 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 constexpr Eigen::Index components = 4;
 constexpr double order = 0.5, full = 1e-15;
@@ -77,12 +79,12 @@ void many_components(benchmark::State& state, Eigen::Index count, Rest... rest) 
   constexpr int steps_of_run = 10 * MemoryTables::block;
   const MemoryTables tables({{&families::l1, order}},
                             exponential_sum(1.0 - order, ExponentialMemory::shortest_lag, 1002.0, full));
-  Past past(tables, count, rest...);
+  Past memory(tables, count, rest...);
   const FirstSampleWeights start({{&families::l1, order}}, tables);
   const Vec sample = Vec::LinSpaced(count, 0.5, 1.5);
   for (auto _ : state) {
-    for (int n = 0; n < steps_of_run; ++n) past.push(tables, n % MemoryTables::block, sample, start);
-    benchmark::DoNotOptimize(past.sums(0, 0));
+    for (int n = 0; n < steps_of_run; ++n) memory.push(tables, n % MemoryTables::block, sample, start);
+    benchmark::DoNotOptimize(memory.sums(0, 0));
   }
   state.counters["per_step_and_component"] = per_iteration(steps_of_run * count);
 }

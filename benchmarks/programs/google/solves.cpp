@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // solve/<scene>/<scheme>/<N> for every scene and every scheme that accepts it: time, error of the solution
 // and Newton iterations. history/<scene>/<scheme>/<engine>/<N> compares the history engines on whole solves.
 
@@ -12,6 +13,7 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 // A scene with its reference, which is computed once, by the first benchmark of the scene.
 struct Subject {
@@ -24,16 +26,16 @@ struct Subject {
 void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int steps,
            HistoryKind history = HistoryKind::automatic) {
   const Grid grid{.end = subject.scene.problem.end, .steps = steps};
-  const Options options{.history = history, .at = {grid.end}};
+  const Options options{.history = history, .output_times = {grid.end}};
   Trajectory path;
   for (auto _ : state) path = scheme.solve(subject.scene.problem, grid, options);
-  if (path.ending != Ending::finished) {
+  if (path.status != SolveStatus::finished) {
     state.SkipWithError(describe(subject.scene.problem, path).c_str());
     return;
   }
   const Rows error = columns_of(subject.scene.outputs, path) - subject.reference.at(path.times);
   state.counters["error"] = error.cwiseAbs().maxCoeff();
-  if (scheme.needs.implicit) {
+  if (scheme.capabilities.implicit) {
     state.counters["iterations_per_step"] =
         static_cast<double>(path.cost.newton_iterations.value_or(0)) / static_cast<double>(path.steps);
   }
@@ -45,11 +47,12 @@ void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int 
 
 int main(int count, char** arguments) {
   std::list<Subject> subjects;  // stable addresses: the benchmarks keep references
-  for (const auto& maker : scenes()) {
+  for (const auto& maker : built_in_scenes()) {
     auto& subject = subjects.emplace_back(maker);
     for (const auto& scheme : schemes()) {
       for (const int steps : {256, 1024, 4096}) {
-        if (refusal(scheme, subject.scene.problem, Grid{subject.scene.problem.end, steps})) continue;
+        if (unsupported_reason(scheme, subject.scene.problem, Grid{subject.scene.problem.end, steps}))
+          continue;
         benchmark::RegisterBenchmark(
             fmt::format("solve/{}/{}/{}", maker.id, scheme.id, steps).c_str(),
             [&subject, &scheme, steps](benchmark::State& state) { solve(state, subject, scheme, steps); })

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Number of terms and error of the sums of exponentials for the kernel t^(a-1)/Gamma(a). CSV, one row a sum:
 //
 //   exponent   a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The error of the product trapezoidal rule when its weights are evaluated in double by the published
 // formula, a second difference of nearly equal powers. The scene is relaxation: D^(1/2) y = -y up to t = 1.
 // CSV, one row a run; the optional argument is the largest number of steps, default 1e7. All errors are
@@ -33,6 +34,7 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 // D^order y = rate y.
 struct Relaxation {
@@ -41,7 +43,7 @@ struct Relaxation {
 };
 
 Relaxation relaxation() {
-  const auto maker = std::ranges::find(scenes(), std::string_view("relaxation"), &SceneFactory::id);
+  const auto maker = std::ranges::find(built_in_scenes(), std::string_view("relaxation"), &SceneFactory::id);
   Scene scene = make_scene(*maker);
   const Component component = scene.problem.components.front();
   const double rate = std::get<DenseLinearPart>(scene.problem.derivatives).matrix(0, 0);
@@ -67,16 +69,16 @@ double naive_last_sum(const Relaxation& equation, const Grid& grid, const Trajec
   return std::abs(step_factor(table, grid.step()) * equation.rate * sum);
 }
 
-// The rule with any weights. past(n, y) is the memory term of step n times Gamma(order + 2).
+// The rule with any weights. memory_term(n, y) is the memory term of step n times Gamma(order + 2).
 template <typename Past>
-double error_of_loop(const Relaxation& equation, const Grid& grid, const Past& past) {
+double error_of_loop(const Relaxation& equation, const Grid& grid, const Past& memory_term) {
   const WeightTable table{&families::trapezoid, equation.order};
   const double scale = equation.rate / std::tgamma(equation.order + 2);
   Vec y(grid.steps + 1);
   y[0] = equation.start;
   for (int n = 1; n <= grid.steps; ++n) {
     const double newest = equation.rate * step_factor(table, grid.step(n));
-    y[n] = (equation.start + scale * past(n, y)) / (1 - newest);
+    y[n] = (equation.start + scale * memory_term(n, y)) / (1 - newest);
   }
   return std::abs(y[grid.steps] - equation.end_value);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The cost of a step of a large problem: diffusion on a line and on a square, L1 with order 1/2, 1000 steps.
 // Each row is measured in a separate process, so that its memory is not mixed with other rows'. Prints the
 // wall time of the run in seconds, then CPU nanoseconds per unknown and step (whole run, its parts run
@@ -33,6 +34,7 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 constexpr int steps = 1000;
 constexpr double order = 0.5;
@@ -59,7 +61,7 @@ double processor_seconds_of(const auto& work) {
 Scene scene_of(const Row& row) {
   const auto points = std::round(std::pow(static_cast<double>(row.unknowns), 1.0 / row.dimensions));
   const bool line = row.dimensions == 1;
-  const auto& makers = scenes();
+  const auto& makers = built_in_scenes();
   const auto maker =
       std::ranges::find(makers, line ? "fractional_diffusion" : "fractional_diffusion_2d", &SceneFactory::id);
   return make_scene(*maker, {{"gamma", order}, {line ? "components" : "n", points}});
@@ -110,7 +112,7 @@ Solving solving_seconds(const Scene& scene) {
   const double each = processor_seconds_of([&] {
     for (int i = 0; i < count; ++i) made->solve(b);
   });
-  return {made->name(), once, each / count};
+  return {made->active_method(), once, each / count};
 }
 
 Eigen::Index exponentials() {
@@ -158,7 +160,7 @@ void measure(const Row& row) {
   double error = 0.0;
   {
     const Scene scene = scene_of(row);
-    const Options options{.threads = row.threads, .at = {1.0}};
+    const Options options{.threads = row.threads, .output_times = {1.0}};
     const auto run = [&] { path = find_scheme("l1")->solve(scene.problem, Grid{1.0, steps}, options); };
     taken = seconds_of([&] { whole = processor_seconds_of(run); });
     most = bytes_in_memory() - before;
@@ -167,13 +169,13 @@ void measure(const Row& row) {
     solving = solving_seconds(scene);
   }
   const int blocks = static_cast<int>(std::clamp<Eigen::Index>(10'000'000 / row.unknowns / 32, 2, 30));
-  const double past = history_seconds(row, HistoryKind::exponentials, 32 * blocks);
+  const double known = history_seconds(row, HistoryKind::exponentials, 32 * blocks);
   const auto each = [&](double seconds) { return 1e9 * seconds / unknowns; };
-  const double rest = (whole - solving.once) / steps - past - solving.each;
+  const double rest = (whole - solving.once) / steps - known - solving.each;
   fmt::print(
       "{} | {:.0e} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {} | {:.1f} | "
       "{:.0f} | {:.0f} | {:.2e}\n",
-      row.dimensions, unknowns, row.threads, taken, each(whole / steps), each(past), each(solving.each),
+      row.dimensions, unknowns, row.threads, taken, each(whole / steps), each(known), each(solving.each),
       each(rest), each(streaming_seconds(row.unknowns)), each(arithmetic_seconds(row.unknowns)),
       solving.method, solving.once, static_cast<double>(*path.cost.history_bytes) / unknowns, most / unknowns,
       error);

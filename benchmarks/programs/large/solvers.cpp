@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/programs/large/solvers.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@
 #include "fdebench/schemes/solvers/conjugate_gradients.hpp"
 #include "fdebench/schemes/solvers/sparse_factors.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double strength = 0.028;  // kappa of L1 of order 1/2 with 1000 steps
@@ -87,15 +88,15 @@ class Compared {
     Vec correction = load_ - matrix * x;
     factors.solve(correction);
     best_ = x + correction;
-    print(matrix, of, factors.name(), made, solved, 1, error(x));
+    print(matrix, of, factors.active_method(), made, solved, 1, error(x));
   }
   void measure_chosen(const SparseMatrix& matrix, const char* of) const {
     auto factors = sparse_factors(matrix);
-    if (factors->name() == "cholesky") return;
+    if (factors->active_method() == "cholesky") return;
     const double made = nanoseconds([&] { factors->factorise(matrix); });
     Vec x;
     // An iterative solver is factorised again before each solve: it may change its method after a solve.
-    const bool iterates = factors->name() == "conjugate_gradients";
+    const bool iterates = factors->active_method() == "conjugate_gradients";
     double solved = 0.0;
     if (iterates) {
       solved = nanoseconds([&] {
@@ -107,8 +108,8 @@ class Compared {
       solved = nanoseconds([&] { factors->solve(x = load_); });
     }
     const auto* gradients = dynamic_cast<const ConjugateGradients*>(factors.get());
-    print(matrix, of, factors->name(), made, solved, gradients != nullptr ? gradients->iterations() : 1,
-          error(x));
+    print(matrix, of, factors->active_method(), made, solved,
+          gradients != nullptr ? gradients->iterations() : 1, error(x));
   }
   template <class Method>
   void measure_other(const SparseMatrix& matrix, const char* of, const char* name) const {
@@ -211,4 +212,4 @@ void measure_transforms() {
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

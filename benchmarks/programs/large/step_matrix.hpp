@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/solvers/five_point_matrix.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The matrix of 1 - strength (d/dx a d/dx + d/dy a d/dy - r) by second differences on n x m interior points
 // of the unit square, with a diffusivity a(x, y) and a reaction r(x, y).
@@ -19,11 +20,11 @@ SparseMatrix step_matrix(Eigen::Index n, Eigen::Index m, double strength, Diffus
       const double sides = right + above + cx * a(x - dx / 2.0, y) + cy * a(x, y - dy / 2.0);
       const Eigen::Index place = i + n * j;
       matrix.diagonal[place] = 1.0 + sides + strength * r(x, y);
-      if (i + 1 < n) matrix.along[place] = -right;
-      if (j + 1 < m) matrix.across[place] = -above;
+      if (i + 1 < n) matrix.line_coupling[place] = -right;
+      if (j + 1 < m) matrix.cross_coupling[place] = -above;
     }
   }
-  return sparse(matrix);
+  return to_sparse(matrix);
 }
 
 // The same matrix with a = 1 and r = 0.
@@ -33,4 +34,4 @@ inline SparseMatrix step_matrix(Eigen::Index n, Eigen::Index m, double strength)
   return step_matrix(n, m, strength, one, none);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Time of one call of the Mittag-Leffler function in double at random points with z < 0. CSV, one row a
 // region, in microseconds. A slow call is repeated and the shortest of four times counts: the machine may
 // have other load.
@@ -30,7 +31,7 @@ struct Region {
   std::string_view name;
   std::function<Arguments(const Random&)> draw;
   std::function<double(const Arguments&)> call = [](const Arguments& x) {
-    return fde::mittag_leffler(x.alpha, x.beta, x.z);
+    return fde::reference::mittag_leffler(x.alpha, x.beta, x.z);
   };
 };
 
@@ -92,7 +93,7 @@ double of_matrix(const Arguments& x) {
     for (int j = 0; j < n; ++j)
       matrix(i, j) = x.z * (i == j ? 1.0 / (1.0 + i) : 0.3 * std::sin(1.0 + 3.0 * i + 5.0 * j));
   }
-  return fde::mittag_leffler(x.alpha, x.beta, matrix).value(0, n - 1).real();
+  return fde::reference::mittag_leffler(x.alpha, x.beta, matrix).value(0, n - 1).real();
 }
 
 // Random arguments of the other functions, with |z| up to 10^largest.
@@ -104,13 +105,15 @@ Arguments arguments_up_to(double largest, const Random& random) {
 std::vector<Region> other_functions() {
   const auto derivative = [](int k) {
     return [k](const Arguments& x) {
-      return fde::mittag_leffler_derivative(k, x.alpha, x.beta, x.z).value.real();
+      return fde::reference::mittag_leffler_derivative(k, x.alpha, x.beta, x.z).value.real();
     };
   };
   const auto far = [](const Random& random) { return arguments_up_to(4.0, random); };
   const auto near = [](const Random& random) { return arguments_up_to(0.0, random); };
   const auto prabhakar = [](double gamma) {
-    return [gamma](const Arguments& x) { return fde::prabhakar(x.alpha, x.beta, gamma, x.z).value.real(); };
+    return [gamma](const Arguments& x) {
+      return fde::reference::prabhakar(x.alpha, x.beta, gamma, x.z).value.real();
+    };
   };
   return {{"first derivative", far, derivative(1)},
           {"second derivative", far, derivative(2)},
@@ -141,9 +144,9 @@ void print_row(const Region& region, int points) {
 
 int main() {
   constexpr int points = 20000;
-  fde::mittag_leffler(0.5, 1.0, -1.0);  // computes the tables, not to be timed
+  fde::reference::mittag_leffler(0.5, 1.0, -1.0);  // computes the tables, not to be timed
   fmt::print("region,points,median,95 %,99.9 %,worst\n");
-  fde::prabhakar(0.5, 1.0, 1.5, -1.0);
+  fde::reference::prabhakar(0.5, 1.0, 1.5, -1.0);
   for (const Region& region : regions()) print_row(region, points);
   for (const Region& region : other_functions()) print_row(region, points / 20);
 }

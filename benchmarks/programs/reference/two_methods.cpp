@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Agreement of the two methods used for the references of nonlinear scenes, as CSV; their times on standard
 // error. `fde_two_methods --random N` draws N scenes with random parameters and prints a line for each whose
 // methods differ by more than the stated bound, and for each without a reference. The exit code is 1 in the
@@ -26,7 +27,7 @@
 #include "fdebench/reference/nonlinear/collocation.hpp"
 #include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::array times{1.0, 5.0, 20.0, 50.0};
@@ -38,7 +39,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 // The initial value problems among the nonlinear scenes: problems at both ends have two other methods.
 std::vector<const SceneFactory*> nonlinear_scenes() {
   std::vector<const SceneFactory*> found;
-  for (const auto& maker : scenes()) {
+  for (const auto& maker : built_in_scenes()) {
     const Scene scene = make_scene(maker);
     if (!scene.reference.at && !is_two_sided(scene.problem)) found.push_back(&maker);
   }
@@ -51,7 +52,7 @@ ParameterValues drawn_values(const SceneFactory& maker, std::mt19937_64& generat
   ParameterValues values;
   for (const Parameter& parameter : maker.parameters) {
     const double* number = std::get_if<double>(&parameter.value);
-    if (number == nullptr || !parameter.derived.empty() || *number == std::rint(*number)) continue;
+    if (number == nullptr || !parameter.default_formula.empty() || *number == std::rint(*number)) continue;
     const ParameterValue drawn = std::round(1e4 * factor(generator) * *number) / 1e4;
     if (parameter.allows(drawn)) values[parameter.name] = drawn;
   }
@@ -63,11 +64,11 @@ ParameterValues drawn_values(const SceneFactory& maker, std::mt19937_64& generat
 double difference_in_bounds(const Problem& problem) {
   std::vector<double> at;
   for (const double part : {0.001, 0.03, 0.2, 0.5, 0.8, 1.0}) at.push_back(part * problem.end);
-  const Reference reference = reference_solution(problem);
-  const auto second = diffusive_solution(problem, {}, at);
+  const reference::Reference reference = reference::reference_solution(problem);
+  const auto second = reference::diffusive_solution(problem, {}, at);
   double largest = 0.0;
   for (const double t : at) {
-    const ReferenceValue known = reference.at(t);
+    const reference::ReferenceValue known = reference.at(t);
     const auto k = std::ranges::find(second.times, t) - second.times.begin();
     const Vec difference = (known.value - second.values[static_cast<std::size_t>(k)]).cwiseAbs();
     const double smallest_bound = std::numeric_limits<double>::min();
@@ -108,13 +109,14 @@ void print_rows(const SceneFactory& maker, Scene scene) {
   scene.problem.end = times.back();
   const auto start = std::chrono::steady_clock::now();
   const auto [problem, outputs] = reference_problem_of(scene);
-  const Reference reference = reference_solution(problem);  // runs the second method too
+  const reference::Reference reference =
+      reference::reference_solution(problem);  // runs the second method too
   const double both = seconds_since(start);
-  const auto second = diffusive_solution(problem, {}, {times.begin(), times.end()});
+  const auto second = reference::diffusive_solution(problem, {}, {times.begin(), times.end()});
   fmt::print(stderr, "{}: reference {:.2f} s, its second method {:.2f} s in {} steps\n", maker.id, both,
              seconds_since(start) - both, second.times.size());
   for (const double t : times) {
-    const ReferenceValue known = reference.at(t);
+    const reference::ReferenceValue known = reference.at(t);
     const auto k = std::ranges::find(second.times, t) - second.times.begin();
     const Vec values = columns_at(outputs, t, known.value),
               others = columns_at(outputs, t, second.values[static_cast<std::size_t>(k)]);
@@ -128,15 +130,16 @@ void print_rows(const SceneFactory& maker, Scene scene) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench
 
 int main(int count, char** words) try {
   const std::span arguments(words, static_cast<std::size_t>(count));
   if (arguments.size() == 3 && std::string_view(arguments[1]) == "--random")
-    return fde::random_problems(std::stoi(arguments[2])) > 0 ? 1 : 0;
+    return fde::bench::random_problems(std::stoi(arguments[2])) > 0 ? 1 : 0;
   if (arguments.size() != 1) throw std::invalid_argument("usage: fde_two_methods [--random N]");
   fmt::print("scene,t,quantity,collocation,second_method,difference,bound\n");
-  for (const auto* maker : fde::nonlinear_scenes()) fde::print_rows(*maker, fde::make_scene(*maker));
+  for (const auto* maker : fde::bench::nonlinear_scenes())
+    fde::bench::print_rows(*maker, fde::bench::make_scene(*maker));
 } catch (const std::exception& error) {
   fmt::print(stderr, "{}\n", error.what());
   return 3;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // winners [SCENE...]: the quickest scheme within each accuracy, and the observed rate and cost of a step of
 // each scheme. Prints the table of docs/which_scheme.md. Errors are at the end time.
 
@@ -14,7 +15,7 @@
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::array scenes_of_all{"relaxation",      "relaxation:gamma=1.5",
@@ -31,23 +32,25 @@ std::string time_of(double seconds) {
 
 // "`l1`, graded:3, 12: 12 µs": scheme, grid if not uniform, steps (or requested tolerance) and time.
 std::string cell(const SearchCandidate& first) {
-  if (first.found != Found::within) return "-";
-  const auto grid = first.way.grading == 1.0 ? "" : ", " + grid_text(first.way.grading);
-  const auto asked =
-      first.best.asked ? fmt::format("asked {:.1e}", *first.best.asked) : fmt::format("{}", first.best.steps);
-  return fmt::format("`{}`{}, {}: {}", first.names.front(), grid, asked, time_of(first.time->median));
+  if (first.outcome != SearchOutcome::accuracy_reached) return "-";
+  const auto grid = first.configuration.grading == 1.0 ? "" : ", " + grid_text(first.configuration.grading);
+  const auto requested = first.best.requested_tolerance
+                             ? fmt::format("tolerance {:.1e}", *first.best.requested_tolerance)
+                             : fmt::format("{}", first.best.steps);
+  return fmt::format("`{}`{}, {}: {}", first.names.front(), grid, requested, time_of(first.time->median));
 }
 
 // The rate and the cost of a step of each scheme, on the grid with the largest rate.
 std::string reasons(std::vector<SearchCandidate> found) {
   std::ranges::stable_sort(found, std::greater<>{},
                            [](const SearchCandidate& way) { return way.rate.value_or(0.0); });
-  std::set<std::string_view> told;
+  std::set<std::string_view> printed;
   std::string text;
   for (const auto& way : found) {
-    if (!way.rate || way.ladder.empty() || !told.insert(way.way.scheme->id).second) continue;
+    if (!way.rate || way.refinements.empty() || !printed.insert(way.configuration.scheme->id).second)
+      continue;
     text += fmt::format("{}{} {:.1f} ({}, {:.0f} ns a step)", text.empty() ? "" : "; ", way.names.front(),
-                        *way.rate, grid_text(way.way.grading), 1e9 * way.seconds_per_step);
+                        *way.rate, grid_text(way.configuration.grading), 1e9 * way.seconds_per_step);
   }
   return text;
 }
@@ -68,15 +71,16 @@ std::string tell(const char* label) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench
 
 int main(int count, char** words) try {
-  const std::vector<const char*> asked(words + 1, words + count);
+  const std::vector<const char*> requested(words + 1, words + count);
   fmt::print("| scene | 1e-4 | 1e-6 | 1e-8 | 1e-10 | 1e-12 |\n|---|---|---|---|---|---|\n");
   std::string reasons = "\nRates seen, with the cost of a step:\n";
   for (const auto* scene :
-       asked.empty() ? std::vector(fde::scenes_of_all.begin(), fde::scenes_of_all.end()) : asked)
-    reasons += fde::tell(scene);
+       requested.empty() ? std::vector(fde::bench::scenes_of_all.begin(), fde::bench::scenes_of_all.end())
+                         : requested)
+    reasons += fde::bench::tell(scene);
   fmt::print("{}", reasons);
 } catch (const std::exception& error) {
   fmt::print(stderr, "{}\n", error.what());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boundaries of the regions of linear stability. CSV, one row a point of the boundary:
 //
 //   scheme, order    z = lambda h^order of D^order y = lambda y
@@ -38,11 +39,11 @@ int main() try {
   int piece = 0;
   for (const double order : {0.3, 0.5, 0.7, 1.0, 1.2, 1.5, 1.8}) {
     for (const auto& scheme : schemes()) {
-      if (!scheme.symbol || refusal(scheme, test_problem(scheme, order, -1.0), {})) continue;
+      if (!scheme.symbol || unsupported_reason(scheme, test_problem(scheme, order, -1.0), {})) continue;
       ++piece;
       for (const double r : {0.0, 1000.0})
         print(scheme, order, "sector", piece, r, std::polar(r, 0.5 * pi * order));
-      print_boundary(scheme, order, scheme.needs.implicit ? 120 : 60, piece);
+      print_boundary(scheme, order, scheme.capabilities.implicit ? 120 : 60, piece);
     }
   }
   return 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The largest stable step of decoupled_multi_order on the damped oscillator's chain (scene damped_oscillator:
 // tau = 0.8, lambda = 0.1, w2 = 1), up to 50. CSV, one row a problem:
 //
@@ -19,9 +20,11 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 Problem oscillator(double alpha, double beta, double mu, double nu) {
-  const auto maker = std::ranges::find(scenes(), std::string_view("damped_oscillator"), &SceneFactory::id);
+  const auto maker =
+      std::ranges::find(built_in_scenes(), std::string_view("damped_oscillator"), &SceneFactory::id);
   return make_scene(*maker, {{"alpha", alpha}, {"beta", beta}, {"mu", mu}, {"nu", nu}}).problem;
 }
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <limits>
 
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // `size`: the largest |y_n| of the last fifth of a run. `growth`: size divided by the largest |y_n| of a
 // fifth of the steps that starts at the middle. Both are infinite if the run overflowed.
@@ -13,7 +14,7 @@ struct LateGrowth {
 };
 
 // Solves the problem with `steps` equal steps of this length.
-inline LateGrowth late(const Scheme& scheme, Problem problem, double length, int steps) {
+inline LateGrowth late_growth(const Scheme& scheme, Problem problem, double length, int steps) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   problem.end = length * steps;
   const Rows y = scheme.solve(problem, Grid{problem.end, steps}, {}).y;
@@ -22,4 +23,4 @@ inline LateGrowth late(const Scheme& scheme, Problem problem, double length, int
   return {size(steps - steps / 5), size(steps - steps / 5) / size(steps / 2)};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

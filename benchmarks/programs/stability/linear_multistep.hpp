@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/LU>
@@ -5,7 +6,7 @@
 
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Fractional linear multistep rules of rate 2 (Lubich, SIAM J. Math. Anal. 17 (1986)) for one linear
 // equation, for comparison only: not in the list of schemes.
@@ -15,7 +16,7 @@ namespace fde {
 //     newton_gregory  (1 - zeta)^(-g) (1 - g/2 (1 - zeta))
 //     trapezoidal     (2 (1-zeta)/(1+zeta))^(-g)
 //
-// The start weights s make the rule exact where f is 1, t^g and t.
+// The starting weights s make the rule exact where f is 1, t^g and t.
 enum class Multistep { bdf2, newton_gregory, trapezoidal };
 
 // The first `count` coefficients of (1 + a x + b x^2)^power.
@@ -60,7 +61,7 @@ inline Vec multistep_relaxation(Multistep rule, double g, double z, int steps) {
     return Eigen::Vector3d(inverse.solve(missing));
   };
   Vec y = Vec::Ones(steps + 1);
-  Eigen::Matrix2d both = Eigen::Matrix2d::Identity();  // the start weights couple y_1 and y_2
+  Eigen::Matrix2d both = Eigen::Matrix2d::Identity();  // the starting weights couple y_1 and y_2
   Eigen::Vector2d given;
   for (int n = 1; n <= 2; ++n) {
     const Eigen::Vector3d s = start_weights(n);
@@ -69,10 +70,10 @@ inline Vec multistep_relaxation(Multistep rule, double g, double z, int steps) {
   }
   y.segment(1, 2) = both.partialPivLu().solve(given);
   for (int n = 3; n <= steps; ++n) {
-    const double past = w.segment(1, n).reverse().dot(y.head(n)) + start_weights(n).dot(y.head(3));
-    y[n] = (1.0 + z * past) / (1.0 - z * w[0]);
+    const double known = w.segment(1, n).reverse().dot(y.head(n)) + start_weights(n).dot(y.head(3));
+    y[n] = (1.0 + z * known) / (1.0 - z * w[0]);
   }
   return y;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tables of docs/stability.md, as Markdown. Argument: intervals, damping or reversal.
 
 #include <fmt/format.h>
@@ -16,11 +17,12 @@
 namespace {
 
 using namespace fde;
+using namespace fde::bench;
 
 const Scheme& scheme(std::string_view id) { return *find_scheme(id); }
 
 double growth(std::string_view id, double order, double x) {
-  return late(scheme(id), scalar_equation(order, -x), 1.0, 20000).growth;
+  return late_growth(scheme(id), scalar_equation(order, -x), 1.0, 20000).growth;
 }
 
 // Real stability intervals (-x, 0), with the growth in runs 0.1 % inside and outside.

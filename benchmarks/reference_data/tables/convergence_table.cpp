@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <array>
@@ -11,7 +12,7 @@
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int double_digits = 17;
@@ -38,18 +39,18 @@ TableMetadata facts(const SceneVariant& of) {
       .bound = "of the reference at the end, against which the errors are measured",
       .digits = double_digits,
       .columns = {
-          {.name = "scheme", .meaning = "id of the scheme", .type = ColumnType::text},
-          {.name = "steps", .meaning = "number of steps", .type = ColumnType::integer},
-          {.name = "h", .meaning = "step size", .required = false},
-          {.name = "error_end", .meaning = "largest error over the columns at the last time"},
+          {.name = "scheme", .description = "id of the scheme", .type = ColumnType::text},
+          {.name = "steps", .description = "number of steps", .type = ColumnType::integer},
+          {.name = "h", .description = "step size", .required = false},
+          {.name = "error_end", .description = "largest error over the columns at the last time"},
           {.name = "error_maximum",
-           .meaning = "largest error over the columns and all steps",
+           .description = "largest error over the columns and all steps",
            .required = false},
-          {.name = "expected_rate_end", .meaning = "theoretical rate at a fixed time", .required = false},
+          {.name = "expected_rate_end", .description = "theoretical rate at a fixed time", .required = false},
           {.name = "expected_rate_maximum",
-           .meaning = "theoretical rate in the maximum norm",
+           .description = "theoretical rate in the maximum norm",
            .required = false},
-          {.name = "bound", .meaning = "bound of the reference at the end", .required = false}}};
+          {.name = "bound", .description = "bound of the reference at the end", .required = false}}};
 }
 
 // The runs of one scene, which share cached reference values.
@@ -65,7 +66,8 @@ class Runs {
   };
 
   Run operator()(const Scheme& scheme, int steps) {
-    if (!scheme.expected_rate) return {.values = {}, .ending = {Ending::refused, "has no theoretical rate"}};
+    if (!scheme.expected_rate)
+      return {.values = {}, .ending = {SolveStatus::refused, "has no theoretical rate"}};
     const auto rows = examine(name_, scene_, reference_, scheme, {steps});
     Run run{.values = {{"h", rows.back().h}}, .ending = *rows.back().ending};
     for (const auto& row : rows) run.values.emplace(row.quantity, row.value);
@@ -91,8 +93,8 @@ ComputedTable make(const SceneVariant& of) {
   for (const auto& scheme : schemes()) {
     for (const int steps : table_steps) {
       const auto [values, ending] = runs(scheme, steps);
-      if (ending.kind != Ending::finished) {
-        const bool refused = ending.kind == Ending::refused;
+      if (ending.kind != SolveStatus::finished) {
+        const bool refused = ending.kind == SolveStatus::refused;
         const std::string id(scheme.id);
         made.left_out.push_back({refused ? id : fmt::format("{}, {} steps", id, steps), sentence(ending)});
         if (refused) break;
@@ -131,12 +133,12 @@ RowCheck check(const SceneVariant& of, const DataTable& given) {
   const auto runs = std::make_shared<Runs>(of);
   return [&given, comparison, runs](std::size_t row) {
     const auto [values, ending] = (*runs)(scheme_at(given, row), steps_at(given, row));
-    if (ending.kind != Ending::finished) throw std::runtime_error(sentence(ending));
+    if (ending.kind != SolveStatus::finished) throw std::runtime_error(sentence(ending));
     const double size = 1.0 + runs->size(), bound = values.at("reference_bound");
     if (!(bound <= least_accuracy * size))
       throw std::runtime_error(fmt::format("the reference has a bound of {}", bound_text(bound)));
     const double of_errors = rounding_tolerance * size + bound;
-    std::vector<Decimal> recomputed;
+    std::vector<reference::Decimal> recomputed;
     for (const auto& name : measured) {
       const double value = values.at(name);
       const double tolerance =
@@ -156,4 +158,4 @@ const TableKind convergence_table{.id = "convergence",
                                   .make = make,
                                   .check = check};
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/reference_data/tables/mittag_leffler_points.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Points = std::vector<MittagLefflerPoint>;
@@ -17,14 +18,17 @@ using Texts = std::vector<std::string>;
 
 constexpr int argument_digits = 20;
 
-std::string argument(const BigReal& x) { return to_text(x, argument_digits); }
+std::string argument(const reference::BigReal& x) { return reference::to_text(x, argument_digits); }
 
 // E_{1/8}(-x^(1/8)), 0 <= x <= 2: the whole singular layer at 0 of a relaxation of small order.
 void add_small_order(Points& points) {
-  const Precision precision(2 * argument_digits);
+  const reference::Precision precision(2 * argument_digits);
   for (int k = 0; k <= 200; ++k) {
-    const BigReal x = BigReal(k) / 100;
-    points.push_back({"0.125", "1", argument(BigReal(k == 0 ? x : BigReal(-pow(x, BigReal(0.125))))), "0"});
+    const reference::BigReal x = reference::BigReal(k) / 100;
+    points.push_back(
+        {"0.125", "1",
+         argument(reference::BigReal(k == 0 ? x : reference::BigReal(-pow(x, reference::BigReal(0.125))))),
+         "0"});
   }
 }
 
@@ -36,14 +40,18 @@ void add_scaled_error_function(Points& points) {
 // On rays up to |arg z| = alpha pi/2, where the exponential term neither grows nor decays, and alpha pi,
 // where it appears; beta = alpha is the kernel of linear equations.
 void add_rays(Points& points) {
-  const Precision precision(2 * argument_digits);
+  const reference::Precision precision(2 * argument_digits);
   for (const auto* alpha : {"0.3", "0.7", "0.9"}) {
     for (const double part : {0.25, 0.5, 0.75, 1.0}) {
-      const BigReal angle = part * parse<BigReal>(alpha) * pi<BigReal>(), x = cos(angle), y = sin(angle);
+      const reference::BigReal angle = part * reference::parse<reference::BigReal>(alpha) *
+                                       reference::pi<reference::BigReal>(),
+                               x = cos(angle), y = sin(angle);
       for (const int r : {1, 10, 50}) {
         if (part == 0.25 && r > 1) continue;
-        for (const auto* beta : {alpha, "1"})
-          points.push_back({alpha, beta, argument(BigReal(r * x)), argument(BigReal(r * y))});
+        for (const auto* beta : {alpha, "1"}) {
+          points.push_back(
+              {alpha, beta, argument(reference::BigReal(r * x)), argument(reference::BigReal(r * y))});
+        }
       }
     }
   }
@@ -111,4 +119,4 @@ std::vector<MittagLefflerPoint> mittag_leffler_points() {
   return points;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

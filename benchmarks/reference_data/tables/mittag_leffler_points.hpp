@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 
 // Arguments of E_{alpha,beta}(z) as exact decimal texts.
 struct MittagLefflerPoint {
@@ -15,4 +16,4 @@ struct MittagLefflerPoint {
 // alpha, beta and z. Each once; none whose value overflows double.
 std::vector<MittagLefflerPoint> mittag_leffler_points();
 
-}  // namespace fde
+}  // namespace fde::bench

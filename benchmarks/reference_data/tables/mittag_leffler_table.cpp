@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,36 +9,37 @@
 #include "fdebench/benchmarks/reference_data/tables/mittag_leffler_points.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int table_digits = 50;
 constexpr int more_digits = 3;  // extra digits of a recomputed value
 
 TableMetadata facts(const SceneVariant& /*of*/) {
-  return {.title = "Mittag-Leffler function E_{alpha,beta}(z) of two parameters",
-          .method =
-              "inverse Laplace transform in multiple precision: one trapezoidal sum on a parabola round the "
-              "branch cut and residues at the poles, with a bound by theory",
-          .source =
-              "E_{alpha,beta}(z) = sum_{k>=0} z^k / Gamma(alpha k + beta); NIST Digital Library of "
-              "Mathematical Functions, section 10.46",
-          .bound = "of |E - (re + i im)|, the rounding of the texts included",
-          .digits = table_digits,
-          .columns = {{.name = "alpha", .meaning = "first parameter, in (0, 5], taken as the decimal it is"},
-                      {.name = "beta", .meaning = "second parameter, taken as the decimal it is"},
-                      {.name = "re_z", .meaning = "real part of the argument, taken as the decimal it is"},
-                      {.name = "im_z", .meaning = "imaginary part of the argument", .required = false},
-                      {.name = "re", .meaning = "real part of E_{alpha,beta}(z)"},
-                      {.name = "im", .meaning = "imaginary part of E_{alpha,beta}(z)", .required = false},
-                      {.name = "bound", .meaning = "bound of the absolute error", .required = false}}};
+  return {
+      .title = "Mittag-Leffler function E_{alpha,beta}(z) of two parameters",
+      .method =
+          "inverse Laplace transform in multiple precision: one trapezoidal sum on a parabola round the "
+          "branch cut and residues at the poles, with a bound by theory",
+      .source =
+          "E_{alpha,beta}(z) = sum_{k>=0} z^k / Gamma(alpha k + beta); NIST Digital Library of "
+          "Mathematical Functions, section 10.46",
+      .bound = "of |E - (re + i im)|, the rounding of the texts included",
+      .digits = table_digits,
+      .columns = {{.name = "alpha", .description = "first parameter, in (0, 5], taken as the decimal it is"},
+                  {.name = "beta", .description = "second parameter, taken as the decimal it is"},
+                  {.name = "re_z", .description = "real part of the argument, taken as the decimal it is"},
+                  {.name = "im_z", .description = "imaginary part of the argument", .required = false},
+                  {.name = "re", .description = "real part of E_{alpha,beta}(z)"},
+                  {.name = "im", .description = "imaginary part of E_{alpha,beta}(z)", .required = false},
+                  {.name = "bound", .description = "bound of the absolute error", .required = false}}};
 }
 
 ComputedTable make(const SceneVariant& of) {
   ComputedTable made;
   for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
   for (const auto& [alpha, beta, re, im] : mittag_leffler_points()) {
-    const auto value = mittag_leffler(alpha, beta, re, im, table_digits);
+    const auto value = reference::mittag_leffler(alpha, beta, re, im, table_digits);
     made.table.rows.push_back({alpha, beta, re, im, value.re, value.im, value.bound});
   }
   return made;
@@ -50,10 +52,10 @@ RowCheck check(const SceneVariant& /*of*/, const DataTable& given) {
       const auto at = given.find(column);
       return at ? given.rows[row][*at] : "0";
     };
-    const auto value = mittag_leffler(cell("alpha"), cell("beta"), cell("re_z"), cell("im_z"),
-                                      comparison->digits() + more_digits);
+    const auto value = reference::mittag_leffler(cell("alpha"), cell("beta"), cell("re_z"), cell("im_z"),
+                                                 comparison->digits() + more_digits);
     if (value.bound == "inf") throw std::runtime_error("the value is beyond all exponents");
-    const std::vector<Decimal> recomputed{{value.re, value.bound}, {value.im, value.bound}};
+    const std::vector<reference::Decimal> recomputed{{value.re, value.bound}, {value.im, value.bound}};
     comparison->require_accurate(row, recomputed, comparison->digits());
     return (*comparison)(row, recomputed);
   };
@@ -68,4 +70,4 @@ const TableKind mittag_leffler_table{.id = "mittag_leffler",
                                      .make = make,
                                      .check = check};
 
-}  // namespace fde
+}  // namespace fde::bench

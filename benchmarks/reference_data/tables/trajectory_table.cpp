@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int table_digits = 50;          // with an exact solution
@@ -48,12 +49,12 @@ TableMetadata facts(const SceneVariant& of) {
                    ? "the largest over the columns, of the absolute error, the rounding of the texts included"
                    : "an estimate, the largest over the columns, of the absolute error",
       .digits = exact ? table_digits : double_digits,
-      .columns = {{.name = "t", .meaning = "time"}}};
+      .columns = {{.name = "t", .description = "time"}}};
   for (const auto& name : scene.outputs.names) {
     facts.columns.push_back(
-        {.name = name, .meaning = fmt::format("{} of the scene at t", name), .required = false});
+        {.name = name, .description = fmt::format("{} of the scene at t", name), .required = false});
   }
-  facts.columns.push_back({.name = "bound", .meaning = "bound of the absolute error", .required = false});
+  facts.columns.push_back({.name = "bound", .description = "bound of the absolute error", .required = false});
   return facts;
 }
 
@@ -65,7 +66,7 @@ class ReferenceColumns {
     if (!scene_.reference.digits) reference_ = reference_of(scene_);
   }
 
-  [[nodiscard]] std::vector<Decimal> at(double t, int digits) const {
+  [[nodiscard]] std::vector<reference::Decimal> at(double t, int digits) const {
     auto columns = scene_.reference.digits ? scene_.reference.digits(t, digits) : evaluate_in_double(t);
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (columns[c].bound == "inf" || columns[c].bound == "nan")
@@ -83,10 +84,10 @@ class ReferenceColumns {
 
  private:
   // The shortest decimal that identifies the double; the bound includes its rounding, two digits rounded up.
-  [[nodiscard]] std::vector<Decimal> evaluate_in_double(double t) const {
+  [[nodiscard]] std::vector<reference::Decimal> evaluate_in_double(double t) const {
     constexpr double half_ulp = 0x1p-53;
     const auto [value, bound] = reference_.at(t);
-    std::vector<Decimal> decimals;
+    std::vector<reference::Decimal> decimals;
     for (Eigen::Index i = 0; i < value.size(); ++i) {
       const double whole = t == 0.0 ? bound[i] : bound[i] + half_ulp * std::abs(value[i]);
       decimals.push_back({fmt::format("{}", value[i]), bound_text(whole)});
@@ -95,10 +96,10 @@ class ReferenceColumns {
   }
 
   Scene scene_;
-  Reference reference_{};
+  reference::Reference reference_{};
 };
 
-std::string largest_bound(const std::vector<Decimal>& columns) {
+std::string largest_bound(const std::vector<reference::Decimal>& columns) {
   std::string largest = "0";
   for (const auto& column : columns) largest = larger_bound(largest, column.bound);
   return largest;
@@ -163,4 +164,4 @@ const TableKind trajectory_table{.id = "trajectory",
                                  .check = check,
                                  .has_table = has_table};
 
-}  // namespace fde
+}  // namespace fde::bench

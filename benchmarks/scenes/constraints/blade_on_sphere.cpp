@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 #include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -66,7 +67,7 @@ SceneFactory blade_on_sphere() {
             .coordinates = {"theta", "phi", "psi"}};
         Scene scene = mechanical_scene(setting, formulation_choice_of(p));
         exclude_poles(scene);
-        scene.motion = path_on_sphere();
+        scene.display_path = path_on_sphere();
         return scene;
       },
       .equations = {
@@ -87,4 +88,4 @@ SceneFactory blade_on_sphere() {
            .initial = {"0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

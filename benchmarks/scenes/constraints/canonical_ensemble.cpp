@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 #include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 #include "fdebench/benchmarks/scenes/constraints/oscillator_chain.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 using namespace mechanics;
 
@@ -51,4 +52,4 @@ SceneFactory canonical_ensemble() {
                .initial = {"0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

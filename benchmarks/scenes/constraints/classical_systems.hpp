@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <limits>
@@ -6,7 +7,7 @@
 #include "fdebench/benchmarks/mechanics/system.hpp"
 
 // Mechanical systems of the scenes with constraints of integer order, f(t, q, v) = 0.
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 
 // A free particle of mass 1 constrained to the planes dz = y dx: f = z' - y x'.
 struct Particle {
@@ -143,4 +144,4 @@ struct PistonChain : SpringChain {
   }
 };
 
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

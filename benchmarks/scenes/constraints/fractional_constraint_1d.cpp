@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include "fdebench/benchmarks/scenes/constraints/fractional_line.hpp"
@@ -5,7 +6,7 @@
 #include "fdebench/schemes/problem/chain_problem.hpp"
 #include "fdebench/schemes/problem/linear_smoothness.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Line = FractionalLine;
@@ -54,7 +55,7 @@ Smoothness smoothness_of(const Problem& problem) {
   problem.rhs(0.0, Vec::Zero(problem.size()), load);
   const Matrix& linear = std::get<DenseLinearPart>(problem.derivatives).matrix;
   Smoothness smoothness = linear_smoothness(problem.components, linear, {{0.0, load}});
-  for (Eigen::Index i = 2; i < problem.size(); ++i) smoothness.hidden.push_back(i);
+  for (Eigen::Index i = 2; i < problem.size(); ++i) smoothness.unmeasured.push_back(i);
   return smoothness;
 }
 
@@ -78,20 +79,21 @@ Reactions reactions_of(const Line& line, const Smoothness& smoothness) {
   Reactions reactions{.names = {"lambda"},
                       .power = [a](double, In columns, In lambda) { return a * lambda[0] * columns[1]; },
                       .exact = exact_multiplier(line)};
-  if (line.uniform() || line.alpha == 1.0) {
+  if (line.is_uniform_motion() || line.alpha == 1.0) {
     reactions.multipliers = [](double, In, In, Out lambda) { lambda[0] = 0.0; };
     return reactions;
   }
-  reactions.rated = {1};
-  reactions.powers = smoothness.powers[1];
+  reactions.differentiated_columns = {1};
+  reactions.start_exponents = smoothness.powers[1];
   reactions.multipliers = [a](double, In, In rates, Out lambda) { lambda[0] = rates[0] / a; };
-  if (line.alpha < 1.0 && line.q1 == 0.0) reactions.first = Vec::Zero(1);
-  if (line.alpha == 2.0) reactions.first = Vec::Constant(1, (line.constant() - a * line.q1) / (line.b * a));
-  if (line.alpha > 2.0) reactions.first = Vec::Constant(1, line.q2 / a);
+  if (line.alpha < 1.0 && line.q1 == 0.0) reactions.initial_multipliers = Vec::Zero(1);
+  if (line.alpha == 2.0)
+    reactions.initial_multipliers = Vec::Constant(1, (line.constant() - a * line.q1) / (line.b * a));
+  if (line.alpha > 2.0) reactions.initial_multipliers = Vec::Constant(1, line.q2 / a);
   return reactions;
 }
 
-void require_posed(const Line& line) {
+void require_well_posed(const Line& line) {
   const auto& [alpha, a, b, q0, q1, q2, given] = line;
   if (alpha == 1.0 && a + b == 0.0) reject("b", b, "other than -a for alpha = 1");
   if (alpha <= 1.0 && a == 0.0) reject("a", 0.0, "other than 0 for alpha up to 1");
@@ -128,8 +130,8 @@ SceneFactory fractional_constraint_1d() {
                          derived_number("C0", "a*q1", any_number,
                                         "what a q' + b D^alpha q is; (a+b)*q1 at alpha = 1, free above")},
           .make = [](const Parameters& p) -> Scene {
-            const Line line{p["alpha"], p["a"], p["b"], p["q0"], p["q1"], p["q2"], p.given("C0")};
-            require_posed(line);
+            const Line line{p["alpha"], p["a"], p["b"], p["q0"], p["q1"], p["q2"], p.explicit_value("C0")};
+            require_well_posed(line);
             const Problem problem = problem_of(line);
             const Smoothness smoothness = smoothness_of(problem);
             return {.problem = problem,
@@ -137,11 +139,11 @@ SceneFactory fractional_constraint_1d() {
                     .outputs = columns_of(line),
                     .reference = exact_columns(line),
                     .constraint = constraint_of(line),
-                    .memories = memories_of(line, smoothness),
+                    .memory_columns = memories_of(line, smoothness),
                     .reactions = reactions_of(line, smoothness)};
           },
           .equations = {
               {.unknown = "q", .terms = {{"a", "1"}, {"b", "alpha"}}, .rhs = "C0", .initial = {"q0", "q1"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

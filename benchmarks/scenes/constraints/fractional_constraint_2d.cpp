@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <array>
@@ -6,7 +7,7 @@
 #include "fdebench/reference/linear/linear_system.hpp"
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -33,19 +34,19 @@ constexpr std::size_t multiplier_component = 6;
 // The multiplier formulation as a linear system whose orders and coefficients are exactly the parameters, so
 // that the reference can use any number of digits: p = q as a row of order alpha gives D^alpha p = w, and e'
 // = 0 with e(0) = v(0) gives C0 = a.e if C0 is not given, or (a + b).e at order 1.
-LinearSystem system_of(const Parameters& parameters) {
+reference::LinearSystem system_of(const Parameters& parameters) {
   enum : Eigen::Index { q = 0, v = 2, w = 4, lambda = multiplier_component, p = 7, e = 9, size = 11 };
   const auto pair = [&](std::string_view first, std::string_view second) {
     return std::array{parameters[first], parameters[second]};
   };
   const auto a = pair("a1", "a2"), b = pair("b1", "b2"), k = pair("k1", "k2"), place = pair("q1", "q2"),
              velocity = pair("v1", "v2");
-  const auto given = parameters.given("C0");
-  LinearSystem system{.orders = std::vector<double>(size, 1.0),
-                      .initial = std::vector<std::vector<double>>(size),
-                      .matrix = Matrix::Zero(size, size),
-                      .loads = std::vector<std::vector<Load>>(size),
-                      .outputs = {0, 1, 2, 3, 4, 5}};
+  const auto given = parameters.explicit_value("C0");
+  reference::LinearSystem system{.orders = std::vector<double>(size, 1.0),
+                                 .initial = std::vector<std::vector<double>>(size),
+                                 .matrix = Matrix::Zero(size, size),
+                                 .loads = std::vector<std::vector<reference::Load>>(size),
+                                 .outputs = {0, 1, 2, 3, 4, 5}};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     system.matrix(q + at, v + at) = 1.0;
@@ -74,7 +75,7 @@ LinearSystem system_of(const Parameters& parameters) {
 // C0, or the value of a.v + b.w at t = 0: a.v(0) below order 1, where w(0) = 0, and (a + b).v(0) at order 1,
 // where w = v; no other C0 is consistent. Above order 1, w(0) along a supplies the rest, unless a.b = 0.
 double constant_of(const Parameters& p) {
-  const auto given = p.given("C0");
+  const auto given = p.explicit_value("C0");
   const bool first_order = p["alpha"] == 1.0;
   const auto at_start = [&](const auto& number) {
     auto sum = number("a1") * number("v1") + number("a2") * number("v2");
@@ -82,11 +83,11 @@ double constant_of(const Parameters& p) {
     return sum;
   };
   const double known = at_start([&](const char* name) { return p[name]; });
-  const auto exact = [&](const char* name) { return shortest_decimal(p[name]); };
-  if (!given || shortest_decimal(*given) == Rational(at_start(exact))) return known;
+  const auto exact = [&](const char* name) { return reference::shortest_decimal(p[name]); };
+  if (!given || reference::shortest_decimal(*given) == reference::Rational(at_start(exact))) return known;
   if (first_order) reject("C0", *given, fmt::format("(a1+b1)*v1+(a2+b2)*v2 = {} for alpha = 1", known));
   if (p["alpha"] < 1.0) reject("C0", *given, fmt::format("a1*v1+a2*v2 = {} for alpha below 1", known));
-  if (Rational(exact("a1") * exact("b1") + exact("a2") * exact("b2")) == 0)
+  if (reference::Rational(exact("a1") * exact("b1") + exact("a2") * exact("b2")) == 0)
     reject("C0", *given, fmt::format("a1*v1+a2*v2 = {} for a.b = 0", known));
   return *given;
 }
@@ -122,10 +123,11 @@ SceneFactory fractional_constraint_2d() {
             .coordinates = {"q1", "q2"},
             .end = 10.0};
         Scene scene = mechanical_scene(setting, formulation_choice_of(p));
-        LinearSystem system = system_of(p);
-        scene.reference = linear_reference(system);
+        reference::LinearSystem system = system_of(p);
+        scene.reference = reference::linear_reference(system);
         system.outputs = {multiplier_component};
-        if (!scene.reactions.depends_on_columns_only()) scene.reactions.exact = linear_reference(system);
+        if (!scene.reactions.depends_on_columns_only())
+          scene.reactions.exact = reference::linear_reference(system);
         return scene;
       },
       .equations = {
@@ -137,4 +139,4 @@ SceneFactory fractional_constraint_2d() {
            .initial = {"0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

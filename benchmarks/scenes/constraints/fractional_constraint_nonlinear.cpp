@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
 
 // Two unit masses between two walls, three equal springs: u = k (q1^2 + (q2 - q1)^2 + q2^2)/2, and f =
-// |v|^2/2 + coupling v.w - K. With d = v + coupling w = df/dv the constraint is
-// d|^2 = 2K + coupling^2 |w|^2: d never vanishes, so the multiplier is always determined.
+// |v|^2/2 + coupling v.w - K. With d = v + coupling w = df/dv the constraint is |d|^2 = 2K + coupling^2
+// |w|^2: d never vanishes, so the multiplier is always determined.
 struct ChainWithMemory {
   static constexpr int coordinates = 2, constraints = 1;
   double order, coupling, k, kinetic;
@@ -65,4 +66,4 @@ SceneFactory fractional_constraint_nonlinear() {
                          .initial = {"0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include <cmath>
 #include <numbers>
 
 #include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -94,16 +95,16 @@ SceneFactory fractional_knife_edge() {
             const FormulationChoice asked = formulation_choice_of(p);
             if (p.choice("surface") == "plane") {
               Scene scene = mechanical_scene(on_plane(p), asked);
-              scene.motion = picked({"x", "y"}, {0, 1});
+              scene.display_path = select_components({"x", "y"}, {0, 1});
               return scene;
             }
             Scene scene = mechanical_scene(on_sphere(p), asked);
             exclude_poles(scene);
-            scene.motion = path_on_sphere();
+            scene.display_path = path_on_sphere();
             return scene;
           },
-          .shown = {{"d_over_dt*dL_over_dv - dL_over_dq", "lambda*a(q)"},
-                    {"a(q)*(D(q, 1) + b*D(q, alpha))", "0"}}};
+          .display_equations = {{"d_over_dt*dL_over_dv - dL_over_dq", "lambda*a(q)"},
+                                {"a(q)*(D(q, 1) + b*D(q, alpha))", "0"}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

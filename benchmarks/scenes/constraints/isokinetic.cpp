@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 #include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 #include "fdebench/benchmarks/scenes/constraints/oscillator_chain.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 using namespace mechanics;
 
@@ -39,4 +40,4 @@ SceneFactory isokinetic() {
                          .initial = {"0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <numbers>
 
 #include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
@@ -5,7 +6,7 @@
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 #include "fdebench/reference/linear/closed_forms/quotients.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -17,14 +18,15 @@ struct KnifeEdgeMotion {
   double g, theta, omega;
 
   template <class Real>
-  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<reference::ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs, std::min, std::sin;
-    const Real turning = decimal<Real>(omega), phi = turning * t, slope = decimal<Real>(theta);
-    const Real a = decimal<Real>(g) * sin(slope);
-    const Real half = sine_quotient(phi), full = sine_quotient(Real(2 * phi));
+    const Real turning = reference::from_shortest_decimal<Real>(omega), phi = turning * t,
+               slope = reference::from_shortest_decimal<Real>(theta);
+    const Real a = reference::from_shortest_decimal<Real>(g) * sin(slope);
+    const Real half = reference::sine_quotient(phi), full = reference::sine_quotient(Real(2 * phi));
     const Real speed = 4 * abs(a) * t, place = speed * min(t, Real(1 / abs(turning)));
     return {{Real(a * t * t / 2 * half * half), place},
-            {Real(a * t * t * sine_defect(Real(2 * phi))), place},
+            {Real(a * t * t * reference::sine_defect(Real(2 * phi))), place},
             {phi, abs(phi)},
             {Real(a * t * full), speed},
             {Real(a * t * half * sin(phi)), speed},
@@ -50,8 +52,8 @@ SceneFactory knife_edge() {
                                              .start = {Vector<double, 3>::Zero(), {0.0, 0.0, p["omega"]}},
                                              .coordinates = {"x", "y", "phi"}};
         Scene scene = mechanical_scene(setting, formulation_choice_of(p));
-        scene.reference = closed_form(KnifeEdgeMotion{p["g"], p["theta"], p["omega"]});
-        scene.motion = picked({"x", "y"}, {0, 1});
+        scene.reference = reference::closed_form(KnifeEdgeMotion{p["g"], p["theta"], p["omega"]});
+        scene.display_path = select_components({"x", "y"}, {0, 1});
         return scene;
       },
       .equations = {{.unknown = "x",
@@ -66,4 +68,4 @@ SceneFactory knife_edge() {
                      .initial = {"0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

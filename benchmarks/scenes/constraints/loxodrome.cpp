@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <numbers>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -22,12 +23,13 @@ struct Loxodrome {
   double theta0, k, speed;
 
   template <class Real>
-  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<reference::ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs, std::cos, std::log1p, std::sin, std::sqrt, std::tan;
-    const Real start = decimal<Real>(theta0), course = decimal<Real>(k);
-    const Real rate = decimal<Real>(speed) / sqrt(Real(1 + course * course));
+    const Real start = reference::from_shortest_decimal<Real>(theta0),
+               course = reference::from_shortest_decimal<Real>(k);
+    const Real rate = reference::from_shortest_decimal<Real>(speed) / sqrt(Real(1 + course * course));
     const Real theta = start + rate * t, delta = rate * t / 2;
-    if (theta >= pi<Real>()) {
+    if (theta >= reference::pi<Real>()) {
       throw std::runtime_error(
           fmt::format("the motion ends in the pole at t = {:.6g}", time_to_pole(theta0, k, speed)));
     }
@@ -67,8 +69,8 @@ SceneFactory loxodrome() {
                 .end = std::min(50.0, 0.9 * time_to_pole(theta0, k, p["speed"]))};
             Scene scene = mechanical_scene(setting, formulation_choice_of(p));
             exclude_poles(scene);
-            scene.reference = closed_form(Loxodrome{theta0, k, p["speed"]});
-            scene.motion = path_on_sphere();
+            scene.reference = reference::closed_form(Loxodrome{theta0, k, p["speed"]});
+            scene.display_path = path_on_sphere();
             return scene;
           },
           .equations = {{.unknown = "theta",
@@ -85,4 +87,4 @@ SceneFactory loxodrome() {
                          .initial = {"0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

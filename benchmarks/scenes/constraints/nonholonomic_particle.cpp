@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include <cmath>
 
 #include "fdebench/benchmarks/scenes/constraints/particle.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 #include "fdebench/reference/linear/closed_forms/quotients.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -17,14 +18,16 @@ struct ParticleMotion {
   double y0, dx0, dy0;
 
   template <class Real>
-  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<reference::ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs, std::asinh, std::sqrt;
-    const Real start = decimal<Real>(y0), b = decimal<Real>(dy0), y = start + b * t;
-    const Real r0 = sqrt(Real(1 + start * start)), r = sqrt(Real(1 + y * y)), c = r0 * decimal<Real>(dx0);
+    const Real start = reference::from_shortest_decimal<Real>(y0),
+               b = reference::from_shortest_decimal<Real>(dy0), y = start + b * t;
+    const Real r0 = sqrt(Real(1 + start * start)), r = sqrt(Real(1 + y * y)),
+               c = r0 * reference::from_shortest_decimal<Real>(dx0);
     const Real parts = abs(start) + abs(b) * t, sum = r + r0, share = b * t / sum;
     const bool near = abs(share) <= 0.5;
-    const Real x =
-        near ? Real(2 * c * t / sum * artanh_quotient(share)) : Real(c / b * (asinh(y) - asinh(start)));
+    const Real x = near ? Real(2 * c * t / sum * reference::artanh_quotient(share))
+                        : Real(c / b * (asinh(y) - asinh(start)));
     const Real x_size =
         near ? Real(3 * abs(x)) : Real(abs(c / b) * (2 + abs(Real(asinh(y))) + abs(Real(asinh(start)))));
     // d(1/r)/dy = -y/r^3 and d(y/r)/dy = 1/r^3: the effect of rounding y.
@@ -60,8 +63,8 @@ SceneFactory nonholonomic_particle() {
           .parameters = with_formulations(particle_parameters(), all_formulations()),
           .make = [](const Parameters& p) -> Scene {
             Scene scene = mechanical_scene(particle_setting(p), formulation_choice_of(p));
-            scene.reference = closed_form(ParticleMotion{p["y0"], p["dx0"], p["dy0"]});
-            scene.motion = picked({"x", "y", "z"}, {0, 1, 2});
+            scene.reference = reference::closed_form(ParticleMotion{p["y0"], p["dx0"], p["dy0"]});
+            scene.display_path = select_components({"x", "y", "z"}, {0, 1, 2});
             return scene;
           },
           .equations = {
@@ -71,4 +74,4 @@ SceneFactory nonholonomic_particle() {
               {.unknown = "lambda", .terms = {{"1", "0"}}, .rhs = "D(z,1) - y*D(x,1)", .initial = {"0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

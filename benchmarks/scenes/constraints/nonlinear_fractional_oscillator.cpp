@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 #include "fdebench/schemes/problem/chain_problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -29,13 +30,13 @@ Scene reduced(const Parameters& p) {
   const double k1 = p["k1"], k3 = p["k3"];
   const Chain chain({1.0, 2.0}, {{2.0 * p["c"] / p["b2"], 3.0 - p["alpha"]}}, {p["x0"], p["dx0"]});
   Smoothness smoothness = smoothness_of_chains({chain});
-  for (Eigen::Index i = 2; i < chain.size(); ++i) smoothness.hidden.push_back(i);
+  for (Eigen::Index i = 2; i < chain.size(); ++i) smoothness.unmeasured.push_back(i);
   const auto force = [=](double, In y) { return -0.5 * (k1 + k3 * y[0] * y[0]) * y[0]; };
   const ForceGradient gradient{
       [=](double, In y, double, Out by) { by[0] += -0.5 * (k1 + 3.0 * k3 * y[0] * y[0]); }};
   return {.problem = chain_problem({{.chain = chain, .force = force, .derivatives = gradient}}, 10.0),
           .smoothness = smoothness,
-          .outputs = picked({"x", "dx"}, {0, 1})};
+          .outputs = select_components({"x", "dx"}, {0, 1})};
 }
 
 // The full system, with the columns x and x'.
@@ -45,16 +46,17 @@ Scene pair_of_points(const Parameters& p, Formulation formulation) {
       .system = {p["alpha"], p["k1"], p["k3"], p["c"], p["b2"], p["c"] * ((dx + dy) + (dx - dy))},
       .start = {{x + y, x - y}, {dx + dy, dx - dy}},
       .coordinates = {"q1", "q2"}};
-  auto form = posed(setting, {formulation});
+  auto form = pose_formulation(setting, {formulation});
   const auto middle = [columns = form.columns](double t, In state, Out seen) {
     Vec of_points(6);
     columns(t, state, of_points);
     seen << 0.5 * (of_points[0] + of_points[1]), 0.5 * (of_points[2] + of_points[3]);
   };
   const Scene equation = reduced(p);
-  for (const Group rows : {form.layout.w, form.layout.lambda}) hide(form.smoothness, rows);
+  for (const RowBlock rows : {form.layout.w, form.layout.lambda})
+    exclude_from_measures(form.smoothness, rows);
   return {.problem = std::move(form.problem),
-          .refusal = std::move(form.refusal),
+          .ill_posed_reason = std::move(form.ill_posed_reason),
           .smoothness = std::move(form.smoothness),
           .outputs = {equation.outputs.names, middle},
           .reference_problem = PosedProblem{equation.problem, equation.outputs}};
@@ -95,4 +97,4 @@ SceneFactory nonlinear_fractional_oscillator() {
                          .initial = {"x0", "dx0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

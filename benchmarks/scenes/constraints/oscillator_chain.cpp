@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/constraints/oscillator_chain.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 std::vector<Parameter> chain_parameters(const std::vector<Parameter>& own) {
   std::vector<Parameter> parameters{{"k", 1.0, not_negative, "stiffness of the springs"},
@@ -21,4 +22,4 @@ mechanics::InitialState<3> chain_start(const Parameters& p) {
   return start;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

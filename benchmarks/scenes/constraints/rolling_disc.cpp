@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
 #include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 #include "fdebench/reference/linear/closed_forms/quotients.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -14,15 +15,18 @@ struct RollingDiscMotion {
   double radius, mass, spin_inertia, pull, turn, spin;
 
   template <class Real>
-  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<reference::ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs, std::cos, std::min, std::sin;
-    const Real r = decimal<Real>(radius), m = decimal<Real>(mass), inertia = decimal<Real>(spin_inertia);
-    const Real a = decimal<Real>(pull) / (1 + inertia / (m * r * r));
-    const Real omega = decimal<Real>(turn), phi = omega * t, s = r * decimal<Real>(spin);
-    const Real half = sine_quotient(Real(phi / 2)), full = sine_quotient(phi),
-               twice = sine_quotient(Real(2 * phi));
+    const Real r = reference::from_shortest_decimal<Real>(radius),
+               m = reference::from_shortest_decimal<Real>(mass),
+               inertia = reference::from_shortest_decimal<Real>(spin_inertia);
+    const Real a = reference::from_shortest_decimal<Real>(pull) / (1 + inertia / (m * r * r));
+    const Real omega = reference::from_shortest_decimal<Real>(turn), phi = omega * t,
+               s = r * reference::from_shortest_decimal<Real>(spin);
+    const Real half = reference::sine_quotient(Real(phi / 2)), full = reference::sine_quotient(phi),
+               twice = reference::sine_quotient(Real(2 * phi));
     const Real x = s * t * full + a * t * t / 2 * full * full;
-    const Real y = s * t * half * sin(Real(phi / 2)) + a * t * t * sine_defect(Real(2 * phi));
+    const Real y = s * t * half * sin(Real(phi / 2)) + a * t * t * reference::sine_defect(Real(2 * phi));
     const Real rolled = s * t + a * t * t / 2 * half * half;
     const Real speed = 2 * abs(s) + 8 * abs(a) * t, turned = abs(s * phi);
     const Real place = (2 * abs(s) + 8 * abs(a) * min(t, Real(1 / abs(omega)))) * t;
@@ -58,9 +62,9 @@ SceneFactory rolling_disc() {
                 .start = {Vector<double, 4>::Zero(), {p["R"] * p["dpsi0"], 0.0, p["dphi0"], p["dpsi0"]}},
                 .coordinates = {"x", "y", "phi", "psi"}};
             Scene scene = mechanical_scene(setting, formulation_choice_of(p));
-            scene.reference =
-                closed_form(RollingDiscMotion{p["R"], p["m"], p["I"], p["pull"], p["dphi0"], p["dpsi0"]});
-            scene.motion = picked({"x", "y"}, {0, 1});
+            scene.reference = reference::closed_form(
+                RollingDiscMotion{p["R"], p["m"], p["I"], p["pull"], p["dphi0"], p["dpsi0"]});
+            scene.display_path = select_components({"x", "y"}, {0, 1});
             return scene;
           },
           .equations = {
@@ -81,4 +85,4 @@ SceneFactory rolling_disc() {
                .initial = {"0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/formulations/conditional_extremum.hpp"
 #include "fdebench/benchmarks/scenes/constraints/particle.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The conditional extremum under z' = y x'. With mu(0) = 0 it starts like the motion of nonholonomic_particle
 // and departs from it, unless x'(0) = 0 or y'(0) = 0.
@@ -28,4 +29,4 @@ SceneFactory vakonomic_particle() {
                      .initial = {"mu0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // D^g x = A - (B+1) x + x^2 y, D^g y = B x - x^2 y.
 SceneFactory brusselator() {
@@ -35,4 +36,4 @@ SceneFactory brusselator() {
               {.unknown = "y", .terms = {{"1", "gamma"}}, .rhs = "B*x - x^2*y", .initial = {"y0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include <cmath>
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reference/linear/closed_forms/power_sum.hpp"
 #include "fdebench/reference/linear/linear_equation.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Nonlinear, with D^g y twice differentiable although y starts like t^g: y = t^8 - 3 t^(4+g/2) + 9/4 t^g. The
 // absolute values extend the published problem, 0 <= t <= 1, beyond the zero of 3/2 t^(g/2) - t^4.
@@ -31,7 +32,7 @@ SceneFactory diethelm() {
                                 }}},
                     .smoothness = {{{g, 4.0 + g / 2, 8.0}}},
                     .outputs = {{"y"}},
-                    .reference = power_sum({{1.0, 8.0}, {-3.0, 4.0, 0.5}, {2.25, 0.0, 1.0}}, g)};
+                    .reference = reference::power_sum({{1.0, 8.0}, {-3.0, 4.0, 0.5}, {2.25, 0.0, 1.0}}, g)};
           },
           .equations = {
               {.unknown = "y",
@@ -41,4 +42,4 @@ SceneFactory diethelm() {
                .initial = {"0", "0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/diffusion_scene.hpp"
 
 #include <memory>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/scenes/equations/sine_field.hpp"
 #include "fdebench/benchmarks/scenes/equations/variable_coefficient_field.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 std::vector<Parameter> diffusion_parameters(Parameter points, const char* diffusivity) {
   std::vector<Parameter> all{{"gamma", 0.5, order_up_to_two, "order; a wave above 1, which starts at rest"},
@@ -24,7 +25,7 @@ Scene diffusion_scene(const Parameters& parameters, const char* points_name, int
   const double order = parameters["gamma"], diffusivity = parameters["diffusivity"];
   const Medium medium(parameters);
   std::shared_ptr<const LinearField> field;
-  if (medium.even()) {
+  if (medium.is_uniform()) {
     field = std::make_shared<const SineField>(points, std::move(start), dimensions, order, diffusivity);
   } else {
     field = std::make_shared<const VariableCoefficientField>(points, std::move(start), dimensions, order,
@@ -33,4 +34,4 @@ Scene diffusion_scene(const Parameters& parameters, const char* points_name, int
   return scene_of_field(field, order);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

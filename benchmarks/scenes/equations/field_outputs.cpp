@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/field_outputs.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int longest_shown = 2000, shown_of_a_line = 9, shown_of_a_side = 3;
@@ -72,7 +73,7 @@ Outputs field_outputs(const FieldShape& shape, double intervals, bool with_maxim
     columns[points] = root_of_cell * u.stableNorm();  // stableNorm: u^2 may overflow
     if (with_maximum) columns[points + 1] = u.lpNorm<Eigen::Infinity>();
   };
-  return {.names = std::move(names), .of = of};
+  return {.names = std::move(names), .evaluate = of};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

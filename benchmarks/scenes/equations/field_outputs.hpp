@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Points of a line, or of a square, where component i + points j is at (x_i, x_j), i and j counted from 0.
 struct FieldShape {
@@ -26,4 +27,4 @@ std::vector<int> output_points(const FieldShape& shape);
 // with_maximum, max, the largest |u| of all points.
 Outputs field_outputs(const FieldShape& shape, double intervals, bool with_maximum);
 
-}  // namespace fde
+}  // namespace fde::bench

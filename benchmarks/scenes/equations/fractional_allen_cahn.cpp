@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/scenes/equations/no_flux_cells.hpp"
 #include "fdebench/benchmarks/scenes/equations/sine_modes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double longest_side = 1000.0;
@@ -30,7 +31,7 @@ Vec initial_cells(const std::string& start, const Vec& x) {
 Problem allen_cahn(const NoFluxCells& cells, std::vector<Component> components) {
   Problem problem{.components = std::move(components), .end = 5.0};
   problem.rhs = [cells](double, In u, Out f) {
-    cells.differences(u, f);
+    cells.apply_laplacian(u, f);
     f.array() += u.array() - u.array().cube();
   };
   const auto differences = std::make_shared<const SparseMatrix>(cells.matrix());
@@ -71,7 +72,7 @@ SceneFactory fractional_allen_cahn() {
         scene.outputs = field_outputs(shape, shape.points, true);
         return scene;
       },
-      .shown = {{"D(u, gamma)", "epsilon^2*div(grad(u)) + u - u^3"}}};
+      .display_equations = {{"D(u, gamma)", "epsilon^2*div(grad(u)) + u - u^3"}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/diffusion_scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Stiff: the eigenvalues range from pi^2 to 4 (components + 1)^2, times the diffusivity.
 SceneFactory fractional_diffusion() {
@@ -11,7 +12,7 @@ SceneFactory fractional_diffusion() {
               {"components", 200.0, {.low = 2.0, .high = 1e6}, "points inside (0, 1), whole"},
               "kappa in D^gamma u = kappa (a u_x)_x"),
           .make = [](const Parameters& p) { return diffusion_scene(p, "components", 1); },
-          .shown = {{"D(u, gamma)", "kappa*div(a*grad(u))"}}};
+          .display_equations = {{"D(u, gamma)", "kappa*div(a*grad(u))"}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/initial_values.hpp"
 
 #include <fmt/format.h>
 
-namespace fde {
+namespace fde::bench {
 
 std::vector<double> initial_values(const Parameters& p, std::string_view order, std::string_view value,
                                    std::string_view slope) {
@@ -11,4 +12,4 @@ std::vector<double> initial_values(const Parameters& p, std::string_view order, 
   return {p[value]};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/linear_field.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 std::vector<Component> field_components(const FieldShape& shape, const Vec& start, double order) {
   std::vector<Component> all;
@@ -16,14 +17,15 @@ std::vector<Component> field_components(const FieldShape& shape, const Vec& star
 
 Scene scene_of_field(const std::shared_ptr<const LinearField>& field, double order) {
   Scene scene;
-  scene.problem.components = field_components(field->shape(), field->start(), order);
+  scene.problem.components = field_components(field->shape(), field->initial_values_on_axis(), order);
   scene.problem.rhs = [field](double, In u, Out f) { field->apply(u, f); };
   scene.problem.derivatives = SparseLinearPart{field->matrix()};
   scene.smoothness.powers.assign(scene.problem.components.size(),
                                  power_lattice({order}, {order}, order + 2.0));
   scene.outputs = field->outputs();
-  if (field->known()) scene.reference.at = [field](double t) { return field->at(t); };
+  if (field->has_exact_solution())
+    scene.reference.at = [field](double t) { return field->exact_columns_at(t); };
   return scene;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
 
 #include "fdebench/benchmarks/scenes/equations/field_outputs.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // D^order u = A u at the points of a field, with A symmetric and sparse. u(0) is a product of functions of
 // one axis each, and u'(0) = 0.
@@ -16,14 +17,15 @@ class LinearField {
   virtual ~LinearField() = default;
 
   [[nodiscard]] virtual FieldShape shape() const = 0;
-  [[nodiscard]] virtual const Vec& start() const = 0;  // u(0) along an axis
+  [[nodiscard]] virtual const Vec& initial_values_on_axis() const = 0;  // u(0) along an axis
   // A as a matrix, and f = A u.
   [[nodiscard]] virtual SparseMatrix matrix() const = 0;
   virtual void apply(In u, Out f) const = 0;
   [[nodiscard]] virtual Outputs outputs() const = 0;
-  // Whether an exact solution in time is available; at(t) gives its columns. at must be thread-safe.
-  [[nodiscard]] virtual bool known() const = 0;
-  [[nodiscard]] virtual ReferenceValue at(double t) const = 0;
+  // Whether an exact solution in time is available; exact_columns_at(t) gives its columns and must be
+  // thread-safe.
+  [[nodiscard]] virtual bool has_exact_solution() const = 0;
+  [[nodiscard]] virtual reference::ReferenceValue exact_columns_at(double t) const = 0;
 };
 
 // The components of a field of this order with u(0) = start(x), or start(x) start(y) in a square.
@@ -32,4 +34,4 @@ std::vector<Component> field_components(const FieldShape& shape, const Vec& star
 // The scene of a field: problem, columns, smoothness and, if known, the reference.
 Scene scene_of_field(const std::shared_ptr<const LinearField>& field, double order);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/linear_system.hpp"
 
 #include "fdebench/benchmarks/scenes/equations/initial_values.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/problem/linear_smoothness.hpp"
 
-namespace fde {
+namespace fde::bench {
 // D^g1 x = a11 x + a12 y + c1, D^g2 y = a21 x + a22 y + c2, each with its own order. The coefficients can be
 // chosen for complex, defective or very stiff spectra.
 SceneFactory linear_system() {
@@ -35,10 +36,11 @@ SceneFactory linear_system() {
                             .end = 5.0},
                 .smoothness = linear_smoothness(components, matrix, {{0.0, load}}),
                 .outputs = {{"x", "y"}},
-                .reference = linear_reference({.orders = {components[0].order, components[1].order},
-                                               .initial = {components[0].initial, components[1].initial},
-                                               .matrix = matrix,
-                                               .loads = {{{load[0]}}, {{load[1]}}}})};
+                .reference =
+                    reference::linear_reference({.orders = {components[0].order, components[1].order},
+                                                 .initial = {components[0].initial, components[1].initial},
+                                                 .matrix = matrix,
+                                                 .loads = {{{load[0]}}, {{load[1]}}}})};
       },
       .equations = {
           {.unknown = "x", .terms = {{"1", "gamma1"}}, .rhs = "a11*x + a12*y + c1", .initial = {"x0", "dx0"}},
@@ -48,4 +50,4 @@ SceneFactory linear_system() {
            .initial = {"y0", "dy0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

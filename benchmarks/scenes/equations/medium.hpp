@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/benchmarks/scenes/equations/sine_modes.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The coefficient a(x) of diffusion in D^gamma u = kappa div(a grad u); it depends on x only.
 class Medium {
@@ -10,7 +11,7 @@ class Medium {
   // From the parameters of medium_parameters().
   explicit Medium(const Parameters& parameters);
 
-  [[nodiscard]] bool even() const { return kind_ == "even"; }  // a = 1
+  [[nodiscard]] bool is_uniform() const { return kind_ == "even"; }  // a = 1
   [[nodiscard]] double at(double x) const;
 
  private:
@@ -21,4 +22,4 @@ class Medium {
 // The parameters `medium` and `contrast` of the diffusion scenes.
 std::vector<Parameter> medium_parameters();
 
-}  // namespace fde
+}  // namespace fde::bench

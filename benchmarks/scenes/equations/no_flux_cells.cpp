@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/no_flux_cells.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace fde {
+namespace fde::bench {
 
 NoFluxCells::NoFluxCells(FieldShape shape, double coupling)
     : shape_(shape), coupling_(coupling * shape.points * shape.points) {}
@@ -13,7 +14,7 @@ Vec NoFluxCells::midpoints() const {
   return Vec::LinSpaced(shape_.points, 0.5 / n, (n - 0.5) / n);
 }
 
-void NoFluxCells::differences(In u, Out f) const {
+void NoFluxCells::apply_laplacian(In u, Out f) const {
   const Eigen::Index n = shape_.points, lines = shape_.size() / n;
   // Adds the flux between each of `count` cells and the cell `apart` indices further on.
   const auto exchange = [&](Eigen::Index first, Eigen::Index count, Eigen::Index apart) {
@@ -45,4 +46,4 @@ SparseMatrix NoFluxCells::matrix() const {
   return result;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/initial_values.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reference/linear/linear_equation.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // D^g y = lambda y: y = y0 E_g(lambda t^g) + y'(0) t E_{g,2}(lambda t^g). Starts like t^g, so uniform grids
 // lose rate.
@@ -25,12 +26,12 @@ SceneFactory relaxation() {
                                 .derivatives = DenseLinearPart{Matrix::Constant(1, 1, lambda)}},
                     .smoothness = {{power_lattice(start, {gamma}, gamma + 2.0)}},
                     .outputs = {{"y"}},
-                    .reference = linear_reference({.terms = {{1.0, gamma}, {-lambda, 0.0}},
-                                                   .initial = {initial.begin(), initial.end()}},
-                                                  {0.0})};
+                    .reference = reference::linear_reference({.terms = {{1.0, gamma}, {-lambda, 0.0}},
+                                                              .initial = {initial.begin(), initial.end()}},
+                                                             {0.0})};
           },
           .equations = {
               {.unknown = "y", .terms = {{"1", "gamma"}}, .rhs = "lambda*y", .initial = {"y0", "dy0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

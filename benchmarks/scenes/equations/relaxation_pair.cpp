@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/initial_values.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reference/linear/linear_system.hpp"
 #include "fdebench/schemes/problem/linear_smoothness.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // D^g u = lambda u for u = x + i y and lambda = re + i im, as a real 2x2 system:
 // u = u(0) E_g(lambda t^g) + u'(0) t E_{g,2}(lambda t^g). Stable for |arg lambda| > g pi / 2.
@@ -29,13 +30,14 @@ SceneFactory relaxation_pair() {
                                 .end = 5.0},
                     .smoothness = linear_smoothness(components, rotation),
                     .outputs = {{"x", "y"}},
-                    .reference = linear_reference({.orders = {gamma, gamma},
-                                                   .initial = {components[0].initial, components[1].initial},
-                                                   .matrix = rotation})};
+                    .reference = reference::linear_reference(
+                        {.orders = {gamma, gamma},
+                         .initial = {components[0].initial, components[1].initial},
+                         .matrix = rotation})};
           },
           .equations = {
               {.unknown = "x", .terms = {{"1", "gamma"}}, .rhs = "re*x - im*y", .initial = {"x0", "dx0"}},
               {.unknown = "y", .terms = {{"1", "gamma"}}, .rhs = "im*x + re*y", .initial = {"y0", "dy0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // D^g y1 = -k1 y1 + k3 y2 y3, D^g y2 = k1 y1 - k3 y2 y3 - k2 y2^2, D^g y3 = k2 y2^2. The right-hand sides sum
 // to 0, so y1 + y2 + y3 = 1 for every order.
@@ -41,4 +42,4 @@ SceneFactory robertson() {
           {.unknown = "y3", .terms = {{"1", "gamma"}}, .rhs = "k2*y2^2", .initial = {"0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/sine_field.hpp"
 
 #include <cmath>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/scenes/equations/mode_decay.hpp"
 #include "fdebench/schemes/history/running_sum.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr Eigen::Index most_sines = 8'000'000;  // stored for the maximum: 64 MB
@@ -48,8 +49,8 @@ class SineField::Sum {
 
   // Norms are below the largest value: one bound holds for all columns. square_of_mode: the squared l2 norm
   // of a mode.
-  [[nodiscard]] ReferenceValue result(const std::optional<double>& square_of_mode,
-                                      const std::optional<double>& maximum) const {
+  [[nodiscard]] reference::ReferenceValue result(const std::optional<double>& square_of_mode,
+                                                 const std::optional<double>& maximum) const {
     std::vector<double> columns;
     for (Eigen::Index i = 0; i < at_points_.size(); ++i) columns.push_back(at_points_[i]);
     if (square_of_mode) columns.push_back(std::sqrt(*square_of_mode * squares_[0]));
@@ -63,9 +64,10 @@ class SineField::Sum {
   double bound_ = 0.0;
 };
 
-SineField::SineField(SineGrid points, InitialField start, int dimensions, double order, double diffusivity)
+SineField::SineField(SineGrid points, InitialField initial_values_on_axis, int dimensions, double order,
+                     double diffusivity)
     : points_(points),
-      start_(std::move(start)),
+      start_(std::move(initial_values_on_axis)),
       shape_{points.points, dimensions},
       order_(order),
       diffusivity_(diffusivity),
@@ -111,7 +113,7 @@ Outputs SineField::outputs() const {
   return field_outputs(shape_, points_.intervals(), all_sines_.size() > 0);
 }
 
-ReferenceValue SineField::at(double t) const {
+reference::ReferenceValue SineField::exact_columns_at(double t) const {
   const bool line = shape_.dimensions == 1;
   const Eigen::Index modes = start_.amplitudes.size(), shown = sines_.rows();
   const auto rate = [&](Eigen::Index k) { return diffusivity_ * points_.rate(static_cast<int>(k) + 1); };
@@ -121,7 +123,7 @@ ReferenceValue SineField::at(double t) const {
     const double of_x = start_.amplitudes[k];
     if (of_x == 0.0) continue;
     if (line) {
-      const DecayFactor part = decay(order_, rate(k), t);
+      const DecayFactor part = decay_factor(order_, rate(k), t);
       sum.add(of_x, part, 1.0, sines_.col(k));
       left(k, 0) = of_x * part.value;
       continue;
@@ -132,7 +134,7 @@ ReferenceValue SineField::at(double t) const {
       if (amplitude == 0.0) continue;
       Matrix both = sines_.col(l) * sines_.col(k).transpose();
       if (l < k) both += Matrix(both.transpose());
-      const DecayFactor part = decay(order_, rate(k) + rate(l), t);
+      const DecayFactor part = decay_factor(order_, rate(k) + rate(l), t);
       sum.add(amplitude, part, l < k ? 2.0 : 1.0, both.reshaped());
       left(k, l) = left(l, k) = amplitude * part.value;
     }
@@ -149,4 +151,4 @@ double SineField::largest(const Matrix& amplitudes) const {
   return (half * all_sines_.transpose()).lpNorm<Eigen::Infinity>();
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/benchmarks/scenes/equations/linear_field.hpp"
 #include "fdebench/benchmarks/scenes/equations/sine_modes.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // D^g u = kappa (u_xx, or u_xx + u_yy) at points inside (0, 1), or inside the unit square where component i +
 // n j is at (x_i, x_j), with second differences in place of derivatives and u = 0 at the border. u(0) is
@@ -11,16 +12,17 @@ namespace fde {
 // initial amplitude times E_g(-rate t^g).
 class SineField final : public LinearField {
  public:
-  SineField(SineGrid points, InitialField start, int dimensions, double order, double diffusivity);
+  SineField(SineGrid points, InitialField initial_values_on_axis, int dimensions, double order,
+            double diffusivity);
 
   [[nodiscard]] FieldShape shape() const override { return shape_; }
-  [[nodiscard]] const Vec& start() const override { return start_.values; }
+  [[nodiscard]] const Vec& initial_values_on_axis() const override { return start_.values; }
   [[nodiscard]] SparseMatrix matrix() const override;
   void apply(In u, Out f) const override;
   // The column max is included if points times modes are at most 8 million.
   [[nodiscard]] Outputs outputs() const override;
-  [[nodiscard]] bool known() const override { return true; }
-  [[nodiscard]] ReferenceValue at(double t) const override;
+  [[nodiscard]] bool has_exact_solution() const override { return true; }
+  [[nodiscard]] reference::ReferenceValue exact_columns_at(double t) const override;
 
  private:
   class Sum;
@@ -36,4 +38,4 @@ class SineField final : public LinearField {
   Matrix all_sines_{};  // at all points of an axis; empty without the column max
 };
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/sine_modes.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // sin(pi m / n), with the argument reduced exactly, in integers, to [0, pi/2].
@@ -50,7 +51,7 @@ InitialField step_initial_field(const SineGrid& points) {
 }
 
 SineGrid points_of(const Parameters& parameters, const char* name) {
-  if (!whole(parameters[name])) reject(name, parameters[name], "a whole number");
+  if (!is_integer_order(parameters[name])) reject(name, parameters[name], "a whole number");
   return {static_cast<int>(std::lround(parameters[name]))};
 }
 
@@ -61,11 +62,11 @@ std::vector<Parameter> start_parameters() {
 
 InitialField initial_field(const Parameters& parameters, const SineGrid& points, const char* points_name) {
   const double modes = parameters["modes"];
-  if (!whole(modes)) reject("modes", modes, "a whole number");
+  if (!is_integer_order(modes)) reject("modes", modes, "a whole number");
   if (parameters.choice("start") == "step") return step_initial_field(points);
   if (modes > points.points)
     reject("modes", modes, fmt::format("at most {} = {}", points_name, points.points));
   return smooth_initial_field(points, static_cast<int>(std::lround(modes)));
 }
 
-}  // namespace fde
+}  // namespace fde::bench

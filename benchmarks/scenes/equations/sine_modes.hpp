@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // n points x_j = j / (n + 1) inside (0, 1). The vectors sin(k pi x_j), k = 1 ... n, are the eigenvectors of
 // second differences with 0 at both ends; the eigenvalues are -rate(k).
@@ -35,4 +36,4 @@ SineGrid points_of(const Parameters& parameters, const char* name);
 std::vector<Parameter> start_parameters();
 InitialField initial_field(const Parameters& parameters, const SineGrid& points, const char* points_name);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reference/linear/linear_system.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // D^g u = (lambda + i im) u, u(0) = y0, u'(0) = 0. After an initial layer of length |lambda|^(-1/g), u decays
 // slowly, like -y0 / (lambda t^g Gamma(1-g)). An error made by a step larger than the layer persists.
@@ -29,7 +30,7 @@ SceneFactory stiff_relaxation() {
                                 .derivatives = DenseLinearPart{rate}},
                     .smoothness = {{powers}},
                     .outputs = {{"y"}}};
-        LinearSystem system{.orders = {gamma}, .initial = {real_part}, .matrix = rate};
+        reference::LinearSystem system{.orders = {gamma}, .initial = {real_part}, .matrix = rate};
         if (!is_real) {
           scene.problem.components.push_back({gamma, imaginary_part});
           scene.smoothness.powers.push_back(powers);
@@ -37,7 +38,7 @@ SceneFactory stiff_relaxation() {
           system.orders.push_back(gamma);
           system.initial.push_back(imaginary_part);
         }
-        scene.reference = linear_reference(system);
+        scene.reference = reference::linear_reference(system);
         return scene;
       },
       .equations = {
@@ -48,4 +49,4 @@ SceneFactory stiff_relaxation() {
            .initial = {"0", "0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

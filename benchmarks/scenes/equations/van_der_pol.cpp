@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // D^g x = v, D^g v = mu (1 - x^2) v - x. For large mu, x varies slowly while |x| > 1, for a time like
 // mu^(1/g), and jumps when |x| reaches 1; v approaches -x / (mu (x^2 - 1)) in a layer of length mu^(-1/g).
@@ -36,4 +37,4 @@ SceneFactory van_der_pol() {
               {.unknown = "v", .terms = {{"1", "gamma"}}, .rhs = "mu*(1 - x^2)*v - x", .initial = {"v0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

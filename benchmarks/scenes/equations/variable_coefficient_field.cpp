@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/variable_coefficient_field.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -7,7 +8,7 @@
 
 #include "fdebench/benchmarks/scenes/equations/mode_decay.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using LongVec = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
@@ -17,10 +18,11 @@ constexpr double most_work = 500.0 * 500.0 * 500.0;  // limit of points^3 times 
 
 }  // namespace
 
-VariableCoefficientField::VariableCoefficientField(SineGrid points, InitialField start, int dimensions,
-                                                   double order, double diffusivity, const Medium& medium)
+VariableCoefficientField::VariableCoefficientField(SineGrid points, InitialField initial_values_on_axis,
+                                                   int dimensions, double order, double diffusivity,
+                                                   const Medium& medium)
     : points_(points),
-      start_(std::move(start)),
+      start_(std::move(initial_values_on_axis)),
       shape_{points.points, dimensions},
       order_(order),
       x_coupling_(points.points + 1),
@@ -65,7 +67,7 @@ void VariableCoefficientField::apply(In u, Out f) const {
 
 Outputs VariableCoefficientField::outputs() const { return field_outputs(shape_, points_.intervals(), true); }
 
-bool VariableCoefficientField::known() const {
+bool VariableCoefficientField::has_exact_solution() const {
   const auto modes_of_y = shape_.dimensions == 1 ? 1 : (start_.amplitudes.array() != 0.0).count();
   return std::pow(points_.points, 3) * static_cast<double>(modes_of_y) <= most_work;
 }
@@ -94,7 +96,7 @@ VariableCoefficientField::Modes VariableCoefficientField::modes_of(int of_y) con
           .amplitudes = amplitudes.cast<double>(),
           .residuals = residuals.colwise().norm().transpose().cast<double>(),
           .vectors = vectors.cast<double>(),
-          .missing = static_cast<double>((vectors * amplitudes - start).norm())};
+          .expansion_error = static_cast<double>((vectors * amplitudes - start).norm())};
 }
 
 const std::vector<VariableCoefficientField::Modes>& VariableCoefficientField::modes() const {
@@ -112,16 +114,16 @@ const std::vector<VariableCoefficientField::Modes>& VariableCoefficientField::mo
 
 // A is symmetric, so |E(A) v_k - E(-rate_k) v_k| is at most |r_k| times the steepest slope of E over the
 // eigenvalues. Values at points and norms are below the norm of the vector: one bound holds for all columns.
-ReferenceValue VariableCoefficientField::at(double t) const {
+reference::ReferenceValue VariableCoefficientField::exact_columns_at(double t) const {
   const Eigen::Index n = points_.points;
   Vec field = Vec::Zero(shape_.size());
   double bound = 0.0;
   for (const Modes& some : modes()) {
     const double steepest = steepest_decay(order_, some.rates.minCoeff(), t);
     Vec left(n);
-    double off = some.missing;
+    double off = some.expansion_error;
     for (Eigen::Index k = 0; k < n; ++k) {
-      const DecayFactor part = decay(order_, some.rates[k], t);
+      const DecayFactor part = decay_factor(order_, some.rates[k], t);
       left[k] = some.amplitudes[k] * part.value;
       off += std::abs(some.amplitudes[k]) *
              (part.bound + 32.0 * rounding_unit * std::abs(part.value) + 2.0 * steepest * some.residuals[k]);
@@ -137,4 +139,4 @@ ReferenceValue VariableCoefficientField::at(double t) const {
   return {columns, Vec::Constant(columns.size(), bound)};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include <utility>
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reference/linear/linear_equation.hpp"
 #include "fdebench/schemes/problem/chain_problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 Problem loaded_problem(const Chain& chain, double stiffness, double load, double until) {
@@ -14,7 +15,7 @@ Problem loaded_problem(const Chain& chain, double stiffness, double load, double
   };
   Problem problem =
       chain_problem({{.chain = chain, .force = force, .derivatives = LinearForce{-stiffness}}}, 16.0);
-  if (load != 0.0) problem.jumps = {until};
+  if (load != 0.0) problem.jump_times = {until};
   return problem;
 }
 
@@ -56,12 +57,12 @@ SceneFactory bagley_torvik() {
             if (load != 0.0) smoothness.jumps = {chain.size() - 1};
             return {.problem = loaded_problem(chain, stiffness, load, until),
                     .smoothness = smoothness,
-                    .outputs = picked(names, rows),
-                    .reference =
-                        linear_reference({.terms = {{p["A"], 2.0}, {p["B"], p["alpha"]}, {stiffness, 0.0}},
-                                          .initial = {p["y0"], p["dy0"]},
-                                          .loads = {{load}, {.coefficient = -load, .from = until}}},
-                                         orders),
+                    .outputs = select_components(names, rows),
+                    .reference = reference::linear_reference(
+                        {.terms = {{p["A"], 2.0}, {p["B"], p["alpha"]}, {stiffness, 0.0}},
+                         .initial = {p["y0"], p["dy0"]},
+                         .loads = {{load}, {.coefficient = -load, .start_time = until}}},
+                        orders),
                     .discontinuities = std::move(discontinuities)};
           },
           .equations = {{.unknown = "y",
@@ -70,4 +71,4 @@ SceneFactory bagley_torvik() {
                          .initial = {"y0", "dy0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

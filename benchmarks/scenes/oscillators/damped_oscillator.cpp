@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/oscillators/damping.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reference/linear/linear_equation.hpp"
 #include "fdebench/schemes/problem/chain_problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-LinearEquation equation(const Parameters& p) {
+reference::LinearEquation equation(const Parameters& p) {
   return {.terms = {{1.0, 2.0},
                     {p["w2"], 0.0},
                     {p["nu"], p["beta"], p["tau"]},
@@ -39,7 +40,7 @@ SceneFactory damped_oscillator() {
                 .problem = problem,
                 .smoothness = smoothness_of_chains({u.chain()}),
                 .outputs = outputs_of({u}, problem),
-                .reference = linear_reference(equation(p), u.orders()),
+                .reference = reference::linear_reference(equation(p), u.orders()),
                 .energy = {.value = [=](In c) { return 0.5 * (u.du(c) * u.du(c) + w2 * u.u(c) * u.u(c)); },
                            .power = [=](double, In c) { return u.power(c); }},
                 .discontinuities = u.discontinuities()};
@@ -51,4 +52,4 @@ SceneFactory damped_oscillator() {
                .initial = {"u0", "du0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

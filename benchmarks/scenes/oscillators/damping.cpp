@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/oscillators/damping.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // In the order beta, 1, alpha.
@@ -71,17 +72,18 @@ void DampedUnknown::add_column(const std::string& name, double order, double wei
   weights_.push_back(weight);
 }
 
-std::vector<DampedUnknown::ColumnSource> DampedUnknown::shown() const {
+std::vector<DampedUnknown::ColumnSource> DampedUnknown::column_sources() const {
   std::vector<ColumnSource> columns;
   for (const double order : orders_) {
     const bool acceleration = order == leading_order;
-    columns.push_back({acceleration ? chain_.first() + chain_.size() - 1 : *chain_.row(order), acceleration});
+    columns.push_back(
+        {acceleration ? chain_.first_row() + chain_.size() - 1 : *chain_.row(order), acceleration});
   }
   return columns;
 }
 
 UnknownOffset DampedUnknown::next() const {
-  return {.row = chain_.first() + chain_.size(), .column = first_column_ + std::ssize(names_)};
+  return {.row = chain_.first_row() + chain_.size(), .column = first_column_ + std::ssize(names_)};
 }
 
 double DampedUnknown::power(In columns) const {
@@ -94,13 +96,13 @@ Outputs outputs_of(const std::vector<DampedUnknown>& unknowns, const Problem& pr
   std::vector<DampedUnknown::ColumnSource> shown;
   for (const auto& unknown : unknowns) {
     std::ranges::copy(unknown.names(), std::back_inserter(names));
-    const auto columns = unknown.shown();
+    const auto columns = unknown.column_sources();
     shown.insert(shown.end(), columns.begin(), columns.end());
   }
   if (std::ranges::none_of(shown, &DampedUnknown::ColumnSource::acceleration)) {
     std::vector<Eigen::Index> rows;
     for (const auto& column : shown) rows.push_back(column.row);
-    return picked(names, rows);
+    return select_components(names, rows);
   }
   return {names, [shown, rhs = problem.rhs](double t, In y, Out columns) {
             Vec f(y.size());
@@ -112,4 +114,4 @@ Outputs outputs_of(const std::vector<DampedUnknown>& unknowns, const Problem& pr
           }};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -6,7 +7,7 @@
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/problem/chain.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The parameters alpha, beta and tau, with the defaults of section 7 of Yin, Liu & Anh, followed by `others`.
 std::vector<Parameter> damping_parameters(const std::vector<Parameter>& others);
@@ -34,7 +35,7 @@ class DampedUnknown {
   [[nodiscard]] const Chain& chain() const { return chain_; }
   [[nodiscard]] double inertia() const { return chain_.leading().coefficient - 1.0; }
   // The rows of u and u'.
-  [[nodiscard]] Eigen::Index row() const { return chain_.first(); }
+  [[nodiscard]] Eigen::Index row() const { return chain_.first_row(); }
   [[nodiscard]] Eigen::Index row_of_velocity() const { return *chain_.row(1.0); }
 
   // The columns: names, orders as derivatives of u, and sources: a row of the problem, or, if `acceleration`
@@ -45,7 +46,7 @@ class DampedUnknown {
     Eigen::Index row;
     bool acceleration;
   };
-  [[nodiscard]] std::vector<ColumnSource> shown() const;
+  [[nodiscard]] std::vector<ColumnSource> column_sources() const;
   // The orders at which a damping term is not the limit of its neighbours: beta = 0 where u(0) is not 0,
   // alpha = 1 where u'(0) is not 0.
   [[nodiscard]] const std::vector<Discontinuity>& discontinuities() const { return discontinuities_; }
@@ -70,4 +71,4 @@ class DampedUnknown {
 // The columns of several unknowns whose rows follow each other in a problem.
 Outputs outputs_of(const std::vector<DampedUnknown>& unknowns, const Problem& problem);
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/problem/chain_problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // A swinging mass on a spring: length L r, r = 1 + xi. With D the damping terms of each unknown,
@@ -129,4 +130,4 @@ SceneFactory extensible_pendulum() {
            .initial = {"xi0", "dxi0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
 
@@ -5,7 +6,7 @@
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 #include "fdebench/reference/linear/linear_solution.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // D^nu q + w2 q = c0 + c1 t + c2 t^(2-nu) / Gamma(3-nu).
@@ -18,22 +19,22 @@ struct LoadedOscillator {
   }
 
   // Q = (q0 s^(nu-1) + dq0 s^(nu-2) + c0/s + c1/s^2 + c2 s^(nu-3)) / (s^nu + w2).
-  [[nodiscard]] LinearTransform transform() const {
-    const Rational order = shortest_decimal(nu);
-    LinearTransform transform;
+  [[nodiscard]] reference::LinearTransform transform() const {
+    const reference::Rational order = reference::shortest_decimal(nu);
+    reference::LinearTransform transform;
     add_term(transform.characteristic, order, 1);
-    add_term(transform.characteristic, 0, shortest_decimal(w2));
+    add_term(transform.characteristic, 0, reference::shortest_decimal(w2));
     auto& numerator = transform.group_at(0, 1).numerators.front();
-    add_term(numerator, Rational(order - 1), shortest_decimal(q0));
-    add_term(numerator, Rational(order - 2), shortest_decimal(dq0));
-    add_term(numerator, -1, shortest_decimal(c0));
-    add_term(numerator, -2, shortest_decimal(c1));
-    add_term(numerator, Rational(order - 3), shortest_decimal(c2));
+    add_term(numerator, reference::Rational(order - 1), reference::shortest_decimal(q0));
+    add_term(numerator, reference::Rational(order - 2), reference::shortest_decimal(dq0));
+    add_term(numerator, -1, reference::shortest_decimal(c0));
+    add_term(numerator, -2, reference::shortest_decimal(c1));
+    add_term(numerator, reference::Rational(order - 3), reference::shortest_decimal(c2));
     transform.generators = {1, order};
     return transform;
   }
-  [[nodiscard]] Reference motion() const {
-    return linear_reference("fractional_oscillator", [*this] { return transform(); });
+  [[nodiscard]] reference::Reference motion() const {
+    return reference::linear_reference("fractional_oscillator", [*this] { return transform(); });
   }
 
   [[nodiscard]] Smoothness smoothness() const {
@@ -50,16 +51,20 @@ struct LoadedOscillator {
 //   (2/nu) (its factor) w^-k e^(w t cos(pi/nu)) cos(w t sin(pi/nu) - k pi/nu).
 // For the initial values, k = 0 and 1, these are Tarasov & Zaslavsky's g_(nu,k) of (53).
 struct Oscillation {
-  LoadedOscillator of;
+  LoadedOscillator oscillator;
 
   template <class Real>
-  [[nodiscard]] std::vector<ConditionedValue<Real>> operator()(const Real& t) const {
+  [[nodiscard]] std::vector<reference::ConditionedValue<Real>> operator()(const Real& t) const {
     using std::abs, std::cos, std::exp, std::pow, std::sin;
-    const Real order = decimal<Real>(of.nu), square = decimal<Real>(of.w2);
-    const Real w = pow(square, Real(1 / order)), angle = pi<Real>() / order;
-    const std::array<Real, 3> factors{decimal<Real>(of.q0) - decimal<Real>(of.c0) / square,
-                                      (decimal<Real>(of.dq0) - decimal<Real>(of.c1) / square) / w,
-                                      decimal<Real>(of.c2) / (w * w)};
+    const Real order = reference::from_shortest_decimal<Real>(oscillator.nu),
+               square = reference::from_shortest_decimal<Real>(oscillator.w2);
+    const Real w = pow(square, Real(1 / order)), angle = reference::pi<Real>() / order;
+    const std::array<Real, 3> factors{reference::from_shortest_decimal<Real>(oscillator.q0) -
+                                          reference::from_shortest_decimal<Real>(oscillator.c0) / square,
+                                      (reference::from_shortest_decimal<Real>(oscillator.dq0) -
+                                       reference::from_shortest_decimal<Real>(oscillator.c1) / square) /
+                                          w,
+                                      reference::from_shortest_decimal<Real>(oscillator.c2) / (w * w)};
     Real sum = 0, size = 0;
     for (int k = 0; k < 3; ++k) {
       const Real& factor = factors.at(static_cast<std::size_t>(k));
@@ -72,9 +77,9 @@ struct Oscillation {
 };
 
 // Columns q, f = q - g, g.
-Reference with_parts(const LoadedOscillator& of) {
-  const auto motion = of.motion(), oscillation = closed_form(Oscillation{of});
-  return {.at = [motion, oscillation](double t) -> ReferenceValue {
+reference::Reference with_parts(const LoadedOscillator& of) {
+  const auto motion = of.motion(), oscillation = reference::closed_form(Oscillation{of});
+  return {.at = [motion, oscillation](double t) -> reference::ReferenceValue {
             const auto [q, of_q] = motion.at(t);
             const auto [g, of_g] = oscillation.at(t);
             return {Eigen::Vector3d(q[0], q[0] - g[0], g[0]),
@@ -134,4 +139,4 @@ SceneFactory fractional_oscillator() {
                          .initial = {"q0", "dq0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

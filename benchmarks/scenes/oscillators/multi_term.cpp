@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -6,7 +7,7 @@
 #include "fdebench/reference/linear/linear_equation.hpp"
 #include "fdebench/schemes/problem/chain_problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The force f(u), its derivative and its potential.
@@ -76,8 +77,9 @@ Energy energy_of(const std::vector<NamedTerm>& terms, double a, const Force& for
           .power = [=](double t, In c) { return c[velocity] * (load(t) - weights.dot(c)); }};
 }
 
-Reference linear_motion(const Parameters& p, const std::vector<NamedTerm>& terms) {
-  LinearEquation equation{.terms = {{p["a"], p["order"]}, {p["k"], 0.0}}, .initial = {p["u0"], p["du0"]}};
+reference::Reference linear_motion(const Parameters& p, const std::vector<NamedTerm>& terms) {
+  reference::LinearEquation equation{.terms = {{p["a"], p["order"]}, {p["k"], 0.0}},
+                                     .initial = {p["u0"], p["du0"]}};
   std::vector<double> orders;
   for (const auto& [term, column] : terms) {
     equation.terms.push_back({term.coefficient, term.order});
@@ -85,7 +87,7 @@ Reference linear_motion(const Parameters& p, const std::vector<NamedTerm>& terms
   }
   if (p.choice("load") == "constant") equation.loads.push_back({p["g0"], 0.0});
   if (p.choice("load") == "ramp") equation.loads.push_back({p["g0"], 1.0});
-  return linear_reference(equation, orders);
+  return reference::linear_reference(equation, orders);
 }
 
 Scene scene_of(const Parameters& p) {
@@ -105,18 +107,18 @@ Scene scene_of(const Parameters& p) {
   std::vector<Eigen::Index> rows;
   for (const Term& term : lower) rows.push_back(*chain.row(term.order));
 
-  MultiTermEquation driven{.chain = chain,
+  MultiTermEquation forced{.chain = chain,
                            .force = [=](double t, In y) { return load(t) - force.value(y[0]); }};
   const bool linear = p.choice("force") == "linear";
   if (linear) {
-    driven.derivatives = LinearForce{-k};
+    forced.derivatives = LinearForce{-k};
   } else {
-    driven.derivatives =
+    forced.derivatives =
         ForceGradient{[=](double, In y, double, Out gradient) { gradient[0] -= force.slope(y[0]); }};
   }
-  Scene scene{.problem = chain_problem({driven}, 20.0),
+  Scene scene{.problem = chain_problem({forced}, 20.0),
               .smoothness = smoothness_of_chains({chain}),
-              .outputs = picked(names, rows)};
+              .outputs = select_components(names, rows)};
   if (linear && p.choice("load") != "cosine") scene.reference = linear_motion(p, terms);
   if (order == 2.0) scene.energy = energy_of(terms, a, force, load);
   return scene;
@@ -128,29 +130,29 @@ Scene scene_of(const Parameters& p) {
 // as the chain (2.1). Equation (1.4), after Wang, is `order` = n/m with orders k/m below it; (1.6), after
 // Diethelm, has any `order`.
 SceneFactory multi_term() {
-  return {
-      .id = "multi_term",
-      .title = "Multi-term equation of any number of orders",
-      .source = "Yin, Liu & Anh 2007, eqs 1.1, 2.1; 1.4 and 1.6 with other leading orders",
-      .parameters = {{"order", 2.0, order_up_to_two, "the leading order"},
-                     {"a", 1.0, positive, "coefficient of the leading derivative"},
-                     list_of_numbers("alpha", {1.2, 1.6}, {.low = 1.0, .high = 2.0, .open_high = true},
-                                     "orders alpha_k"),
-                     list_of_numbers("b", {0.1, 0.05}, any_number, "coefficients b_k"),
-                     {"c", 0.1, any_number, "coefficient of u'"},
-                     list_of_numbers("beta", {0.3, 0.7}, {.low = 0.0, .high = 1.0}, "orders beta_l"),
-                     list_of_numbers("d", {0.1, 0.05}, any_number, "coefficients d_l"),
-                     choice("force", {"sine", "linear", "cubic"}, "f(u) = k sin u, k u, k u^3"),
-                     {"k", 1.0, any_number, "size of the force"},
-                     choice("load", {"cosine", "none", "constant", "ramp"},
-                            "g(t) = g0 cos(omega t), 0, g0, g0 t"),
-                     {"g0", 0.3, any_number, "size of the load"},
-                     {"omega", 0.7, any_number, "frequency of the load"},
-                     {"u0", 1.0, any_number, "u(0)"},
-                     {"du0", -0.3, any_number, "u'(0); not where `order` is up to 1"}},
-      .make = scene_of,
-      .shown = {{"a*D(u, order) + sum(k, b_k*D(u, alpha_k)) + c*D(u, 1) + sum(l, d_l*D(u, beta_l)) + f(u)",
-                 "g(t)"}}};
+  return {.id = "multi_term",
+          .title = "Multi-term equation of any number of orders",
+          .source = "Yin, Liu & Anh 2007, eqs 1.1, 2.1; 1.4 and 1.6 with other leading orders",
+          .parameters = {{"order", 2.0, order_up_to_two, "the leading order"},
+                         {"a", 1.0, positive, "coefficient of the leading derivative"},
+                         list_of_numbers("alpha", {1.2, 1.6}, {.low = 1.0, .high = 2.0, .open_high = true},
+                                         "orders alpha_k"),
+                         list_of_numbers("b", {0.1, 0.05}, any_number, "coefficients b_k"),
+                         {"c", 0.1, any_number, "coefficient of u'"},
+                         list_of_numbers("beta", {0.3, 0.7}, {.low = 0.0, .high = 1.0}, "orders beta_l"),
+                         list_of_numbers("d", {0.1, 0.05}, any_number, "coefficients d_l"),
+                         choice("force", {"sine", "linear", "cubic"}, "f(u) = k sin u, k u, k u^3"),
+                         {"k", 1.0, any_number, "size of the force"},
+                         choice("load", {"cosine", "none", "constant", "ramp"},
+                                "g(t) = g0 cos(omega t), 0, g0, g0 t"),
+                         {"g0", 0.3, any_number, "size of the load"},
+                         {"omega", 0.7, any_number, "frequency of the load"},
+                         {"u0", 1.0, any_number, "u(0)"},
+                         {"du0", -0.3, any_number, "u'(0); not where `order` is up to 1"}},
+          .make = scene_of,
+          .display_equations = {
+              {"a*D(u, order) + sum(k, b_k*D(u, alpha_k)) + c*D(u, 1) + sum(l, d_l*D(u, beta_l)) + f(u)",
+               "g(t)"}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

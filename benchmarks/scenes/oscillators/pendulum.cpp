@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <cmath>
 
 #include "fdebench/benchmarks/scenes/oscillators/damping.hpp"
@@ -5,7 +6,7 @@
 #include "fdebench/reference/linear/closed_forms/free_pendulum.hpp"
 #include "fdebench/schemes/problem/chain_problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // phi'' + mu tau^alpha D^alpha phi + lambda tau phi' + nu tau^beta D^beta phi = -g/L sin phi, energy per m
 // L^2. Without damping the reference is a closed form with Jacobi elliptic functions.
@@ -29,18 +30,18 @@ SceneFactory pendulum() {
                   .derivatives =
                       ForceGradient{[=](double, In y, double, Out by) { by[0] -= g * std::cos(y[0]); }}}},
                 20.0);
-            return {
-                .problem = problem,
-                .smoothness = smoothness_of_chains({phi.chain()}),
-                .outputs = outputs_of({phi}, problem),
-                .reference = free ? pendulum_reference(FreePendulum{g, p["phi0"], p["dphi0"]}) : Reference{},
-                .energy = {.value =
-                               [=](In c) {
-                                 const double dphi = phi.du(c);
-                                 return 0.5 * dphi * dphi + g * (1.0 - std::cos(phi.u(c)));
-                               },
-                           .power = [=](double, In c) { return phi.power(c); }},
-                .discontinuities = phi.discontinuities()};
+            return {.problem = problem,
+                    .smoothness = smoothness_of_chains({phi.chain()}),
+                    .outputs = outputs_of({phi}, problem),
+                    .reference = free ? pendulum_reference(reference::FreePendulum{g, p["phi0"], p["dphi0"]})
+                                      : reference::Reference{},
+                    .energy = {.value =
+                                   [=](In c) {
+                                     const double dphi = phi.du(c);
+                                     return 0.5 * dphi * dphi + g * (1.0 - std::cos(phi.u(c)));
+                                   },
+                               .power = [=](double, In c) { return phi.power(c); }},
+                    .discontinuities = phi.discontinuities()};
           },
           .equations = {
               {.unknown = "phi",
@@ -49,4 +50,4 @@ SceneFactory pendulum() {
                .initial = {"phi0", "dphi0"}}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

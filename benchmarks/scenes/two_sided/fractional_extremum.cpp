@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reference/linear/closed_forms/extremum.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // D^alpha of this function is (2 alpha - 1) Gamma(alpha) (1 - t)^(alpha-1), the singular part of p, and its
@@ -20,9 +21,9 @@ double singular_part(double alpha, double t) {
 }
 
 // The first component of extremum_reference; the second, D^alpha y, is infinite at t = 1.
-Reference extremum(double alpha) {
-  const Reference both = extremum_reference(alpha);
-  return {[both](double t) -> ReferenceValue {
+reference::Reference extremum(double alpha) {
+  const reference::Reference both = reference::extremum_reference(alpha);
+  return {[both](double t) -> reference::ReferenceValue {
             const auto [value, bound] = both.at(t);
             return {value.head(1), bound.head(1)};
           },
@@ -61,7 +62,7 @@ void pose_unsplit(Scene& scene, double alpha, double k) {
     jacobian(pi, y) = -k;
   }};
   scene.problem.conditions = [](In, In at_end, Out residual) { residual[0] = at_end[y] - 1.0; };
-  scene.outputs = picked({"y"}, {y});
+  scene.outputs = select_components({"y"}, {y});
   scene.smoothness = {{{1.0}, {}, {alpha + 1.0}, {alpha}, {2.0 * alpha - 1.0}}};
 }
 
@@ -110,7 +111,7 @@ SceneFactory fractional_extremum() {
         }
         return scene;
       },
-      .shown = {{"D(y, alpha)", "p"}, {"D_right(p, alpha)", "-k*y"}}};
+      .display_equations = {{"D(y, alpha)", "p"}, {"D_right(p, alpha)", "-k*y"}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

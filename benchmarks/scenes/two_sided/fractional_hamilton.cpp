@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
 
 #include "fdebench/benchmarks/mechanics/dual_derivatives.hpp"
 #include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // f = A.q' with A = (1 + kappa q1 + epsilon w, 1), w = D^alpha q1.
@@ -121,17 +122,17 @@ std::vector<Component> components(double alpha, const Plane& start,
 }
 
 // The manufactured problem: a force is added to p', and none to q', so f = 0.
-Scene made(Hamilton system, double alpha) {
+Scene manufactured_scene(Hamilton system, double alpha) {
   const ManufacturedMotion m(system.coefficients, alpha);
   system.force = [=, k = system.stiffness](double t) -> Plane {
-    return m.force(t) + k.cwiseProduct(plane_at(m.q, t));
+    return m.force(t) + k.cwiseProduct(point_at(m.q, t));
   };
-  const Plane last = plane_at(m.p, manufactured_end), start{m.q[0].at(0.0), m.q[1].at(0.0)};
+  const Plane last = point_at(m.p, manufactured_end), start{m.q[0].at(0.0), m.q[1].at(0.0)};
   Scene scene = two_sided_scene(system, components(alpha, start, {std::vector{last[0]}, {last[1]}}), columns);
   scene.reference = manufactured_reference(
       {{m.q[0]}, {m.q[1]}, {m.v[0]}, {m.v[1]}, {m.w}, {m.r, Side::right}, {m.p[0]}, {m.p[1]}, {m.mu}},
       manufactured_end);
-  scene.memories = {{4, 2, alpha}};
+  scene.memory_columns = {{4, 2, alpha}};
   // Powers of right rows are in end - t. At the end p is smooth; pi = p + r also has the powers of r.
   auto first = m.r.powers();
   first.push_back(1.0);
@@ -142,7 +143,7 @@ Scene made(Hamilton system, double alpha) {
 
 // The problem with given loads and end values: p(T), or q1(T) and p2(T) with p1(T) unknown. q2(T) is not
 // offered beside q1(T), because the constraint nearly determines it.
-Scene given(Hamilton system, double alpha, const Parameters& p) {
+Scene prescribed_scene(Hamilton system, double alpha, const Parameters& p) {
   const PrescribedLoads loads(p);
   const Plane last(p["end1"], p["end2"]);
   const bool place = p.choice("ends") == "place";
@@ -153,7 +154,7 @@ Scene given(Hamilton system, double alpha, const Parameters& p) {
   if (place) {
     scene.problem.conditions = [at = last[0]](In, In y, Out residual) { residual[0] = y[0] - at; };
   }
-  scene.memories = {{4, 2, alpha}};
+  scene.memory_columns = {{4, 2, alpha}};
   const auto [regular, remembered] = TwoSidedStartExponents(alpha);
   scene.smoothness = {{regular, regular, remembered, remembered, regular, regular}};
   return scene;
@@ -171,24 +172,26 @@ SceneFactory fractional_hamilton() {
       .id = "fractional_hamilton",
       .title = "Hamilton's equations with a fractional constraint",
       .source = "Tarasov & Zaslavsky 2006, eqs 79-86 corrected; manufactured, or with given loads and ends",
-      .parameters = joined({{{"alpha", 0.5, order_below_one, "order of the constraint"},
-                             {"kappa", 0.5, any_number, "of q1 in the constraint"},
-                             {"epsilon", 0.5, any_number, "of D^alpha q1 in the constraint"},
-                             {"k1", 1.0, any_number, "stiffness of q1"},
-                             {"k2", 2.0, any_number, "stiffness of q2"}},
-                            {motion_choice()},
-                            prescribed_load_parameters(),
-                            {choice("ends", {"momentum", "place"}, "what is given at T: p, or q1 and p2"),
-                             {"end1", 0.2, any_number, "p1(T) or q1(T)"},
-                             {"end2", -0.1, any_number, "p2(T)"}}}),
+      .parameters =
+          concatenated({{{"alpha", 0.5, order_below_one, "order of the constraint"},
+                         {"kappa", 0.5, any_number, "of q1 in the constraint"},
+                         {"epsilon", 0.5, any_number, "of D^alpha q1 in the constraint"},
+                         {"k1", 1.0, any_number, "stiffness of q1"},
+                         {"k2", 2.0, any_number, "stiffness of q2"}},
+                        {motion_choice()},
+                        prescribed_load_parameters(),
+                        {choice("ends", {"momentum", "place"}, "what is given at T: p, or q1 and p2"),
+                         {"end1", 0.2, any_number, "p1(T) or q1(T)"},
+                         {"end2", -0.1, any_number, "p2(T)"}}}),
       .make = [](const Parameters& p) -> Scene {
         const Hamilton system{.coefficients = {p["kappa"], p["epsilon"]}, .stiffness = {p["k1"], p["k2"]}};
-        return has_prescribed_loads(p) ? given(system, p["alpha"], p) : made(system, p["alpha"]);
+        return has_prescribed_loads(p) ? prescribed_scene(system, p["alpha"], p)
+                                       : manufactured_scene(system, p["alpha"]);
       },
-      .shown = {{"D(q, 1)", "p - mu*A"},
-                {"D(p_k, 1)", "-du_over_dq_k + mu*dA_over_dq_k*D(q, 1) - D(r_k, 1)"},
-                {"r_k", "J_right(mu*dA_over_dw_k*D(q, 1), 1 - alpha)"},
-                {"A*D(q, 1)", "0"}}};
+      .display_equations = {{"D(q, 1)", "p - mu*A"},
+                            {"D(p_k, 1)", "-du_over_dq_k + mu*dA_over_dq_k*D(q, 1) - D(r_k, 1)"},
+                            {"r_k", "J_right(mu*dA_over_dw_k*D(q, 1), 1 - alpha)"},
+                            {"A*D(q, 1)", "0"}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include <array>
 
 #include "fdebench/benchmarks/mechanics/dual_derivatives.hpp"
 #include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // u = (k1 q1^2 + k2 q2^2)/2, f = a.v + b.w + c.r - F(t) with w = D^alpha q and r = tD_T^alpha q.
@@ -58,7 +59,8 @@ struct ConstrainedExtremum {
   // motion.
   void columns(double t, In y, Out result) const {
     const auto [v, mu] = state<double>(t, y);
-    result << y.head<2>(), v, y.segment<4>(w), mu, across(a).dot(c) * y[ell] - across(a).dot(b) * y[rho];
+    result << y.head<2>(), v, y.segment<4>(w), mu,
+        perpendicular(a).dot(c) * y[ell] - perpendicular(a).dot(b) * y[rho];
   }
   [[nodiscard]] double energy(In columns) const {
     return columns.segment<2>(2).squaredNorm() / 2 + stiffness.dot(columns.head<2>().cwiseAbs2()) / 2;
@@ -87,7 +89,7 @@ Scene scene_of(ConstrainedExtremum system, const Parameters& p) {
                                  {1.0, {}, Side::right},
                                  {1.0, {}, Side::right}},
                                 {"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2", "mu", "defect"});
-  scene.problem.conditions = [e = across(system.a), along_a = Plane(system.a.normalized()),
+  scene.problem.conditions = [e = perpendicular(system.a), along_a = Plane(system.a.normalized()),
                               first = p.choice("ends") == "place" ? ConstrainedExtremum::q
                                                                   : ConstrainedExtremum::pi,
                               of_e = p["across"], along = p["along"]](In, In y, Out residual) {
@@ -96,7 +98,7 @@ Scene scene_of(ConstrainedExtremum system, const Parameters& p) {
   const auto [regular, remembered] = TwoSidedStartExponents(alpha);
   scene.smoothness = {{regular, regular, remembered, remembered, remembered, remembered, remembered,
                        remembered, regular, regular}};
-  scene.memories = {{4, 2, alpha}, {5, 3, alpha}};
+  scene.memory_columns = {{4, 2, alpha}, {5, 3, alpha}};
   return scene;
 }
 
@@ -109,13 +111,13 @@ Scene scene_of(ConstrainedExtremum system, const Parameters& p) {
 // mu', rho or ell. Across a the two differ by (e.c) ell - (e.b) rho, the column defect, which is 0 if b and c
 // are parallel to a: this is Proposition 2.
 SceneFactory fractional_vakonomic() {
-  const std::vector<Parameter> parameters =
-      joined({weight_parameters(),
-              prescribed_load_parameters(),
-              drive_parameters(),
-              {choice("ends", {"place", "momentum"}, "what is given across a at T: e.q, or e.(p - c ell)"),
-               {"across", -0.2, any_number, "that, e = (-a2, a1)/|a|"},
-               {"along", 0.0, any_number, "a.(p - c ell)/|a| at T: 0 where a.q(T) is free"}}});
+  const std::vector<Parameter> parameters = concatenated(
+      {weight_parameters(),
+       prescribed_load_parameters(),
+       drive_parameters(),
+       {choice("ends", {"place", "momentum"}, "what is given across a at T: e.q, or e.(p - c ell)"),
+        {"across", -0.2, any_number, "that, e = (-a2, a1)/|a|"},
+        {"along", 0.0, any_number, "a.(p - c ell)/|a| at T: 0 where a.q(T) is free"}}});
   return {.id = "fractional_vakonomic",
           .title = "Conditional extremum under a constraint with left and right derivatives",
           .source = "Tarasov & Zaslavsky 2006, eqs 68-72 corrected",
@@ -128,11 +130,11 @@ SceneFactory fractional_vakonomic() {
                              .stiffness = {p["k1"], p["k2"]}},
                             p);
           },
-          .shown = {{"D(q, 1)", "p - mu*a"},
-                    {"D(p, 1)", "g(t) - grad(u) - b*D(rho, 1) + c*D(ell, 1)"},
-                    {"rho", "J_right(mu, 1 - alpha)"},
-                    {"ell", "J(mu, 1 - alpha)"},
-                    {"a*D(q, 1) + b*D(q, alpha) + c*D_right(q, alpha)", "F(t)"}}};
+          .display_equations = {{"D(q, 1)", "p - mu*a"},
+                                {"D(p, 1)", "g(t) - grad(u) - b*D(rho, 1) + c*D(ell, 1)"},
+                                {"rho", "J_right(mu, 1 - alpha)"},
+                                {"ell", "J(mu, 1 - alpha)"},
+                                {"a*D(q, 1) + b*D(q, alpha) + c*D_right(q, alpha)", "F(t)"}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/two_sided/manufactured_problem.hpp"
 
 #include <cmath>
 
-namespace fde {
+namespace fde::bench {
 
 ManufacturedProblem manufactured_problem(const std::vector<ManufacturedRow>& rows, double end) {
   const auto size = static_cast<Eigen::Index>(rows.size());
@@ -50,4 +51,4 @@ ManufacturedProblem smooth_two_sided() {
                               1.0);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

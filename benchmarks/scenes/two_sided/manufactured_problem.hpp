@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -5,7 +6,7 @@
 
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // One row of a problem with the manufactured solution y_i = 1 + i/4 + s^power, with s = t in a left row and s
 // = end - t in a right row.
@@ -28,4 +29,4 @@ ManufacturedProblem manufactured_problem(const std::vector<ManufacturedRow>& row
 // Six rows, three of each side, with orders below, at and above 1 and smooth solutions.
 ManufacturedProblem smooth_two_sided();
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
 #include <cmath>
 
-namespace fde {
+namespace fde::bench {
 
 TwoSidedStartExponents::TwoSidedStartExponents(double alpha)
     : regular(power_lattice({1.0}, {1.0, 1.0 - alpha}, 3.0)),
-      remembered(power_lattice({1.0 - alpha}, {1.0, 1.0 - alpha}, 3.0 - alpha)) {}
+      memory(power_lattice({1.0 - alpha}, {1.0, 1.0 - alpha}, 3.0 - alpha)) {}
 
 std::vector<Parameter> prescribed_load_parameters() {
   return {{"T", 1.0, {.low = 0.0, .high = 50.0, .open_low = true}, "the end"},
@@ -16,7 +17,7 @@ std::vector<Parameter> prescribed_load_parameters() {
           {"x2", 0.0, any_number, "q2(0)"}};
 }
 
-std::vector<Parameter> joined(const std::vector<std::vector<Parameter>>& groups) {
+std::vector<Parameter> concatenated(const std::vector<std::vector<Parameter>>& groups) {
   std::vector<Parameter> all;
   for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());
   return all;
@@ -35,7 +36,8 @@ std::vector<Parameter> weight_parameters() {
 }
 
 Parameter motion_choice() {
-  return choice("motion", {"made", "given"}, "a made motion; or what the loads and ends that follow lead to");
+  return choice("motion", {"made", "given"},
+                "a manufactured solution; or the motion that the loads and ends below lead to");
 }
 
 bool has_prescribed_loads(const Parameters& p) { return p.choice("motion") == "given"; }
@@ -55,4 +57,4 @@ std::function<double(double t)> constraint_drive(const Parameters& p) {
   };
 }
 
-}  // namespace fde
+}  // namespace fde::bench

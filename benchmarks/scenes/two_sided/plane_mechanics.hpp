@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -6,30 +7,30 @@
 
 #include "fdebench/benchmarks/scenes/two_sided/sum_of_powers.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 using Plane = Eigen::Vector2d;
 
 // The values of two sums of powers at t, as a point or a velocity.
-inline Plane plane_at(const std::array<SumOfPowers, 2>& sums, double t) {
+inline Plane point_at(const std::array<SumOfPowers, 2>& sums, double t) {
   return {sums[0].at(t), sums[1].at(t)};
 }
 
 // The unit vector e perpendicular to a.
-inline Plane across(const Plane& a) { return Plane(-a[1], a[0]) / a.norm(); }
+inline Plane perpendicular(const Plane& a) { return Plane(-a[1], a[0]) / a.norm(); }
 
 constexpr double manufactured_end = 2.0;  // of manufactured solutions
 
 // The powers with which a solution without further regularity starts, in rows of order 1 (`regular`) and of
-// order 1 - alpha (`remembered`).
+// order 1 - alpha (`memory`).
 struct TwoSidedStartExponents {
   explicit TwoSidedStartExponents(double alpha);
 
-  std::vector<double> regular, remembered;
+  std::vector<double> regular, memory;
 };
 
 // The concatenation of lists of parameters.
-std::vector<Parameter> joined(const std::vector<std::vector<Parameter>>& groups);
+std::vector<Parameter> concatenated(const std::vector<std::vector<Parameter>>& groups);
 
 // T, a constant force and q(0) of a problem that is not manufactured.
 std::vector<Parameter> prescribed_load_parameters();
@@ -68,4 +69,4 @@ Scene two_sided_scene(const System& system, const std::vector<Component>& compon
                          }}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/two_sided/sum_of_powers.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace fde {
+namespace fde::bench {
 
 SumOfPowers::SumOfPowers(std::vector<Term> terms) {
   std::ranges::sort(terms, {}, &Term::power);
@@ -53,7 +54,7 @@ std::vector<double> SumOfPowers::powers() const {
 SumOfPowers SumOfPowers::derivative(double order) const {
   std::vector<Term> terms;
   for (const auto& [coefficient, power] : terms_) {
-    if (power < order && whole(power)) continue;
+    if (power < order && is_integer_order(power)) continue;
     // For order 1 the factor is exact, so that terms cancel exactly.
     const double factor = order == 1.0 ? power : boost::math::tgamma_ratio(power + 1.0, power + 1.0 - order);
     terms.push_back({coefficient * factor, power - order});
@@ -88,11 +89,11 @@ SumOfPowers operator*(const SumOfPowers& a, const SumOfPowers& b) {
 
 SumOfPowers operator*(double factor, const SumOfPowers& a) { return SumOfPowers::polynomial({factor}) * a; }
 
-Reference manufactured_reference(const std::vector<ManufacturedColumn>& columns, double end) {
-  return {[=](double t) -> ReferenceValue {
+reference::Reference manufactured_reference(const std::vector<ManufacturedColumn>& columns, double end) {
+  return {[=](double t) -> reference::ReferenceValue {
     if (!(t >= 0.0 && t <= end)) reject("t", t, fmt::format("in [0, {}]", end));
     const auto size = std::ssize(columns);
-    ReferenceValue known{Vec(size), Vec(size)};
+    reference::ReferenceValue known{Vec(size), Vec(size)};
     for (Eigen::Index c = 0; c < size; ++c) {
       const auto& [sum, side] = columns[static_cast<std::size_t>(c)];
       const double time = side == Side::left ? t : end - t;
@@ -103,4 +104,4 @@ Reference manufactured_reference(const std::vector<ManufacturedColumn>& columns,
   }};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A sum of coefficient * t^power, t >= 0 and powers >= 0, the form of the manufactured solutions.
 class SumOfPowers {
@@ -46,6 +47,6 @@ struct ManufacturedColumn {
 };
 
 // The columns as a reference at times in [0, end]. It throws std::invalid_argument at other times.
-Reference manufactured_reference(const std::vector<ManufacturedColumn>& columns, double end);
+reference::Reference manufactured_reference(const std::vector<ManufacturedColumn>& columns, double end);
 
-}  // namespace fde
+}  // namespace fde::bench

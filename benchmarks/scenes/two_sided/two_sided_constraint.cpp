@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
 
 #include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The manufactured solution: q, q', q'', and w and r, its left and right derivatives of order alpha. With q1
@@ -44,7 +45,7 @@ struct TwoSidedConstraint {
     return a.dot(v) + b.dot(left) + c.dot(right) - drive(t);
   }
   [[nodiscard]] Plane velocity(double t, In y) const {
-    const Plane free = across(a) * y[z];
+    const Plane free = perpendicular(a) * y[z];
     return free - a * (residual(t, free, y.segment<2>(w), y.segment<2>(r)) / a.squaredNorm());
   }
 
@@ -56,7 +57,7 @@ struct TwoSidedConstraint {
   void rhs(double t, In y, Out f) const {
     const Plane v = velocity(t, y);
     f.segment<2>(q) = v;
-    f[z] = across(a).dot(force(t) - slope(y.segment<2>(q)));
+    f[z] = perpendicular(a).dot(force(t) - slope(y.segment<2>(q)));
     f.segment<2>(w) = v;
     f.segment<2>(r) = -v;
   }
@@ -64,13 +65,13 @@ struct TwoSidedConstraint {
   void jacobian(In y, OutMatrix result) const {
     const Plane along = a / a.squaredNorm();
     Eigen::Matrix<double, 2, size> velocities = Eigen::Matrix<double, 2, size>::Zero();
-    velocities.col(z) = across(a);
+    velocities.col(z) = perpendicular(a);
     velocities.middleCols<2>(w) = -along * b.transpose();
     velocities.middleCols<2>(r) = -along * c.transpose();
     result.setZero();
     result.middleRows<2>(q) = velocities;
-    result(z, q) = -across(a)[0] * (k1 + 3.0 * k3 * y[q] * y[q]);
-    result(z, q + 1) = -across(a)[1] * k2;
+    result(z, q) = -perpendicular(a)[0] * (k1 + 3.0 * k3 * y[q] * y[q]);
+    result(z, q + 1) = -perpendicular(a)[1] * k2;
     result.middleRows<2>(w) = velocities;
     result.middleRows<2>(r) = -velocities;
   }
@@ -92,25 +93,25 @@ std::vector<Component> components(double alpha, const Plane& start, const std::v
 std::vector<MemoryColumn> memories(double alpha) { return {{4, 2, alpha}, {5, 3, alpha}}; }
 
 // F and a force are chosen so that the motion is the solution.
-Scene made(TwoSidedConstraint system, double alpha) {
+Scene manufactured_scene(TwoSidedConstraint system, double alpha) {
   const ManufacturedMotion motion(alpha);
   system.drive = [=, a = system.a, b = system.b, c = system.c](double t) {
-    return a.dot(plane_at(motion.v, t)) + b.dot(plane_at(motion.w, t)) +
-           c.dot(plane_at(motion.r, manufactured_end - t));
+    return a.dot(point_at(motion.v, t)) + b.dot(point_at(motion.w, t)) +
+           c.dot(point_at(motion.r, manufactured_end - t));
   };
   system.force = [=](double t) -> Plane {
-    return plane_at(motion.acceleration, t) + system.slope(plane_at(motion.q, t));
+    return point_at(motion.acceleration, t) + system.slope(point_at(motion.q, t));
   };
   std::vector<ManufacturedColumn> known;
   for (const auto* sums : {&motion.q, &motion.v, &motion.w}) {
     for (const auto& sum : *sums) known.push_back({sum});
   }
   for (const auto& sum : motion.r) known.push_back({sum, Side::right});
-  const auto free = across(system.a)[0] * motion.v[0] + across(system.a)[1] * motion.v[1];
-  Scene scene = two_sided_scene(system, components(alpha, plane_at(motion.q, 0.0), {0.0}), columns);
+  const auto free = perpendicular(system.a)[0] * motion.v[0] + perpendicular(system.a)[1] * motion.v[1];
+  Scene scene = two_sided_scene(system, components(alpha, point_at(motion.q, 0.0), {0.0}), columns);
   scene.smoothness = {{motion.q[0].powers(), motion.q[1].powers(), free.powers(), motion.w[0].powers(),
                        motion.w[1].powers(), motion.r[0].powers(), motion.r[1].powers()}};
-  scene.memories = memories(alpha);
+  scene.memory_columns = memories(alpha);
   scene.reference = manufactured_reference(known, manufactured_end);
   return scene;
 }
@@ -123,7 +124,7 @@ Smoothness smoothness_of_given(double alpha) {
 }
 
 // The problem with q(0) given and, across a, either the velocity at 0 or the position at the end.
-Scene given(TwoSidedConstraint system, double alpha, const Parameters& p) {
+Scene prescribed_scene(TwoSidedConstraint system, double alpha, const Parameters& p) {
   const PrescribedLoads loads(p);
   const bool place = p.choice("ends") == "place";
   system.end = loads.end;
@@ -132,12 +133,12 @@ Scene given(TwoSidedConstraint system, double alpha, const Parameters& p) {
   const auto known = place ? std::vector<double>{} : std::vector<double>{p["across"]};
   Scene scene = two_sided_scene(system, components(alpha, loads.start, known), columns);
   if (place) {
-    scene.problem.conditions = [e = across(system.a), at = p["across"]](In, In at_end, Out residual) {
+    scene.problem.conditions = [e = perpendicular(system.a), at = p["across"]](In, In at_end, Out residual) {
       residual[0] = e.dot(at_end.head<2>()) - at;
     };
   }
   scene.smoothness = smoothness_of_given(alpha);
-  scene.memories = memories(alpha);
+  scene.memory_columns = memories(alpha);
   return scene;
 }
 
@@ -149,14 +150,14 @@ SceneFactory two_sided_constraint() {
   return {.id = "two_sided_constraint",
           .title = "Oscillator in the plane with left and right derivatives in its constraint",
           .source = "Tarasov & Zaslavsky 2006, eqs 29, 38-41; manufactured, or with given loads and ends",
-          .parameters =
-              joined({weight_parameters(),
-                      {{"k3", 0.5, any_number, "cubic stiffness of q1"}},
-                      {motion_choice()},
-                      prescribed_load_parameters(),
-                      drive_parameters(),
-                      {choice("ends", {"velocity", "place"}, "what is given across a: e.q'(0) or e.q(T)"),
-                       {"across", 0.3, any_number, "e.q'(0) or e.q(T), e = (-a2, a1)/|a|"}}}),
+          .parameters = concatenated(
+              {weight_parameters(),
+               {{"k3", 0.5, any_number, "cubic stiffness of q1"}},
+               {motion_choice()},
+               prescribed_load_parameters(),
+               drive_parameters(),
+               {choice("ends", {"velocity", "place"}, "what is given across a: e.q'(0) or e.q(T)"),
+                {"across", 0.3, any_number, "e.q'(0) or e.q(T), e = (-a2, a1)/|a|"}}}),
           .make = [](const Parameters& p) -> Scene {
             if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
             const TwoSidedConstraint system{.a = {p["a1"], p["a2"]},
@@ -165,10 +166,11 @@ SceneFactory two_sided_constraint() {
                                             .k1 = p["k1"],
                                             .k2 = p["k2"],
                                             .k3 = p["k3"]};
-            return has_prescribed_loads(p) ? given(system, p["alpha"], p) : made(system, p["alpha"]);
+            return has_prescribed_loads(p) ? prescribed_scene(system, p["alpha"], p)
+                                           : manufactured_scene(system, p["alpha"]);
           },
-          .shown = {{"D(q, 2)", "g(t) - grad(u) + mu*a"},
-                    {"a*D(q, 1) + b*D(q, alpha) + c*D_right(q, alpha)", "F(t)"}}};
+          .display_equations = {{"D(q, 2)", "g(t) - grad(u) + mu*a"},
+                                {"a*D(q, 1) + b*D(q, alpha) + c*D_right(q, alpha)", "F(t)"}}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

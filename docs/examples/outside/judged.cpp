@@ -8,11 +8,12 @@
 
 // The pendulum of Yin, Liu & Anh up to t = 5 by the trapezoidal rule, judged by its reference.
 int main() {
-  const fde::Scene pendulum = fde::make_scene(fde::read_variant("pendulum:alpha=1.9,until=5", {}));
+  const fde::bench::Scene pendulum =
+      fde::bench::make_scene(fde::bench::read_variant("pendulum:alpha=1.9,until=5", {}));
   const fde::Grid grid{.end = pendulum.problem.end, .steps = 512};
   const auto path = fde::find_scheme("product_trapezoidal")->solve(pendulum.problem, grid, {});
-  fde::MemoizedReference reference(pendulum);
-  const fde::Assessment judged = fde::judge(pendulum, path, reference, {.grid = grid});
+  fde::bench::MemoizedReference reference(pendulum);
+  const fde::bench::Assessment judged = fde::bench::judge(pendulum, path, reference, {.grid = grid});
   for (const auto& [id, unit, value] : judged.measured)
     std::printf("%s %g %s\n", std::string(id).c_str(), value, std::string(unit).c_str());
 }

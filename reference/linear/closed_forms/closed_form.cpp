@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 
 #include "fdebench/reference/linear/closed_forms/evaluation.hpp"
 #include "fdebench/reference/special_functions/laplace/adaptive_precision_contour.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 template <class Real>
@@ -17,10 +18,10 @@ std::vector<BoundedDouble> in_long_double(const ClosedForm& form, double t) {
   return columns;
 }
 
-std::vector<Sum<BigReal>> sums_at(const ClosedForm& form, double t) {
-  std::vector<Sum<BigReal>> sums;
+std::vector<BoundedSum<BigReal>> sums_at(const ClosedForm& form, double t) {
+  std::vector<BoundedSum<BigReal>> sums;
   for (const auto& column : form.precise(t)) {
-    Sum<BigReal> sum;
+    BoundedSum<BigReal> sum;
     sum.value = BigComplex(column.value);
     sum.error = rounding_of(column);
     sum.scale = column.size;
@@ -41,4 +42,4 @@ Reference closed_form_reference(const ClosedForm& form) {
                            }});
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/reference.hpp"
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // One column of a closed form, and the sum of the moduli of its terms, each times its relative sensitivity
 // (at least 1) to time and parameters.
@@ -24,12 +25,13 @@ struct ClosedForm {
 Reference closed_form_reference(const ClosedForm& form);
 inline constexpr int closed_form_rounding_factor = 32;
 
-// The same for a function object that maps a Real t to std::vector<Rounded<Real>>, Real = long double and
-// BigReal.
+// The same for a function object that maps a Real t to std::vector<ConditionedValue<Real>>, Real = long
+// double and BigReal.
 template <class Columns>
 Reference closed_form(const Columns& columns) {
-  return closed_form_reference({[columns](double t) { return columns(decimal<long double>(t)); },
-                                [columns](double t) { return columns(decimal<BigReal>(t)); }});
+  return closed_form_reference(
+      {[columns](double t) { return columns(from_shortest_decimal<long double>(t)); },
+       [columns](double t) { return columns(from_shortest_decimal<BigReal>(t)); }});
 }
 
-}  // namespace fde
+}  // namespace fde::reference

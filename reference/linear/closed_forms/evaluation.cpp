@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/closed_forms/evaluation.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
 #include "fdebench/reference/special_functions/numbers/adaptive_precision.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 void require_time(const Evaluation& evaluation, double t) {
@@ -60,4 +61,4 @@ Reference as_reference(const Evaluation& evaluation) {
           [evaluation](double t, int digits) { return digits_at(evaluation, t, digits); }};
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -9,7 +10,7 @@
 #include "fdebench/reference/reference.hpp"
 #include "fdebench/reference/special_functions/numbers/bounded.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Real columns as functions of time, in long double and in multiprecision, for as_reference().
 struct Evaluation {
@@ -28,4 +29,4 @@ std::vector<BoundedDouble> evaluate_in_double(const Evaluation& evaluation, doub
 // digits(t, digits) also if digits < 1.
 Reference as_reference(const Evaluation& evaluation);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/closed_forms/extremum.hpp"
 
 #include <fmt/format.h>
@@ -9,18 +10,18 @@
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 // Small differences are computed exactly, from decimals, and then rounded.
 struct Arguments {
-  BigReal alpha, rest, power, time, left;  // alpha, 1 - alpha, 2 alpha - 1, t, 1 - t
+  BigReal alpha, one_minus_alpha, power, time, left;  // alpha, 1 - alpha, 2 alpha - 1, t, 1 - t
 
   Arguments(double alpha_text, double t_text)
       : Arguments(shortest_decimal(alpha_text), shortest_decimal(t_text)) {}
   Arguments(const Rational& a, const Rational& t)
       : alpha(rounded<BigReal>(a)),
-        rest(rounded<BigReal>(Rational(1 - a))),
+        one_minus_alpha(rounded<BigReal>(Rational(1 - a))),
         power(rounded<BigReal>(Rational(2 * a - 1))),
         time(rounded<BigReal>(t)),
         left(rounded<BigReal>(Rational(1 - t))) {}
@@ -33,7 +34,7 @@ BigReal ulps_of_power(const BigReal& base, const BigReal& exponent) {
 // Adds factor * (1 + first * sum_{k>0} c_k), c_1 = z, c_{k+1} = c_k z (top + k) / (bottom + k) for
 // top <= bottom and 0 <= z <= 1/2: the remainder after a term is at most that term. ulps: relative error of
 // factor.
-void add_series(Sum<BigReal>& sum, const BigReal& factor, const BigReal& ulps, const BigReal& first,
+void add_series(BoundedSum<BigReal>& sum, const BigReal& factor, const BigReal& ulps, const BigReal& first,
                 const BigReal& top, const BigReal& bottom, const BigReal& z) {
   BigReal series(1), term = first * z;
   int k = 1;
@@ -51,30 +52,31 @@ void add_series(Sum<BigReal>& sum, const BigReal& factor, const BigReal& ulps, c
 //     = t^alpha 2F1(1 - alpha, 1; 2 - 2 alpha; 1 - t) - Gamma(alpha) Gamma(2 - 2 alpha) / Gamma(1 - alpha)
 //       (1 - t)^(2 alpha - 1),
 // where Gamma(2 d) / Gamma(d) = Gamma(1 + 2 d) / (2 Gamma(1 + d)) has no pole at d = 1 - alpha = 0.
-Sum<BigReal> value(const Arguments& x) {
-  Sum<BigReal> sum;
+BoundedSum<BigReal> value(const Arguments& x) {
+  BoundedSum<BigReal> sum;
   const BigReal start = pow(x.time, x.alpha), ulps = ulps_of_power(x.time, x.alpha);
   if (x.time <= 0.5) {
-    add_series(sum, BigReal(x.power / x.alpha * start), BigReal(ulps + 4), BigReal(x.rest / (1 + x.alpha)),
-               x.rest, BigReal(1 + x.alpha), x.time);
+    add_series(sum, BigReal(x.power / x.alpha * start), BigReal(ulps + 4),
+               BigReal(x.one_minus_alpha / (1 + x.alpha)), x.one_minus_alpha, BigReal(1 + x.alpha), x.time);
     return sum;
   }
-  add_series(sum, start, ulps, BigReal(0.5), x.rest, BigReal(2 * x.rest), x.left);
-  const BigReal gammas = gamma(x.alpha) * gamma(BigReal(1 + 2 * x.rest)) / (2 * gamma(BigReal(1 + x.rest)));
+  add_series(sum, start, ulps, BigReal(0.5), x.one_minus_alpha, BigReal(2 * x.one_minus_alpha), x.left);
+  const BigReal gammas = gamma(x.alpha) * gamma(BigReal(1 + 2 * x.one_minus_alpha)) /
+                         (2 * gamma(BigReal(1 + x.one_minus_alpha)));
   sum.add(BigComplex(BigReal(-gammas * pow(x.left, x.power))),
           BigReal((24 + ulps_of_power(x.left, x.power)) * epsilon<BigReal>()));
   return sum;
 }
 
-Sum<BigReal> derivative(const Arguments& x) {
-  Sum<BigReal> sum;
-  if (x.left == 0 && x.rest > 0) {
+BoundedSum<BigReal> derivative(const Arguments& x) {
+  BoundedSum<BigReal> sum;
+  if (x.left == 0 && x.one_minus_alpha > 0) {
     sum.add_infinite(BigComplex(1), BigReal(1));
     return sum;
   }
-  const BigReal singular = x.rest == 0 ? BigReal(1) : BigReal(pow(x.left, -x.rest));
+  const BigReal singular = x.one_minus_alpha == 0 ? BigReal(1) : BigReal(pow(x.left, -x.one_minus_alpha));
   sum.add(BigComplex(BigReal(x.power * gamma(x.alpha) * singular)),
-          BigReal((16 + ulps_of_power(x.left, x.rest)) * epsilon<BigReal>()));
+          BigReal((16 + ulps_of_power(x.left, x.one_minus_alpha)) * epsilon<BigReal>()));
   return sum;
 }
 
@@ -95,4 +97,4 @@ Reference extremum_reference(double alpha) {
   return as_reference({.name = "extremum", .precise = precise, .end = 1.0});
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/reference.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The y with y(0) = 0, y(1) = 1 for which 1/2 int_0^1 (D^alpha y)^2 dt is least (Agrawal, J. Math. Anal.
 // Appl. 272, 2002), D^alpha the left Caputo derivative from 0:
@@ -13,4 +14,4 @@ namespace fde {
 // times outside [0, 1] and for digits < 1.
 Reference extremum_reference(double alpha);
 
-}  // namespace fde
+}  // namespace fde::reference

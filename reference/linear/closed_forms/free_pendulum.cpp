@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/closed_forms/free_pendulum.hpp"
 
 #include <cmath>
@@ -6,7 +7,7 @@
 #include "fdebench/reference/linear/closed_forms/jacobi_amplitude.hpp"
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 // The parameters as numbers of one type.
@@ -25,13 +26,13 @@ struct Start {
 template <class Real>
 Start<Real> start_of(const Motion<Real>& motion) {
   using std::abs, std::cos, std::floor, std::sin, std::sqrt;
-  const bool stands = motion.rate2 < 0;
-  const Real half = motion.angle / 2, from_bottom = stands ? Real(motion.angle - pi<Real>()) : motion.angle;
+  const bool upright = motion.rate2 < 0;
+  const Real half = motion.angle / 2, from_bottom = upright ? Real(motion.angle - pi<Real>()) : motion.angle;
   const Real turns = floor(Real(from_bottom / (2 * pi<Real>()) + Real(0.5)));
-  const Real sine = stands ? Real(-cos(half)) : Real(sin(half));
-  const Real cosine = stands ? Real(sin(half)) : Real(cos(half));
+  const Real sine = upright ? Real(-cos(half)) : Real(sin(half));
+  const Real cosine = upright ? Real(sin(half)) : Real(cos(half));
   Start<Real> start;
-  start.offset = 2 * pi<Real>() * turns + (stands ? pi<Real>() : Real(0));
+  start.offset = 2 * pi<Real>() * turns + (upright ? pi<Real>() : Real(0));
   start.sine = cosine < 0 ? Real(-sine) : sine;
   start.cosine = abs(cosine);
   start.rate = sqrt(Real(abs(motion.rate2)));
@@ -49,7 +50,7 @@ Start<Real> start_of(const Motion<Real>& motion) {
 
 // Libration: sin(psi/2) = k sn(rate t + u0, k).
 template <class Real>
-std::pair<Real, Real> swinging(const Start<Real>& start, const Real& t) {
+std::pair<Real, Real> libration(const Start<Real>& start, const Real& t) {
   using std::atan2, std::cos, std::sin, std::sqrt;
   const JacobiAmplitude<Real> jacobi(start.k2, start.complement);
   const Real k = sqrt(start.k2);
@@ -61,7 +62,7 @@ std::pair<Real, Real> swinging(const Start<Real>& start, const Real& t) {
 
 // Rotation, in the direction of the velocity: psi/2 = am(k rate t + u0, 1/k).
 template <class Real>
-std::pair<Real, Real> turning(const Start<Real>& start, const Real& t) {
+std::pair<Real, Real> rotation(const Start<Real>& start, const Real& t) {
   using std::atan2, std::cos, std::sqrt;
   const Real direction = start.speed < 0 ? -1 : 1;
   const Real complement = -start.complement / start.k2;
@@ -83,7 +84,7 @@ std::vector<ConditionedValue<Real>> columns_at(const Motion<Real>& motion, const
   }
   const auto start = start_of(motion);
   if (start.k2 == 0) return {{motion.angle, abs(motion.angle)}, {Real(0), Real(0)}};  // stable equilibrium
-  const auto [angle, speed] = start.complement <= 0 ? turning(start, t) : swinging(start, t);
+  const auto [angle, speed] = start.complement <= 0 ? rotation(start, t) : libration(start, t);
   // A relative error of the complement gives a relative error of the period, and so of the phase.
   const Real fastest = abs(velocity) + 2 * start.rate * abs(start.sine);
   const Real phase = (1 + (start.rate + fastest) * t) * (start.cancellation + abs(motion.angle));
@@ -119,13 +120,13 @@ std::vector<ConditionedValue<long double>> in_long_double(const FreePendulum& p,
 }  // namespace
 
 Reference pendulum_reference(const FreePendulum& p) {
-  return closed_form_reference(
-      {[p](double t) { return in_long_double(p, t); },
-       [p](double t) {
-         return columns_at<BigReal>(
-             {decimal<BigReal>(p.rate2), decimal<BigReal>(p.angle), decimal<BigReal>(p.velocity)},
-             decimal<BigReal>(t));
-       }});
+  return closed_form_reference({[p](double t) { return in_long_double(p, t); },
+                                [p](double t) {
+                                  return columns_at<BigReal>({from_shortest_decimal<BigReal>(p.rate2),
+                                                              from_shortest_decimal<BigReal>(p.angle),
+                                                              from_shortest_decimal<BigReal>(p.velocity)},
+                                                             from_shortest_decimal<BigReal>(t));
+                                }});
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/reference.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // phi'' + rate2 sin phi = 0, phi(0) = angle, phi'(0) = velocity.
 struct FreePendulum {
@@ -15,4 +16,4 @@ struct FreePendulum {
 // with time, and of the distance from the separatrix.
 Reference pendulum_reference(const FreePendulum& pendulum);
 
-}  // namespace fde
+}  // namespace fde::reference

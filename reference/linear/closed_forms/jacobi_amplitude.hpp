@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <utility>
@@ -6,7 +7,7 @@
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Legendre's elliptic integral of the first kind and its inverse, Jacobi's amplitude, for a parameter m in
 // [0, 1] by the arithmetic-geometric mean (Abramowitz & Stegun 16.4, 17.6). The complement 1 - m is a
@@ -65,4 +66,4 @@ class JacobiAmplitude {
   bool degenerate_ = false;  // m = 1
 };
 
-}  // namespace fde
+}  // namespace fde::reference

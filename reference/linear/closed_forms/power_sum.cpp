@@ -1,21 +1,23 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/closed_forms/power_sum.hpp"
 
 #include "fdebench/reference/linear/closed_forms/evaluation.hpp"
 #include "fdebench/reference/special_functions/laplace/adaptive_precision_contour.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 template <class Real>
-Sum<Real> sum_at(const std::vector<Power>& terms, double order, double t) {
+BoundedSum<Real> sum_at(const std::vector<PowerTerm>& terms, double order, double t) {
   using std::abs, std::log, std::pow;
-  Sum<Real> sum;
-  const Real time = decimal<Real>(t);
+  BoundedSum<Real> sum;
+  const Real time = from_shortest_decimal<Real>(t);
   for (const auto& [coefficient, power, multiple] : terms) {
     if (coefficient == 0.0) continue;
-    const Real exponent = decimal<Real>(power) + decimal<Real>(multiple) * decimal<Real>(order);
+    const Real exponent = from_shortest_decimal<Real>(power) +
+                          from_shortest_decimal<Real>(multiple) * from_shortest_decimal<Real>(order);
     const Real ulps = 4 + (time > 0 ? Real(2 * abs(exponent) * (1 + abs(Real(log(time))))) : Real(0));
-    sum.add(Complex<Real>(Real(decimal<Real>(coefficient) * pow(time, exponent))),
+    sum.add(Complex<Real>(Real(from_shortest_decimal<Real>(coefficient) * pow(time, exponent))),
             Real(ulps * epsilon<Real>()));
   }
   return sum;
@@ -23,9 +25,9 @@ Sum<Real> sum_at(const std::vector<Power>& terms, double order, double t) {
 
 }  // namespace
 
-Reference power_sum(const std::vector<Power>& terms, double order) {
+Reference power_sum(const std::vector<PowerTerm>& terms, double order) {
   const auto quick = [terms, order](double t) -> std::optional<std::vector<BoundedDouble>> {
-    const Sum<long double> sum = sum_at<long double>(terms, order, t);
+    const BoundedSum<long double> sum = sum_at<long double>(terms, order, t);
     const bool settled = std::isfinite(sum.error) && sum.error <= double_tolerance * std::abs(sum.value);
     return settled ? std::optional(std::vector{to_double(sum.value, sum.error)}) : std::nullopt;
   };
@@ -36,4 +38,4 @@ Reference power_sum(const std::vector<Power>& terms, double order) {
   return as_reference({.name = "power sum", .quick = quick, .precise = precise});
 }
 
-}  // namespace fde
+}  // namespace fde::reference

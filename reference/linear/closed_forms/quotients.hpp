@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
 // Quotients for closed forms of motions, accurate where numerator and denominator vanish.
-namespace fde {
+namespace fde::reference {
 
 // sin x / x; 1 at 0.
 template <class Real>
@@ -33,4 +34,4 @@ Real sine_defect(const Real& x) {
   return sum;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

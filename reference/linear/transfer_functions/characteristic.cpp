@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/transfer_functions/characteristic.hpp"
 
-namespace fde {
+namespace fde::reference {
 template <class Real>
-std::vector<Complex<Real>> Characteristic<Real>::scaled_terms(const Complex<Real>& w) const {
+std::vector<Complex<Real>> ExponentialPolynomial<Real>::scaled_terms(const Complex<Real>& w) const {
   using std::exp;
   std::vector<Complex<Real>> scaled;
   for (const auto& [log_coefficient, order] : terms) scaled.push_back(log_coefficient + order * w);
@@ -13,7 +14,7 @@ std::vector<Complex<Real>> Characteristic<Real>::scaled_terms(const Complex<Real
 }
 
 template <class Real>
-Complex<Real> Characteristic<Real>::newton_step(const Complex<Real>& w) const {
+Complex<Real> ExponentialPolynomial<Real>::newton_step(const Complex<Real>& w) const {
   const auto scaled = scaled_terms(w);
   Complex<Real> value(0), slope(0);
   for (std::size_t i = 0; i < scaled.size(); ++i) {
@@ -24,7 +25,7 @@ Complex<Real> Characteristic<Real>::newton_step(const Complex<Real>& w) const {
 }
 
 template <class Real>
-std::vector<Real> Characteristic<Real>::log_sizes(const Complex<Real>& w) const {
+std::vector<Real> ExponentialPolynomial<Real>::log_sizes(const Complex<Real>& w) const {
   std::vector<Real> sizes;
   for (const auto& [log_coefficient, order] : terms)
     sizes.push_back(real_part<Real>(Complex<Real>(log_coefficient + order * w)));
@@ -32,8 +33,8 @@ std::vector<Real> Characteristic<Real>::log_sizes(const Complex<Real>& w) const 
 }
 
 template <class Real>
-std::vector<Zero<Real>> polished(const Characteristic<Real>& characteristic,
-                                 const std::vector<Zero<long double>>& zeros) {
+std::vector<Zero<Real>> newton_refined(const ExponentialPolynomial<Real>& characteristic,
+                                       const std::vector<Zero<long double>>& zeros) {
   std::vector<Zero<Real>> results;
   for (const auto& [log, multiplicity, spread, isolation] : zeros) {
     Complex<Real> w(Real(log.real()), Real(log.imag()));
@@ -51,11 +52,11 @@ std::vector<Zero<Real>> polished(const Characteristic<Real>& characteristic,
   return results;
 }
 
-template struct Characteristic<long double>;
-template struct Characteristic<BigReal>;
-template std::vector<Zero<long double>> polished(const Characteristic<long double>&,
-                                                 const std::vector<Zero<long double>>&);
-template std::vector<Zero<BigReal>> polished(const Characteristic<BigReal>&,
-                                             const std::vector<Zero<long double>>&);
+template struct ExponentialPolynomial<long double>;
+template struct ExponentialPolynomial<BigReal>;
+template std::vector<Zero<long double>> newton_refined(const ExponentialPolynomial<long double>&,
+                                                       const std::vector<Zero<long double>>&);
+template std::vector<Zero<BigReal>> newton_refined(const ExponentialPolynomial<BigReal>&,
+                                                   const std::vector<Zero<long double>>&);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // P(s) = sum_i c_i s^(o_i) as a function of w = log s: P(e^w) = sum_i c_i e^(o_i w) is entire, the principal
 // sheet is the strip |Im w| <= pi, and the other sheets continue it above and below.
 template <class Real>
-struct Characteristic {
+struct ExponentialPolynomial {
   struct Term {
     Complex<Real> log_coefficient;
     Real order;
@@ -28,16 +29,16 @@ template <class Real>
 struct Zero {
   Complex<Real> log;  // log s*; of a cluster, the mean
   int multiplicity = 1;
-  long double spread = 0.0L;                                        // radius of the cluster
+  long double radius = 0.0L;                                        // radius of the cluster
   long double isolation = std::numeric_limits<long double>::max();  // distance from the nearest other zero
 };
 
 // The zeros to working precision, by Newton's method; the centre of a cluster is not changed.
 template <class Real>
-std::vector<Zero<Real>> polished(const Characteristic<Real>& characteristic,
-                                 const std::vector<Zero<long double>>& zeros);
+std::vector<Zero<Real>> newton_refined(const ExponentialPolynomial<Real>& characteristic,
+                                       const std::vector<Zero<long double>>& zeros);
 
-extern template struct Characteristic<long double>;
-extern template struct Characteristic<BigReal>;
+extern template struct ExponentialPolynomial<long double>;
+extern template struct ExponentialPolynomial<BigReal>;
 
-}  // namespace fde
+}  // namespace fde::reference

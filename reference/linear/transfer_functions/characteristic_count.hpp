@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
 
 #include "fdebench/reference/linear/transfer_functions/characteristic_function.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // |Im w| <= height, left <= Re w <= right.
 struct Rectangle {
@@ -19,4 +20,4 @@ struct Rectangle {
 // Number of zeros inside, by the argument principle; nullopt where a zero is too close to the sides.
 std::optional<int> count_zeros(const CharacteristicFunction& function, const Rectangle& box);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/transfer_functions/characteristic_function.hpp"
 
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Point = CharacteristicFunction::Point;
 
 // Enough digits for the cancellation of terms of close orders: a gap of 10^-n between two orders takes n.
-int most_digits_for(const std::vector<Characteristic<long double>::Term>& terms) {
+int most_digits_for(const std::vector<ExponentialPolynomial<long double>::Term>& terms) {
   constexpr long double least = 40.0L, most = 400.0L;
   long double digits = least;
   for (std::size_t i = 1; i < terms.size(); ++i)
@@ -17,8 +18,8 @@ int most_digits_for(const std::vector<Characteristic<long double>::Term>& terms)
 }
 
 template <class Real>
-Characteristic<Real> rounded_characteristic(const GeneralizedPolynomial& exact) {
-  Characteristic<Real> result;
+ExponentialPolynomial<Real> rounded_characteristic(const GeneralizedPolynomial& exact) {
+  ExponentialPolynomial<Real> result;
   for (const auto& [order, coefficient] : exact)
     result.terms.push_back({log(Complex<Real>(rounded<Real>(coefficient).value)), rounded<Real>(order)});
   return result;
@@ -53,9 +54,8 @@ CharacteristicFunction::CharacteristicFunction(const LinearTransform& exact)
 }
 
 template <class Real>
-CharacteristicFunction::Moments CharacteristicFunction::moments(const Characteristic<Real>& characteristic,
-                                                                const Point& w,
-                                                                const MomentSelection& chosen) {
+CharacteristicFunction::Moments CharacteristicFunction::moments(
+    const ExponentialPolynomial<Real>& characteristic, const Point& w, const MomentSelection& chosen) {
   const auto terms = characteristic.scaled_terms(Complex<Real>(Real(w.real()), Real(w.imag())));
   const Real origin = chosen.origin ? characteristic.terms[*chosen.origin].order : Real(0);
   std::vector<Complex<Real>> sums(chosen.count, Complex<Real>(0));
@@ -102,19 +102,19 @@ CharacteristicFunction::Derivatives CharacteristicFunction::derivatives(const Po
     slopes += order * modulus;
     bends += order * order * modulus;
   }
-  for (int digits = 0;; digits = more(digits)) {
+  for (int digits = 0;; digits = next_digits(digits)) {
     const Moments sums = moments(digits, w, {.count = 3});
     const long double noise = noise_at(w, digits), value = std::abs(sums[0]), slope = std::abs(sums[1]);
     const Derivatives known{sums[0] / size, sums[1] / size, sums[2] / size, noise};
     const bool well = known_well * slope > noise * size, left = value > clear * noise * size,
                left_of_slope = slope > clear * noise * slopes,
-               several = std::abs(sums[2]) > clear * noise * bends && known.flat();
+               several = std::abs(sums[2]) > clear * noise * bends && known.is_near_multiple_zero();
     if (well || several || (left && left_of_slope) || digits == most_digits_) return known;
   }
 }
 
-CharacteristicFunction::ScaledValue CharacteristicFunction::direction(const Point& w) const {
-  for (int digits = 0;; digits = more(digits)) {
+CharacteristicFunction::ScaledValue CharacteristicFunction::scaled_value(const Point& w) const {
+  for (int digits = 0;; digits = next_digits(digits)) {
     const ScaledValue known{moments(digits, w, {})[0], noise_at(w, digits), digits};
     if (std::abs(known.value) > clear * known.noise || digits == most_digits_) return known;
   }
@@ -122,12 +122,12 @@ CharacteristicFunction::ScaledValue CharacteristicFunction::direction(const Poin
 
 // By the series of e^(d (b-a)) for orders at a small distance d from the order of the largest term, whose
 // terms may cancel; the other terms are bounded by their moduli.
-CharacteristicFunction::PathBound CharacteristicFunction::way(const Point& a, const Point& b) const {
+CharacteristicFunction::PathBound CharacteristicFunction::path_bound(const Point& a, const Point& b) const {
   constexpr long double near = 0.5L;
   const auto sizes = rounded_.log_sizes(a);
   const auto largest = static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin());
   const long double order = rounded_.terms[largest].order;
-  const auto [start, noise, digits] = direction(a);
+  const auto [start, noise, digits] = scaled_value(a);
   MomentSelection chosen{.count = most_moments, .origin = largest};
   PathBound way{start, order, 0.0L};
   for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -147,4 +147,4 @@ CharacteristicFunction::PathBound CharacteristicFunction::way(const Point& a, co
   return way;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

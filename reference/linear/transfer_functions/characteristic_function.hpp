@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // P(e^w) of a linear problem (characteristic.hpp) for the search for its zeros: in long double and, where the
 // terms cancel, from exact coefficients with as many digits as needed. For orders at a distance delta, P is
@@ -16,7 +17,9 @@ class CharacteristicFunction {
 
   explicit CharacteristicFunction(const LinearTransform& exact);
 
-  [[nodiscard]] const std::vector<Characteristic<long double>::Term>& terms() const { return rounded_.terms; }
+  [[nodiscard]] const std::vector<ExponentialPolynomial<long double>::Term>& terms() const {
+    return rounded_.terms;
+  }
 
   // P and its derivatives in w, relative to the sum of the moduli of the terms of P, and the relative
   // rounding error of that sum.
@@ -24,9 +27,12 @@ class CharacteristicFunction {
     Point value, first, second;
     long double noise;
 
-    // flat(): |dP/dw| is as small, compared with its derivative, as between two zeros closer than this.
+    // is_near_multiple_zero(): |dP/dw| is as small, compared with its derivative, as between two zeros closer
+    // than this.
     static constexpr long double cluster_distance = 1e-6L;
-    [[nodiscard]] bool flat() const { return std::abs(first) < 10.0L * cluster_distance * std::abs(second); }
+    [[nodiscard]] bool is_near_multiple_zero() const {
+      return std::abs(first) < 10.0L * cluster_distance * std::abs(second);
+    }
   };
   [[nodiscard]] Derivatives derivatives(const Point& w) const;
 
@@ -37,7 +43,7 @@ class CharacteristicFunction {
     long double noise;
     int digits;
   };
-  [[nodiscard]] ScaledValue direction(const Point& w) const;
+  [[nodiscard]] ScaledValue scaled_value(const Point& w) const;
 
   // On the straight path from a to b, P(w) e^(-order (w - a)) differs from its value `start` at a by at most
   // `change`; all are scaled by the same positive number.
@@ -45,31 +51,31 @@ class CharacteristicFunction {
     Point start;
     long double order, change;
   };
-  [[nodiscard]] PathBound way(const Point& a, const Point& b) const;
+  [[nodiscard]] PathBound path_bound(const Point& a, const Point& b) const;
 
  private:
   static constexpr std::size_t most_moments = 12;
   using Moments = std::array<Point, most_moments>;
   // sum_i t_i (o_i - origin)^k, k < count, over the terms t_i of the chosen orders o_i, scaled such that the
-  // largest of all terms has modulus 1; digits as in Direction.
+  // largest of all terms has modulus 1; digits as in ScaledValue.
   struct MomentSelection {
     std::size_t count = 1;
     std::optional<std::size_t> origin{};  // the order of this term; 0 by default
     std::vector<bool> terms{};            // empty: all
   };
   template <class Real>
-  [[nodiscard]] static Moments moments(const Characteristic<Real>& characteristic, const Point& w,
+  [[nodiscard]] static Moments moments(const ExponentialPolynomial<Real>& characteristic, const Point& w,
                                        const MomentSelection& chosen);
   [[nodiscard]] Moments moments(int digits, const Point& w, const MomentSelection& chosen) const;
   // Relative rounding error of a term, from log c + order w.
   [[nodiscard]] long double noise_at(const Point& w, int digits) const;
-  [[nodiscard]] int more(int digits) const { return std::min(std::max(2 * digits, 40), most_digits_); }
+  [[nodiscard]] int next_digits(int digits) const { return std::min(std::max(2 * digits, 40), most_digits_); }
 
   GeneralizedPolynomial exact_;
-  Characteristic<long double> rounded_;
+  ExponentialPolynomial<long double> rounded_;
   int most_digits_;
-  long double largest_log_ = 0.0L;                            // |log c| of the coefficients
-  mutable std::map<int, Characteristic<BigReal>> precise_{};  // by digits
+  long double largest_log_ = 0.0L;                                   // |log c| of the coefficients
+  mutable std::map<int, ExponentialPolynomial<BigReal>> precise_{};  // by digits
 };
 
-}  // namespace fde
+}  // namespace fde::reference

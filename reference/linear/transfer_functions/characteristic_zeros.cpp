@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/transfer_functions/characteristic_zeros.hpp"
 
 #include <optional>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reference/linear/transfer_functions/characteristic_count.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Point = Rectangle::Point;
@@ -46,33 +47,35 @@ Rectangle within_reach(const CharacteristicFunction& function, const Rectangle& 
 // Zeros closer than this are treated as a cluster.
 constexpr long double cluster_distance = CharacteristicFunction::Derivatives::cluster_distance;
 
-// A zero and its uncertainty: P is rounding noise within about the distance blur.
-struct Found {
+// A zero and its uncertainty: within about this distance of the zero P is rounding noise.
+struct ApproximateZero {
   Point zero;
-  long double blur;
+  long double uncertainty;
 };
 
 // Newton's method, deflated by the zeros found so far. At one of them the deflated function is noise: a
 // second zero there is accepted only where dP/dw is as small, compared with its derivative, as between two
 // zeros. Steps are limited to a fraction of |P'/P''|.
-std::optional<Found> newton(const CharacteristicFunction& function, const std::vector<Found>& found,
-                            Point w) {
+std::optional<ApproximateZero> newton(const CharacteristicFunction& function,
+                                      const std::vector<ApproximateZero>& found, Point w) {
   constexpr long double most_blurred = 0.05L, longest = 100.0L;
-  const auto found_before = [&](const Found& other) { return std::abs(w - other.zero) < cluster_distance; };
+  const auto found_before = [&](const ApproximateZero& other) {
+    return std::abs(w - other.zero) < cluster_distance;
+  };
   for (int i = 0; i < 80; ++i) {
     const auto known = function.derivatives(w);
     const auto& [value, first, second, noise] = known;
-    const bool flat = known.flat();
+    const bool flat = known.is_near_multiple_zero();
     if (!flat && std::ranges::any_of(found, found_before)) return std::nullopt;
     const long double blur = std::min(noise / std::abs(first), most_blurred);
-    if (flat && std::abs(value) < noise) return Found{w, blur};
+    if (flat && std::abs(value) < noise) return ApproximateZero{w, blur};
     Point inverse = first / value;
     for (const auto& other : found) inverse -= 1.0L / (w - other.zero);
     const Point deflated = value == 0.0L ? Point(0.0L) : 1.0L / inverse;
     const long double length = std::abs(deflated);
     if (!std::isfinite(length)) return std::nullopt;
     if (length < 1e-9L && std::abs(value) < 1e-15L)
-      return Found{w - deflated, std::min(blur + length, most_blurred)};
+      return ApproximateZero{w - deflated, std::min(blur + length, most_blurred)};
     const long double most = 0.5L * std::clamp(std::abs(first) / std::abs(second), 1.0L, longest);
     w -= deflated * std::min(1.0L, most / length);
   }
@@ -92,12 +95,12 @@ class ZeroSearch {
           if (newton_from_column(box, balance(function_, i, j) + offset, fewest_rows, count)) return true;
       }
     }
-    return halves(box, count);
+    return bisect(box, count);
   }
-  [[nodiscard]] std::vector<Found> inside(const Rectangle& box) const {
-    std::vector<Found> result;
+  [[nodiscard]] std::vector<ApproximateZero> inside(const Rectangle& box) const {
+    std::vector<ApproximateZero> result;
     std::ranges::copy_if(found_, std::back_inserter(result),
-                         [&](const Found& found) { return box.contains(found.zero); });
+                         [&](const ApproximateZero& found) { return box.contains(found.zero); });
     return result;
   }
 
@@ -105,8 +108,8 @@ class ZeroSearch {
   static constexpr int fewest_rows = 8, most_rows = 64;
 
   [[nodiscard]] bool complete(const Rectangle& box, int count) const {
-    return std::ranges::count_if(found_, [&](const Found& found) { return box.contains(found.zero); }) >=
-           count;
+    return std::ranges::count_if(
+               found_, [&](const ApproximateZero& found) { return box.contains(found.zero); }) >= count;
   }
 
   // Newton's method from `rows` starting points with Re w = column. True if `count` zeros of box are known.
@@ -121,7 +124,7 @@ class ZeroSearch {
 
   // Bisects the box, with a count of the zeros of each half, down to a width at which Newton's method finds
   // them.
-  bool halves(const Rectangle& box, int count) {
+  bool bisect(const Rectangle& box, int count) {
     constexpr long double narrow = 1.0L;
     const long double width = box.right - box.left;
     for (int rows = fewest_rows; rows <= (width > narrow ? fewest_rows : most_rows); rows *= 2)
@@ -132,17 +135,17 @@ class ZeroSearch {
       const Rectangle left{box.left, middle, box.height}, right{middle, box.right, box.height};
       const auto on_left = count_zeros(function_, left);
       if (!on_left) continue;
-      const bool found_left = halves(left, *on_left);
-      return halves(right, count - *on_left) && found_left;
+      const bool found_left = bisect(left, *on_left);
+      return bisect(right, count - *on_left) && found_left;
     }
     return false;
   }
 
   const CharacteristicFunction& function_;
-  std::vector<Found> found_;
+  std::vector<ApproximateZero> found_;
 };
 
-std::vector<Found> all_zeros(const CharacteristicFunction& function) {
+std::vector<ApproximateZero> all_zeros(const CharacteristicFunction& function) {
   for (const long double beyond : {0.1L, 0.07L, 0.13L, 0.04L}) {
     const Rectangle box = within_reach(function, rectangle_of(function, pi_long + beyond));
     const std::optional<int> count = count_zeros(function, box);
@@ -154,13 +157,13 @@ std::vector<Found> all_zeros(const CharacteristicFunction& function) {
 }
 
 // Indices of the zeros connected to `first` by steps too short to separate two zeros.
-std::vector<std::size_t> cluster_of(const std::vector<Found>& found, std::size_t first) {
+std::vector<std::size_t> cluster_of(const std::vector<ApproximateZero>& found, std::size_t first) {
   std::vector<std::size_t> cluster{first};
   for (std::size_t k = 0; k < cluster.size(); ++k) {
-    const Found& a = found[cluster[k]];
+    const ApproximateZero& a = found[cluster[k]];
     for (std::size_t j = 0; j < found.size(); ++j) {
-      const Found& b = found[j];
-      const long double apart = std::max(cluster_distance, 8.0L * std::max(a.blur, b.blur));
+      const ApproximateZero& b = found[j];
+      const long double apart = std::max(cluster_distance, 8.0L * std::max(a.uncertainty, b.uncertainty));
       if (std::abs(a.zero - b.zero) <= apart && std::ranges::find(cluster, j) == cluster.end())
         cluster.push_back(j);
     }
@@ -168,7 +171,7 @@ std::vector<std::size_t> cluster_of(const std::vector<Found>& found, std::size_t
   return cluster;
 }
 
-Zero<long double> merged(const std::vector<Found>& found, const std::vector<std::size_t>& cluster) {
+Zero<long double> merged(const std::vector<ApproximateZero>& found, const std::vector<std::size_t>& cluster) {
   Zero<long double> zero{.log = Point(0.0L), .multiplicity = static_cast<int>(cluster.size())};
   for (const std::size_t i : cluster) zero.log += found[i].zero / static_cast<long double>(cluster.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -176,14 +179,14 @@ Zero<long double> merged(const std::vector<Found>& found, const std::vector<std:
     if (std::ranges::find(cluster, i) == cluster.end()) {
       zero.isolation = std::min(zero.isolation, distance);
     } else if (zero.multiplicity > 1) {
-      zero.spread = std::max(zero.spread, distance + found[i].blur);
+      zero.radius = std::max(zero.radius, distance + found[i].uncertainty);
     }
   }
   return zero;
 }
 
 // A simple zero to the last digit: Newton's method converges quadratically.
-Point polished(const CharacteristicFunction& function, Point zero) {
+Point newton_refined(const CharacteristicFunction& function, Point zero) {
   for (int i = 0; i < 2; ++i) {
     const auto known = function.derivatives(zero);
     zero -= known.value / known.first;
@@ -197,17 +200,17 @@ std::vector<Zero<long double>> find_zeros(const LinearTransform& transform) {
   std::vector<Zero<long double>> zeros;
   const CharacteristicFunction function(transform);
   if (function.terms().size() < 2) return zeros;
-  const std::vector<Found> found = all_zeros(function);
+  const std::vector<ApproximateZero> found = all_zeros(function);
   std::vector<bool> taken(found.size(), false);
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (taken[i]) continue;
     const auto cluster = cluster_of(found, i);
     for (const std::size_t j : cluster) taken[j] = true;
     auto zero = merged(found, cluster);
-    if (zero.multiplicity == 1) zero.log = polished(function, zero.log);
-    if (std::abs(zero.log.imag()) <= pi_long - std::max(cluster_distance, zero.spread)) zeros.push_back(zero);
+    if (zero.multiplicity == 1) zero.log = newton_refined(function, zero.log);
+    if (std::abs(zero.log.imag()) <= pi_long - std::max(cluster_distance, zero.radius)) zeros.push_back(zero);
   }
   return zeros;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

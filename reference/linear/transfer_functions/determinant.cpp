@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/transfer_functions/determinant.hpp"
 
 #include <bit>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 bool is_fraction(const Coefficient& coefficient) {
@@ -43,4 +44,4 @@ GeneralizedPolynomial determinant(const PolynomialMatrix& matrix) {
   return minors.empty() ? GeneralizedPolynomial{} : minors.begin()->second;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

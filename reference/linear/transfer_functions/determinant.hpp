@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "fdebench/reference/linear/transfer_functions/generalized_polynomial.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 using PolynomialMatrix = std::vector<std::vector<GeneralizedPolynomial>>;  // rows
 
@@ -12,4 +13,4 @@ using PolynomialMatrix = std::vector<std::vector<GeneralizedPolynomial>>;  // ro
 // computed once: fast for sparse rows. Precondition: only one column has coefficients that are not rational.
 GeneralizedPolynomial determinant(const PolynomialMatrix& matrix);
 
-}  // namespace fde
+}  // namespace fde::reference

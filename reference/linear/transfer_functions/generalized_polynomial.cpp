@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/transfer_functions/generalized_polynomial.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr int most_folded = 40;  // larger integer powers and arguments are not multiplied out
@@ -60,4 +61,4 @@ ValueAndScale<Real> rounded(const Coefficient& coefficient) {
 template ValueAndScale<long double> rounded(const Coefficient&);
 template ValueAndScale<BigReal> rounded(const Coefficient&);
 
-}  // namespace fde
+}  // namespace fde::reference

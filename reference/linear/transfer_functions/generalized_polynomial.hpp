@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The irrational factor base^power * Gamma(gamma) of a coefficient. Integer powers and integer arguments of
 // Gamma give rational numbers instead, see coefficient_of_power and coefficient_of_gamma.
@@ -39,4 +40,4 @@ struct ValueAndScale {
 template <class Real>
 ValueAndScale<Real> rounded(const Coefficient& coefficient);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/transfer_functions/linear_response.hpp"
 
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 // Long double evaluations are too short to report progress.
@@ -28,8 +29,8 @@ Real rounding_of(const Complex<Real>& log_p) {
 }
 
 // Largest radius of a circle in the plane of log p around a cluster of zeros: it stays away from other zeros,
-// and e^p varies moderately on it. The circle encloses a cluster whose spread is at most largest_spread of
-// it.
+// and e^p varies moderately on it. The circle encloses a cluster whose radius is at most largest_spread times
+// its own.
 template <class Real>
 Real largest_radius(const Zero<Real>& zero, const Complex<Real>& center) {
   using std::abs, std::exp, std::min;
@@ -42,8 +43,8 @@ constexpr double largest_spread = 0.9;
 bool is_unresolvable_cluster(const Zero<long double>& zero, long double log_time) {
   const std::complex<long double> center = zero.log + log_time;
   return zero.multiplicity > 1 &&
-         !is_negligible<long double>(center, rounding_of<long double>(center) + zero.spread) &&
-         zero.spread > largest_spread * largest_radius<long double>(zero, center);
+         !is_negligible<long double>(center, rounding_of<long double>(center) + zero.radius) &&
+         zero.radius > largest_spread * largest_radius<long double>(zero, center);
 }
 
 template <class Real>
@@ -131,7 +132,7 @@ void LinearResponse<Real>::add_nodes(LinearValues<Real>& values, const Contour<R
     evaluate(node.log_s, node.s);
     const Real ulps = 3 + norm1(node.s) + characteristic_.error / norm1(characteristic_.value);
     // The real part of twice the term is its sum with the term of the conjugate node.
-    add_terms(values, Real(2) * node.weight / characteristic_.value, ulps, contour.share());
+    add_terms(values, Real(2) * node.weight / characteristic_.value, ulps, contour.exp_minus_mu());
   }
 }
 
@@ -188,21 +189,21 @@ void LinearResponse<Real>::add_cluster_residues(LinearValues<Real>& values, cons
                                                 const Contour<Real>& contour, const Real& count) {
   using std::abs, std::conj, std::exp, std::log, std::min;
   const Complex<Real> center = zero.log + log_time_;
-  if (contour.at_branch_point(center) || is_negligible<Real>(center, rounding_of<Real>(center) + zero.spread))
+  if (contour.at_branch_point(center) || is_negligible<Real>(center, rounding_of<Real>(center) + zero.radius))
     return;
   Real radius = largest_radius<Real>(zero, center);
   for (const auto& node : contour.nodes()) {
     const Complex<Real> upper = center - node.log_s, lower = center - conj(node.log_s);
     radius = min(radius, Real(min(Real(abs(upper)), Real(abs(lower))) / 2));
   }
-  if (zero.spread >
+  if (zero.radius >
       Real(largest_spread) * radius) {  // the infinite bound leads to more digits and other nodes
     for (auto& sum : values.sums) sum.error = std::numeric_limits<double>::infinity();
     return;
   }
   // The zeros are within fraction * radius, others at twice the radius or more: the error of n points is
   // fraction^n.
-  const Real fraction = std::clamp(Real(zero.spread / radius), Real(0.5), Real(largest_spread));
+  const Real fraction = std::clamp(Real(zero.radius / radius), Real(0.5), Real(largest_spread));
   const int points = 8 + static_cast<int>(log(epsilon<Real>()) / log(fraction));
   for (int i = 0; i < points; ++i) {
     report_step<Real>(static_cast<std::size_t>(i), static_cast<std::size_t>(points));
@@ -250,4 +251,4 @@ void LinearResponse<Real>::add_discretisation(LinearValues<Real>& values, const 
 template class LinearResponse<long double>;
 template class LinearResponse<BigReal>;
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Values of the outputs, and t dx/dt of each: its sensitivity to a relative error of t.
 template <class Real>
 struct LinearValues {
-  std::vector<Sum<Real>> sums;
+  std::vector<BoundedSum<Real>> sums;
   std::vector<Complex<Real>> rates;
 };
 
@@ -77,4 +78,4 @@ bool is_unresolvable_cluster(const Zero<long double>& zero, long double log_time
 extern template class LinearResponse<long double>;
 extern template class LinearResponse<BigReal>;
 
-}  // namespace fde
+}  // namespace fde::reference

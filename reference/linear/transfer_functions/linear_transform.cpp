@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 LinearTransform::Group& LinearTransform::group_at(const Rational& time, std::size_t outputs) {
-  const auto place = std::ranges::find(groups, time, &Group::from);
+  const auto place = std::ranges::find(groups, time, &Group::start_time);
   if (place != groups.end()) return *place;
   return groups.emplace_back(Group{time, std::vector<GeneralizedPolynomial>(outputs)});
 }
@@ -33,7 +34,7 @@ typename RoundedTransform<Real>::Polynomial RoundedTransform<Real>::read(
 }
 
 template <class Real>
-void RoundedTransform<Real>::add_start_values(const Group& group, std::vector<Sum<Real>>& sums) const {
+void RoundedTransform<Real>::add_start_values(const Group& group, std::vector<BoundedSum<Real>>& sums) const {
   const auto& [top, leading, leading_size] = denominator.back();
   for (std::size_t j = 0; j < sums.size(); ++j) {
     for (const auto& [power, coefficient, size] : group.numerators[j]) {
@@ -52,4 +53,4 @@ void RoundedTransform<Real>::add_start_values(const Group& group, std::vector<Su
 template class RoundedTransform<long double>;
 template class RoundedTransform<BigReal>;
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/linear/transfer_functions/characteristic.hpp"
 #include "fdebench/reference/linear/transfer_functions/generalized_polynomial.hpp"
 #include "fdebench/reference/linear/transfer_functions/power_table.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The exact Laplace transforms of the outputs of a linear problem, with a common denominator:
 //   X_j(s) = N_j(s) / P(s),  sums of powers with real coefficients.
@@ -12,7 +13,7 @@ namespace fde {
 // times and coefficients are taken as their shortest decimal representations.
 struct LinearTransform {
   struct Group {
-    Rational from;
+    Rational start_time;
     std::vector<GeneralizedPolynomial> numerators;  // one per output
   };
   GeneralizedPolynomial characteristic;  // P
@@ -35,11 +36,11 @@ class RoundedTransform {
   };
   using Polynomial = std::vector<Monomial>;  // increasing exponents
   struct Group {
-    Real from;
+    Real start_time;
     std::vector<Polynomial> numerators;
   };
 
-  Characteristic<Real> characteristic;
+  ExponentialPolynomial<Real> characteristic;
   Polynomial denominator;
   std::vector<Group> groups;
   PowerTable table;
@@ -47,7 +48,7 @@ class RoundedTransform {
 
   // Adds the limits from the right of a group's outputs at its start time, by the initial value theorem: the
   // coefficient of s^0 in s X(s) as s -> infinity. The limit is infinite where a higher power remains.
-  void add_start_values(const Group& group, std::vector<Sum<Real>>& sums) const;
+  void add_start_values(const Group& group, std::vector<BoundedSum<Real>>& sums) const;
 
  private:
   Polynomial read(const GeneralizedPolynomial& polynomial);
@@ -56,4 +57,4 @@ class RoundedTransform {
 extern template class RoundedTransform<long double>;
 extern template class RoundedTransform<BigReal>;
 
-}  // namespace fde
+}  // namespace fde::reference

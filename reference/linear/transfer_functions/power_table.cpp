@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/transfer_functions/power_table.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 PowerTable::PowerTable() {
-  using Made = Entry::Made;
+  using Made = Entry::Method;
   for (const auto& [exponent, made] :
-       {std::pair{0, Made::one}, std::pair{1, Made::itself}, std::pair{-1, Made::inverse}}) {
+       {std::pair{0, Made::one}, std::pair{1, Made::identity}, std::pair{-1, Made::inverse}}) {
     places_.emplace(exponent, entries_.size());
-    entries_.push_back({.exponent = exponent, .made = made, .fixed = exponent == -1 ? 2.0 : 0.0});
+    entries_.push_back({.exponent = exponent, .method = made, .fixed = exponent == -1 ? 2.0 : 0.0});
   }
 }
 
@@ -17,14 +18,14 @@ PowerTable::Entry PowerTable::cheapest_entry(const Rational& exponent) const {
     if (other == places_.end()) continue;
     const Entry &left = entries_[i], &right = entries_[other->second];
     return {.exponent = exponent,
-            .made = Entry::Made::product,
+            .method = Entry::Method::product,
             .left = i,
             .right = other->second,
             .fixed = left.fixed + right.fixed + 1.5,
             .growing = left.growing + right.growing};
   }
   return {.exponent = exponent,
-          .made = Entry::Made::exponential,
+          .method = Entry::Method::exponential,
           .fixed = 1.5,
           .growing = 1.5 * std::abs(exponent.convert_to<double>())};
 }
@@ -35,4 +36,4 @@ std::size_t PowerTable::index(const Rational& exponent) {
   return place->second;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
 
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The powers s^e for a set of exponents e. Exponentials dominate the cost of an evaluation, so a power that
 // is the product of two others is computed as the product.
@@ -18,7 +19,7 @@ class PowerTable {
   // How a power is computed. Its relative error is at most fixed + growing * |log s| ulps.
   struct Entry {
     Rational exponent;
-    enum class Made { one, itself, inverse, exponential, product } made;
+    enum class Method { one, identity, inverse, exponential, product } method;
     std::size_t left = 0, right = 0;  // of a product
     double fixed = 0.0, growing = 0.0;
   };
@@ -31,20 +32,20 @@ class PowerTable {
     using std::exp;
     powers.clear();
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-      switch (const Entry& entry = entries_[i]; entry.made) {
-        case Entry::Made::one:
+      switch (const Entry& entry = entries_[i]; entry.method) {
+        case Entry::Method::one:
           powers.emplace_back(1);
           break;
-        case Entry::Made::itself:
+        case Entry::Method::identity:
           powers.push_back(s);
           break;
-        case Entry::Made::inverse:
+        case Entry::Method::inverse:
           powers.push_back(Real(1) / s);
           break;
-        case Entry::Made::exponential:
+        case Entry::Method::exponential:
           powers.push_back(exp(Number(exponents[i] * log_s)));
           break;
-        case Entry::Made::product:
+        case Entry::Method::product:
           powers.push_back(powers[entry.left] * powers[entry.right]);
           break;
       }
@@ -58,4 +59,4 @@ class PowerTable {
   std::map<Rational, std::size_t> places_;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

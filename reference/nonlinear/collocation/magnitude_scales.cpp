@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/collocation/magnitude_scales.hpp"
 
 #include <algorithm>
 
 #include "fdebench/reference/nonlinear/march/rhs_at.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 MagnitudeScales without_unbounded_scales(MagnitudeScales sizes, const Problem& problem) {
-  if (std::ranges::none_of(problem.components, algebraic)) return sizes;
+  if (std::ranges::none_of(problem.components, is_algebraic)) return sizes;
   sizes.rhs.setZero();
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (algebraic(problem.components[static_cast<std::size_t>(i)])) sizes.values[i] = 0.0;
+    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) sizes.values[i] = 0.0;
   }
   return sizes;
 }
@@ -41,4 +42,4 @@ MagnitudeScales updated_scales(const MagnitudeScales& before, const Matrix& y, c
   return sizes;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

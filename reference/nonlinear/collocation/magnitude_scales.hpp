@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Sizes to which rounding errors and tolerances are relative: the largest so far, one number per component.
 struct MagnitudeScales {
@@ -26,4 +27,4 @@ MagnitudeScales sizes_at_start(const Problem& problem);
 MagnitudeScales updated_scales(const MagnitudeScales& before, const Matrix& y, const Matrix& rhs,
                                const std::vector<Matrix>& jacobians);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
 
 #include <cmath>
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -56,4 +57,4 @@ Vec PanelBasis::interpolate(const Matrix& values, double x) const {
   return values.transpose() * share / share.sum();
 }
 
-}  // namespace fde
+}  // namespace fde::reference

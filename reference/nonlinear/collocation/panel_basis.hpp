@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/nonlinear/quadrature/gauss.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The nodes of a panel. Gauss-Radau points include the end of the panel: the algebraic rows hold at the start
 // of the next one, which damps errors of the unknowns. With Gauss-Legendre points these errors would persist
@@ -32,4 +33,4 @@ struct PanelBasis {
   [[nodiscard]] Vec interpolate(const Matrix& values, double x) const;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/collocation/panel_equations.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 #include "fdebench/reference/nonlinear/march/rhs_at.hpp"
 #include "fdebench/reference/nonlinear/march/unit_increment.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -31,11 +32,11 @@ Matrix with_signs(const Matrix& sizes) {
 PanelEquations::PanelEquations(const Problem& problem, const PanelBasis& basis)
     : problem_(problem), basis_(basis) {
   for (const Component& component : problem.components) {
-    integral_.push_back(algebraic(component) ? basis.at_targets : basis.integral(component.order));
+    integral_.push_back(is_algebraic(component) ? basis.at_targets : basis.integral(component.order));
   }
 }
 
-std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past, double from, double to,
+std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& history, double from, double to,
                                                               In first_rhs,
                                                               const MagnitudeScales& before) const {
   constexpr int most_iterations = 40;
@@ -44,12 +45,12 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& past
   const double length = to - from;
   const Vec times = node_times(problem_, from, length, basis_.nodes);
   Solution found{};
-  found.values = past + integrate(first_rhs.transpose().replicate(points, 1), length);
+  found.values = history + integrate(first_rhs.transpose().replicate(points, 1), length);
   LinearisedStep newton;
   double size = std::numeric_limits<double>::infinity(), last_size = 0.0;  // of the corrections
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     found.rhs = rhs_at(problem_, times, found.values);
-    const Matrix next = advanced(past, found, length);
+    const Matrix next = right_hand_side(history, found, length);
     if (size < 2 * rounding || (size < nearly_converged && size > last_size / 2)) {
       found.values = next;
       return found;
@@ -90,10 +91,10 @@ LinearisedStep PanelEquations::linearise(const Vec& times, const MagnitudeScales
 }
 
 // The unknowns of algebraic rows are kept, and extrapolated to the end of the panel.
-Matrix PanelEquations::advanced(const Matrix& past, const Solution& from, double length) const {
-  Matrix next = past + integrate(from.rhs, length);
+Matrix PanelEquations::right_hand_side(const Matrix& history, const Solution& from, double length) const {
+  Matrix next = history + integrate(from.rhs, length);
   for (Eigen::Index i = 0; i < problem_.size(); ++i) {
-    if (algebraic(problem_.components[static_cast<std::size_t>(i)]))
+    if (is_algebraic(problem_.components[static_cast<std::size_t>(i)]))
       next.col(i) = basis_.at_targets * from.values.col(i).head(basis_.points());
   }
   return next;
@@ -133,4 +134,4 @@ std::vector<Matrix> PanelEquations::weights(double length) const {
   return weights;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -7,11 +8,11 @@
 #include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
 
-namespace fde {
+namespace fde::reference {
 
-// The collocation equations y_i(t_k) = past_i(t_k) + length^gamma_i sum_j W_kj f_i(t_j, y(t_j)) of one panel,
-// where past_i is the history term, W the matrix PanelBasis::integral, and t_k, t_j are the nodes of the
-// panel. Algebraic rows are 0 = f_i(t_k, y(t_k)).
+// The collocation equations y_i(t_k) = history_i(t_k) + length^gamma_i sum_j W_kj f_i(t_j, y(t_j)) of one
+// panel, where history_i is the history term, W the matrix PanelBasis::integral, and t_k, t_j are the nodes
+// of the panel. Algebraic rows are 0 = f_i(t_k, y(t_k)).
 class PanelEquations {
  public:
   PanelEquations(const Problem& problem, const PanelBasis& basis);
@@ -25,10 +26,10 @@ class PanelEquations {
     Noise noise;
   };
 
-  // Newton's method down to rounding on the panel [from, to], with f = first_rhs as the initial guess. past:
-  // the history term at the targets, and an initial guess of the unknowns of algebraic rows. nullopt where it
-  // does not converge.
-  [[nodiscard]] std::optional<Solution> solve(const Matrix& past, double from, double to, In first_rhs,
+  // Newton's method down to rounding on the panel [from, to], with f = first_rhs as the initial guess.
+  // history: the history term at the targets, and an initial guess of the unknowns of algebraic rows. nullopt
+  // where it does not converge.
+  [[nodiscard]] std::optional<Solution> solve(const Matrix& history, double from, double to, In first_rhs,
                                               const MagnitudeScales& before) const;
 
  private:
@@ -36,7 +37,7 @@ class PanelEquations {
   [[nodiscard]] LinearisedStep linearise(const Vec& times, const MagnitudeScales& before, double length,
                                          Solution& at) const;
   // The right-hand sides of the equations for the values and f of `from`.
-  [[nodiscard]] Matrix advanced(const Matrix& past, const Solution& from, double length) const;
+  [[nodiscard]] Matrix right_hand_side(const Matrix& history, const Solution& from, double length) const;
   [[nodiscard]] Matrix jacobian_at(double t, In y) const;
   [[nodiscard]] Matrix integrate(const Matrix& rhs, double length) const;  // from the start to the targets
   [[nodiscard]] std::vector<Matrix> weights(double length) const;          // from the start to the nodes
@@ -46,4 +47,4 @@ class PanelEquations {
   std::vector<Matrix> integral_;  // of each component
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/collocation/panel_noise.hpp"
 
 #include <limits>
 
 #include "fdebench/reference/nonlinear/march/unit_increment.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -33,22 +34,22 @@ bool PanelNoise::detect(const Solution& panel, double from, double to, double sc
   constexpr Eigen::Index tail = 4;
   const Matrix coefficients = basis_.legendre * panel.rhs;
   const Vec unresolved = coefficients.bottomRows(tail).cwiseAbs().colwise().maxCoeff();
-  return rhs_noise_.find(from + (to - from) * basis_.nodes.array(), panel.values.topRows(basis_.points()),
-                         unresolved, negligible_rhs(panel), scale);
+  return rhs_noise_.detect(from + (to - from) * basis_.nodes.array(), panel.values.topRows(basis_.points()),
+                           unresolved, negligible_rhs(panel), scale);
 }
 
 bool PanelNoise::detect(const Panel& last, const MagnitudeScales& sizes) {
   const Vec negligible = some_roundings * (sizes.rhs + sizes.forcing);
   const Vec unresolved = negligible.cwiseMax(std::numeric_limits<double>::min());
-  return rhs_noise_.find(last.from + last.length() * basis_.dense_nodes.array(), last.values, unresolved,
-                         negligible, sizes.largest());
+  return rhs_noise_.detect(last.from + last.length() * basis_.dense_nodes.array(), last.values, unresolved,
+                           negligible, sizes.largest());
 }
 
-Vec PanelNoise::follow(const Solution& panel, double from, double to, const Matrix& values) {
+Vec PanelNoise::record_panel(const Solution& panel, double from, double to, const Matrix& values) {
   of_values_ = of_values_.cwiseMax(panel.noise.values);
-  past_.push_back({from, to, panel.sizes.noise});
+  panels_.push_back({from, to, panel.sizes.noise});
   const Vec explained = noises * rounding * (panel.sizes.rhs + panel.sizes.forcing);
-  rhs_noise_.follow(from + (to - from) * basis_.dense_nodes.array(), values, explained);
+  rhs_noise_.update_after_step(from + (to - from) * basis_.dense_nodes.array(), values, explained);
   return panel.sizes.values + panel.increment + (of_values_ + integrated(to)) / rounding;
 }
 
@@ -57,9 +58,9 @@ Vec PanelNoise::integrated(double to) const {
   const auto added_since = [&](double time, const Vec& rhs_noise) -> Vec {
     return unit_increment(problem_, to - time).cwiseProduct(rhs_noise);
   };
-  Vec sum = added_since(past_.back().from, past_.back().rhs_noise);
-  for (std::size_t k = 0; k + 1 < past_.size(); ++k) {
-    const auto& [start, end, noise] = past_[k];
+  Vec sum = added_since(panels_.back().from, panels_.back().rhs_noise);
+  for (std::size_t k = 0; k + 1 < panels_.size(); ++k) {
+    const auto& [start, end, noise] = panels_[k];
     if (!noise.isZero(0.0)) {
       sum += (added_since(start, noise) - added_since(end, noise)).cwiseMax(0.0);
     }
@@ -67,4 +68,4 @@ Vec PanelNoise::integrated(double to) const {
   return sum;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -6,7 +7,7 @@
 #include "fdebench/reference/nonlinear/collocation/volterra_history.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The rounding noise of the Legendre coefficients on a panel. Without it, noise would count as an unresolved
 // solution, and panels would be halved without end.
@@ -22,17 +23,17 @@ class PanelNoise {
   [[nodiscard]] Vec negligible_values(const Solution& panel) const;
 
   // Whether there is new noise of f on the panel [from, to] that explains why the panel does not resolve the
-  // solution; scale: see RhsNoise::find.
+  // solution; scale: see RhsNoise::detect.
   bool detect(const Solution& panel, double from, double to, double scale);
   // The same for a panel without a solution, from the panel before it.
   bool detect(const Panel& last, const MagnitudeScales& sizes);
 
   // Records an accepted panel with `values`, one row for each of dense_nodes. Returns the size of each
   // component to which its rounding errors are relative.
-  Vec follow(const Solution& panel, double from, double to, const Matrix& values);
+  Vec record_panel(const Solution& panel, double from, double to, const Matrix& values);
 
-  // The noise of f found so far, for Sizes::noise.
-  [[nodiscard]] const Vec& known_rhs_noise() const { return rhs_noise_.found(); }
+  // The noise of f found so far, for MagnitudeScales::noise.
+  [[nodiscard]] const Vec& known_rhs_noise() const { return rhs_noise_.allowance(); }
 
  private:
   [[nodiscard]] Vec integrated(double to) const;
@@ -46,8 +47,8 @@ class PanelNoise {
   const PanelBasis& basis_;
   double tolerance_;
   RhsNoise rhs_noise_;
-  Vec of_values_;                  // the largest so far
-  std::vector<PanelRecord> past_;  // all panels so far
+  Vec of_values_;                    // the largest so far
+  std::vector<PanelRecord> panels_;  // all panels so far
 };
 
-}  // namespace fde
+}  // namespace fde::reference

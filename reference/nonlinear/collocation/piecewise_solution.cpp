@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/collocation/piecewise_solution.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 #include "fdebench/reference/nonlinear/march/step_budget.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -49,12 +50,12 @@ double panel_end(double from, double length, double end) {
 }
 
 PanelPoints points_for(const Problem& problem) {
-  return std::ranges::any_of(problem.components, algebraic) ? PanelPoints::radau : PanelPoints::legendre;
+  return std::ranges::any_of(problem.components, is_algebraic) ? PanelPoints::radau : PanelPoints::legendre;
 }
 
-class March {
+class CollocationSolver {
  public:
-  March(const Problem& problem, const PanelOptions& options, const PanelBasis& basis)
+  CollocationSolver(const Problem& problem, const PanelOptions& options, const PanelBasis& basis)
       : problem_(problem),
         options_(options),
         basis_(basis),
@@ -65,7 +66,7 @@ class March {
   std::vector<Panel> run() {
     constexpr std::size_t most_panels = 2000;
     while (time() < problem_.end) {
-      if (panels_.size() == most_panels || hopeless(most_panels)) {
+      if (panels_.size() == most_panels || cannot_reach_end(most_panels)) {
         fail("more panels than it can afford", time());
       }
       report_progress(panels_.size());
@@ -79,13 +80,14 @@ class March {
 
   [[nodiscard]] double time() const { return panels_.empty() ? 0.0 : panels_.back().to; }
 
-  [[nodiscard]] bool hopeless(std::size_t most_panels) const {
-    constexpr std::size_t watched = 100;
-    if (panels_.size() <= watched) {
+  [[nodiscard]] bool cannot_reach_end(std::size_t most_panels) const {
+    constexpr std::size_t output_times = 100;
+    if (panels_.size() <= output_times) {
       return false;
     }
-    const double before = panels_[panels_.size() - 1 - watched].to;
-    return fde::hopeless(before, time(), watched, problem_.end, most_panels - panels_.size());
+    const double before = panels_[panels_.size() - 1 - output_times].to;
+    return fde::reference::cannot_reach_end(before, time(), output_times, problem_.end,
+                                            most_panels - panels_.size());
   }
 
   // Halves the panel until it resolves the solution.
@@ -117,7 +119,7 @@ class March {
 
   // Factor for the length of the next panel; below 1 this panel does not resolve y and f.
   [[nodiscard]] double panel_growth(const Solution& solution, double from, double to) const {
-    if (to <= options_.weightless * problem_.end) {
+    if (to <= options_.negligible_before * problem_.end) {
       return panels_.empty() ? 1.0 : 2.0;
     }
     if (just_after_jump(problem_, from, to)) {
@@ -150,7 +152,7 @@ class March {
     values << last_value_.transpose(), solution.values;
     last_value_ = values.bottomRows<1>().transpose();
     last_rhs_ = rhs_at(problem_, to, last_value_);
-    const Vec size = noise_.follow(solution, from, to, values);
+    const Vec size = noise_.record_panel(solution, from, to, values);
     sizes_ = solution.sizes;
     sizes_.noise = noise_.known_rhs_noise();
     panels_.push_back({from, to, solution.rhs, values, size});
@@ -173,7 +175,8 @@ class March {
 }  // namespace
 
 PiecewiseSolution::PiecewiseSolution(const Problem& problem, const PanelOptions& options)
-    : basis_(options.points, points_for(problem)), panels_(March(problem, options, basis_).run()) {
+    : basis_(options.points, points_for(problem)),
+      panels_(CollocationSolver(problem, options, basis_).run()) {
   const auto inner = static_cast<int>(basis_.dense_nodes.size()) - 2;
   kept_ = PanelBasis(inner, PanelPoints::legendre).dense_nodes;
 }
@@ -196,4 +199,4 @@ Vec PiecewiseSolution::at(double t) const {
   return basis_.interpolate(panel.values, (t - panel.from) / panel.length());
 }
 
-}  // namespace fde
+}  // namespace fde::reference

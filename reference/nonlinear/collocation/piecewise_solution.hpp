@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -5,14 +6,15 @@
 #include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
 #include "fdebench/reference/nonlinear/collocation/volterra_history.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 struct PanelOptions {
   int points;               // Gauss points of a panel
   double first_panel;       // its length relative to the end; its error at a weak singularity decays later
   double first_after_jump;  // the same after a jump of f, relative to the time of the jump
   double tolerance;  // of the last Legendre coefficients of f and y on a panel, relative to their sizes
-  double weightless = 1e-18;  // relative to the end: errors of f before this time are below rounding later
+  // Relative to the end: errors of f before this time are below rounding later.
+  double negligible_before = 1e-18;
 };
 
 // The collocation solution of a problem: y is a polynomial on each panel. The length of the panels adapts to
@@ -35,4 +37,4 @@ class PiecewiseSolution {
   Vec kept_;  // the points of legendre_values
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/collocation/volterra_history.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace fde {
+namespace fde::reference {
 
 HistoryTerm::HistoryTerm(const Problem& problem, const PanelBasis& basis) : problem_(problem), basis_(basis) {
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
@@ -17,11 +18,11 @@ HistoryTerm::HistoryTerm(const Problem& problem, const PanelBasis& basis) : prob
   }
 }
 
-Matrix HistoryTerm::at_targets(const std::vector<Panel>& past, double from, double to) const {
+Matrix HistoryTerm::at_targets(const std::vector<Panel>& panels, double from, double to) const {
   const Vec offset = (to - from) * basis_.targets;
   Matrix sum = Matrix::Zero(offset.size(), problem_.size());
   // Distances t - s are sums of positive terms, not differences of times: accurate for s close to t.
-  for (const Panel& source : past) {
+  for (const Panel& source : panels) {
     add_panel(source, (offset.array() + (from - source.to)).matrix(), sum);
   }
   for (const Kernel& kernel : kernels_) {
@@ -32,9 +33,9 @@ Matrix HistoryTerm::at_targets(const std::vector<Panel>& past, double from, doub
   for (Eigen::Index k = 0; k < offset.size(); ++k) {
     sum.row(k) += taylor_part(problem_, from + offset[k]);
   }
-  for (Eigen::Index i = 0; i < problem_.size() && !past.empty(); ++i) {
-    if (algebraic(problem_.components[static_cast<std::size_t>(i)]))
-      sum.col(i).setConstant(past.back().values.bottomRows<1>()[i]);
+  for (Eigen::Index i = 0; i < problem_.size() && !panels.empty(); ++i) {
+    if (is_algebraic(problem_.components[static_cast<std::size_t>(i)]))
+      sum.col(i).setConstant(panels.back().values.bottomRows<1>()[i]);
   }
   return sum;
 }
@@ -77,4 +78,4 @@ void HistoryTerm::add_piece(const Matrix& rhs, double length, const Vec& gap,
   }
 }
 
-}  // namespace fde
+}  // namespace fde::reference

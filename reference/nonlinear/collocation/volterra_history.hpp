@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // A solved panel: f and y are polynomials in time, one row per point, one column per component.
 struct Panel {
@@ -23,8 +24,8 @@ class HistoryTerm {
 
   // Taylor part + 1/Gamma(gamma_i) int_0^from (t-s)^(gamma_i-1) f_i(s) ds at the targets t of the panel
   // [from, to]; for algebraic rows the value at `from`. One row per target, one column per component.
-  // Precondition: the panels in `past` cover [0, from].
-  [[nodiscard]] Matrix at_targets(const std::vector<Panel>& past, double from, double to) const;
+  // Precondition: the panels in `panels` cover [0, from].
+  [[nodiscard]] Matrix at_targets(const std::vector<Panel>& panels, double from, double to) const;
 
  private:
   // Components of the same order share the evaluation of their kernel.
@@ -41,4 +42,4 @@ class HistoryTerm {
   std::vector<Kernel> kernels_;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 #include "fdebench/reference/nonlinear/march/unit_increment.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -54,9 +55,10 @@ class DiffusiveIntegrator {
 
  private:
   [[nodiscard]] bool hopeless(const std::vector<double>& times, std::size_t most_steps) const {
-    constexpr std::size_t watched = 1000;
-    return times.size() > watched && fde::hopeless(times[times.size() - 1 - watched], time_, watched,
-                                                   problem_.end, most_steps - times.size());
+    constexpr std::size_t output_times = 1000;
+    return times.size() > output_times &&
+           fde::reference::cannot_reach_end(times[times.size() - 1 - output_times], time_, output_times,
+                                            problem_.end, most_steps - times.size());
   }
 
   // Halves the step until it resolves the solution.
@@ -88,16 +90,17 @@ class DiffusiveIntegrator {
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
       weights.push_back(memory_.weights(i, length));
     }
-    return equations_.solve(past(length), weights, time_, length, last_rhs_, size_);
+    return equations_.solve(history(length), weights, time_, length, last_rhs_, size_);
   }
 
   // The history term at the stages; for algebraic rows the last value.
-  [[nodiscard]] Matrix past(double length) {
-    Matrix past = memory_.past(length);
+  [[nodiscard]] Matrix history(double length) {
+    Matrix history = memory_.history_term(length);
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
-      if (algebraic(problem_.components[static_cast<std::size_t>(i)])) past.col(i).setConstant(value_[i]);
+      if (is_algebraic(problem_.components[static_cast<std::size_t>(i)]))
+        history.col(i).setConstant(value_[i]);
     }
-    return past;
+    return history;
   }
 
   // Factor by which the last coefficients grow when the step size is doubled.
@@ -118,14 +121,16 @@ class DiffusiveIntegrator {
   // The last two Legendre coefficients of y, and of the contribution of f to y, above their noise and
   // relative to the tolerance. Above 1 the step is too long.
   [[nodiscard]] double unresolved_by(const StageSolution& stages, double length) const {
-    if (time_ < options_.weightless * problem_.end || just_after_jump(problem_, time_, time_ + length)) {
+    if (time_ < options_.negligible_before * problem_.end ||
+        just_after_jump(problem_, time_, time_ + length)) {
       return 0.0;
     }
     Matrix y(stages.y.rows() + 1, stages.y.cols());
     y << value_.transpose(), stages.y;
-    const Vec of_y = StageNoise::beyond(largest(rule_.with_start.bottomRows(2) * y), stages.noise.values);
+    const Vec of_y =
+        StageNoise::above_noise(largest(rule_.with_start.bottomRows(2) * y), stages.noise.values);
     const Vec of_rhs =
-        StageNoise::beyond(largest(rule_.at_nodes.bottomRows(2) * stages.rhs), stages.noise.rhs);
+        StageNoise::above_noise(largest(rule_.at_nodes.bottomRows(2) * stages.rhs), stages.noise.rhs);
     const Vec excess = of_y.cwiseMax(unit_increment(problem_, length).cwiseProduct(of_rhs));
     const Vec size = size_.cwiseMax(largest(stages.y));
     double unresolved = 0.0;
@@ -143,7 +148,7 @@ class DiffusiveIntegrator {
     value_ = stages.y.bottomRows<1>().transpose();
     size_ = size_.cwiseMax(largest(stages.y));
     last_rhs_ = stages.rhs.bottomRows<1>().transpose();
-    noise_.follow(stages, length, end);
+    noise_.record_accepted_step(stages, length, end);
     equations_.set_rhs_noise(noise_.known_rhs_noise());
     --steps_to_growth_;
     if (jumps_at(problem_, time_)) {
@@ -173,7 +178,7 @@ class DiffusiveIntegrator {
 
 DiffusiveSolution diffusive_solution(const Problem& problem, const DiffusiveOptions& options,
                                      const std::vector<double>& stops) {
-  require_posed(problem);
+  require_supported(problem);
   DiffusiveIntegrator march(problem, options);
   DiffusiveSolution solution;
   for (const double stop : stops) {
@@ -183,4 +188,4 @@ DiffusiveSolution diffusive_solution(const Problem& problem, const DiffusiveOpti
   return solution;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,17 +1,20 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 struct DiffusiveOptions {
-  int stages = 8;            // of the Radau IIA method, 2 ... 16
-  double tolerance = 1e-10;  // of the last Legendre coefficients of y and f on a step, relative to the size
-  // of y so far; the error at the end of a step is then rounding
+  int stages = 8;  // of the Radau IIA method, 2 ... 16
+  // Of the last Legendre coefficients of y and f on a step, relative to the size of y so far; the error at
+  // the end of a step is then rounding.
+  double tolerance = 1e-10;
   double first_step = 1e-20;  // relative to the end
-  double weightless = 1e-18;  // relative to the end: errors of f before this time are below rounding later
+  // Relative to the end: errors of f before this time are below rounding later.
+  double negligible_before = 1e-18;
 };
 
 // A solution at the ends of the steps.
@@ -24,9 +27,9 @@ struct DiffusiveSolution {
 // exponentials, which turns the system into ordinary differential equations (the idea of Guglielmi & Hairer,
 // arXiv 2506.04188, 2025), and a Radau IIA method integrates these. Step sizes double and halve such that the
 // stages resolve the solution, so they grow geometrically away from 0. stops: increasing times in (0, end].
-// Throws std::invalid_argument for a problem that require_posed() rejects, std::runtime_error naming the time
-// where no step converges or too many are needed.
+// Throws std::invalid_argument for a problem that require_supported() rejects, std::runtime_error naming the
+// time where no step converges or too many are needed.
 DiffusiveSolution diffusive_solution(const Problem& problem, const DiffusiveOptions& options = {},
                                      const std::vector<double>& stops = {});
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/diffusive/kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -52,4 +53,4 @@ DiffusiveKernels::DiffusiveKernels(const std::vector<double>& orders, double end
   }
 }
 
-}  // namespace fde
+}  // namespace fde::reference

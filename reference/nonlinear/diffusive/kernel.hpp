@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
-namespace fde {
+namespace fde::reference {
 
 using ExtendedVec = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
@@ -26,4 +27,4 @@ struct DiffusiveKernels {
   std::vector<Kernel> kernels;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/diffusive/memory.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <utility>
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -16,7 +17,7 @@ std::vector<double> memory_orders(const Problem& problem) {
   std::vector<double> orders;
   for (const Component& component : problem.components) {
     const double order = part(component);
-    if (order < 1.0 && !algebraic(component) && std::ranges::find(orders, order) == orders.end()) {
+    if (order < 1.0 && !is_algebraic(component) && std::ranges::find(orders, order) == orders.end()) {
       orders.push_back(order);
     }
   }
@@ -49,15 +50,15 @@ MemoryStep::MemoryStep(const DiffusiveKernels& kernels, const RadauRule& rule, d
   for (const StageMatrix& sum : sums) {
     local.emplace_back(sum.cast<double>());
   }
-  plain = step.cast<double>();
+  integral = step.cast<double>();
 }
 
 MemoryVariables::MemoryVariables(const Problem& problem, RadauRule rule, double shortest)
     : rule_(std::move(rule)), kernels_(memory_orders(problem), problem.end, shortest) {
   for (const Component& component : problem.components) {
     State state{.kernel = -1,
-                .algebraic = algebraic(component),
-                .twice = twice(component),
+                .algebraic = is_algebraic(component),
+                .order_above_one = twice(component),
                 .initial = component.initial.back(),
                 .memory = {},
                 .integral = {}};
@@ -74,7 +75,7 @@ MemoryVariables::MemoryVariables(const Problem& problem, RadauRule rule, double 
   }
 }
 
-void MemoryVariables::Sum::add(const Vec& terms) {
+void MemoryVariables::CompensatedSum::add(const Vec& terms) {
   const Vec all = terms + compensation;
   const Vec sum = value + all;
   compensation = all - (sum - value);
@@ -99,16 +100,16 @@ Vec MemoryVariables::carried(const State& state, const MemoryStep& step) const {
 }
 
 const Matrix& MemoryVariables::local(const State& state, const MemoryStep& step) {
-  return state.kernel < 0 ? step.plain : step.local[static_cast<std::size_t>(state.kernel)];
+  return state.kernel < 0 ? step.integral : step.local[static_cast<std::size_t>(state.kernel)];
 }
 
-Matrix MemoryVariables::past(double length) {
+Matrix MemoryVariables::history_term(double length) {
   const MemoryStep& of_step = step(length);
   Matrix all(rule_.nodes.size(), static_cast<Eigen::Index>(states_.size()));
   Eigen::Index i = 0;
   for (const State& state : states_) {
     const Vec v = carried(state, of_step);
-    all.col(i++) = state.twice ? Vec((of_step.plain * v).array() + state.integral.value[0]) : v;
+    all.col(i++) = state.order_above_one ? Vec((of_step.integral * v).array() + state.integral.value[0]) : v;
   }
   return all;
 }
@@ -117,7 +118,7 @@ Matrix MemoryVariables::weights(Eigen::Index component, double length) {
   const MemoryStep& of_step = step(length);
   const State& state = states_[static_cast<std::size_t>(component)];
   if (state.algebraic) return Matrix::Identity(rule_.nodes.size(), rule_.nodes.size());
-  return state.twice ? Matrix(of_step.plain * local(state, of_step)) : local(state, of_step);
+  return state.order_above_one ? Matrix(of_step.integral * local(state, of_step)) : local(state, of_step);
 }
 
 void MemoryVariables::advance(double length, const Matrix& rhs) {
@@ -126,16 +127,16 @@ void MemoryVariables::advance(double length, const Matrix& rhs) {
   for (State& state : states_) {
     const Vec f = rhs.col(i++);
     if (state.algebraic) continue;
-    if (state.twice) {
+    if (state.order_above_one) {
       const Vec v = carried(state, of_step) + local(state, of_step) * f;
-      state.integral.add(of_step.plain.bottomRows<1>() * v);
+      state.integral.add(of_step.integral.bottomRows<1>() * v);
     }
     if (state.kernel < 0) {
-      state.memory.add(of_step.plain.bottomRows<1>() * f);
+      state.memory.add(of_step.integral.bottomRows<1>() * f);
     } else {
       state.memory.add(of_step.gain * f - of_step.decay.cwiseProduct(state.memory.value));
     }
   }
 }
 
-}  // namespace fde
+}  // namespace fde::reference

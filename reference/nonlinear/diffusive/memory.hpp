@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
@@ -7,7 +8,7 @@
 #include "fdebench/reference/nonlinear/quadrature/radau.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // A Runge-Kutta step of size h for the memory variables phi_m' = -rates[m] phi_m + f. They are linear and are
 // eliminated: with the Runge-Kutta matrix A and R_m = (1 + h rates[m] A)^-1, the values at the stages are
@@ -19,7 +20,7 @@ struct MemoryStep {
   Matrix gain;                // (m, stage): the last row of h R_m A
   Vec decay;                  // 1 - (the last entry of R_m 1)
   std::vector<Matrix> local;  // one per kernel: lumped + sum_m weights[m] h R_m A
-  Matrix plain;               // h A
+  Matrix integral;            // h A
 };
 
 // The memory variables of a problem. With order = integer + part, part in (0, 1],
@@ -30,9 +31,9 @@ class MemoryVariables {
   // Accurate for times from shortest * end on.
   MemoryVariables(const Problem& problem, RadauRule rule, double shortest);
 
-  // The values of y at the stages of a step are past + weights F, one column per component, F the values of f
-  // at the stages. For algebraic rows the weights are the identity.
-  [[nodiscard]] Matrix past(double length);
+  // The values of y at the stages of a step are history + weights F, one column per component, F the values
+  // of f at the stages. For algebraic rows the weights are the identity.
+  [[nodiscard]] Matrix history_term(double length);
   [[nodiscard]] Matrix weights(Eigen::Index component, double length);
 
   // Completes the step; rhs: F.
@@ -40,17 +41,17 @@ class MemoryVariables {
 
  private:
   // A compensated sum of many small terms: its value and the rounding error so far.
-  struct Sum {
+  struct CompensatedSum {
     Vec value, compensation;
     void add(const Vec& terms);
   };
   struct State {
-    Eigen::Index kernel;  // -1: part = 1
-    bool algebraic;       // without memory
-    bool twice;           // y' = v
-    double initial;       // of v
-    Sum memory;
-    Sum integral;  // y, where y' = v
+    Eigen::Index kernel;   // -1: part = 1
+    bool algebraic;        // without memory
+    bool order_above_one;  // y' = v
+    double initial;        // of v
+    CompensatedSum memory;
+    CompensatedSum integral;  // y, where y' = v
   };
 
   const MemoryStep& step(double length);
@@ -63,4 +64,4 @@ class MemoryVariables {
   std::map<double, MemoryStep> steps_;  // by length
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/diffusive/stage_noise.hpp"
 
 #include <limits>
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -11,14 +12,16 @@ constexpr double noises = 4.0;           // the sum of some rounding errors
 
 }  // namespace
 
-Vec StageNoise::beyond(const Vec& coefficients, const Vec& noise) { return coefficients - noises * noise; }
+Vec StageNoise::above_noise(const Vec& coefficients, const Vec& noise) {
+  return coefficients - noises * noise;
+}
 
 bool StageNoise::detect(const StageSolution& stages, double from, double length, const Vec& tolerated,
                         double scale) {
   const Vec unresolved = (rule_.at_nodes.bottomRows(2) * stages.rhs).cwiseAbs().colwise().maxCoeff();
   const Vec negligible = known_rounding * stages.noise.rhs + tolerated;
-  return rhs_noise_.find(from + length * rule_.nodes.cast<double>().array(), stages.y, unresolved, negligible,
-                         scale);
+  return rhs_noise_.detect(from + length * rule_.nodes.cast<double>().array(), stages.y, unresolved,
+                           negligible, scale);
 }
 
 bool StageNoise::detect_on_last_step(const Vec& size) {
@@ -28,14 +31,14 @@ bool StageNoise::detect_on_last_step(const Vec& size) {
   const Vec rhs_size = last_->stages.rhs.cwiseAbs().colwise().maxCoeff();
   const Vec negligible = known_rounding * last_->stages.noise.rhs;
   const Vec unresolved = negligible.cwiseMax(std::numeric_limits<double>::min());
-  return rhs_noise_.find(times(*last_), last_->stages.y, unresolved, negligible,
-                         size.cwiseMax(rhs_size).maxCoeff());
+  return rhs_noise_.detect(times(*last_), last_->stages.y, unresolved, negligible,
+                           size.cwiseMax(rhs_size).maxCoeff());
 }
 
-void StageNoise::follow(const StageSolution& stages, double length, double to) {
+void StageNoise::record_accepted_step(const StageSolution& stages, double length, double to) {
   last_ = {stages, length, to};
-  const Vec explained = noises * (stages.noise.rhs - rhs_noise_.found());
-  rhs_noise_.follow(times(*last_), stages.y, explained);
+  const Vec explained = noises * (stages.noise.rhs - rhs_noise_.allowance());
+  rhs_noise_.update_after_step(times(*last_), stages.y, explained);
 }
 
 // Computed from the end of the step, where the next step starts.
@@ -43,4 +46,4 @@ Vec StageNoise::times(const Step& step) const {
   return step.to + step.length * (rule_.nodes.cast<double>().array() - 1.0);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -6,7 +7,7 @@
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 #include "fdebench/reference/nonlinear/quadrature/radau.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The rounding noise of the Legendre coefficients on a step. Without it, noise would count as an unresolved
 // solution, and steps would be halved without end.
@@ -15,19 +16,19 @@ class StageNoise {
   StageNoise(const Problem& problem, const RadauRule& rule) : rule_(rule), rhs_noise_(problem) {}
 
   // The coefficients minus an allowance for their noise.
-  [[nodiscard]] static Vec beyond(const Vec& coefficients, const Vec& noise);
+  [[nodiscard]] static Vec above_noise(const Vec& coefficients, const Vec& noise);
 
   // Whether there is new noise of f on the step that explains why the step does not resolve the solution.
-  // tolerated: the coefficients of f that the tolerance allows; scale: see RhsNoise::find.
+  // tolerated: the coefficients of f that the tolerance allows; scale: see RhsNoise::detect.
   bool detect(const StageSolution& stages, double from, double length, const Vec& tolerated, double scale);
   // The same for a step without a solution, from the step before it. size: of y so far.
   bool detect_on_last_step(const Vec& size);
 
   // Records an accepted step of size `length` that ends at `to`.
-  void follow(const StageSolution& stages, double length, double to);
+  void record_accepted_step(const StageSolution& stages, double length, double to);
 
   // The noise of f found so far, for StageEquations::set_rhs_noise.
-  [[nodiscard]] const Vec& known_rhs_noise() const { return rhs_noise_.found(); }
+  [[nodiscard]] const Vec& known_rhs_noise() const { return rhs_noise_.allowance(); }
 
  private:
   struct Step {
@@ -41,4 +42,4 @@ class StageNoise {
   std::optional<Step> last_;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

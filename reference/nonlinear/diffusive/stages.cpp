@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/diffusive/stages.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 #include "fdebench/reference/nonlinear/march/jumps.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_at.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -51,20 +52,20 @@ Vec largest_forcing(const Problem& problem) {
 StageEquations::StageEquations(const Problem& problem, Vec nodes)
     : problem_(problem), nodes_(std::move(nodes)), forcing_(largest_forcing(problem)) {}
 
-std::optional<StageSolution> StageEquations::solve(const Matrix& past, const std::vector<Matrix>& weights,
+std::optional<StageSolution> StageEquations::solve(const Matrix& history, const std::vector<Matrix>& weights,
                                                    double from, double length, In first_rhs, In size) const {
   constexpr int most_iterations = 40;
   constexpr double nearly_converged = 1e-12;
   const Vec times = node_times(problem_, from, length, nodes_);
   StageSolution found{};
-  found.y = past + weighted(weights, first_rhs.transpose().replicate(nodes_.size(), 1));
+  found.y = history + weighted(weights, first_rhs.transpose().replicate(nodes_.size(), 1));
   LinearisedStep newton;
   double correction_size = std::numeric_limits<double>::infinity(), last_size = 0.0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     found.rhs = rhs_at(problem_, times, found.y);
-    Matrix next = past + weighted(weights, found.rhs);
+    Matrix next = history + weighted(weights, found.rhs);
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
-      if (algebraic(problem_.components[static_cast<std::size_t>(i)])) next.col(i) = found.y.col(i);
+      if (is_algebraic(problem_.components[static_cast<std::size_t>(i)])) next.col(i) = found.y.col(i);
     }
     if (correction_size < rounding ||
         (correction_size < nearly_converged && correction_size > last_size / 2)) {
@@ -119,4 +120,4 @@ Matrix StageEquations::jacobian_at(double t, const Vec& y) const {
   return jacobian;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

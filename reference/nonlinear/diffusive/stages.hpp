@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // y and f at the stages of a step, one row per stage, and their rounding noise.
 struct StageSolution {
@@ -13,15 +14,15 @@ struct StageSolution {
   Noise noise;
 };
 
-// The equations y_i = past_i + weights_i f_i(t, y) at the stages of a Runge-Kutta step (past: the history
-// term), and 0 = f_i(t, y) in algebraic rows, where past is an initial guess.
+// The equations y_i = history_i + weights_i f_i(t, y) at the stages of a Runge-Kutta step (history: the
+// history term), and 0 = f_i(t, y) in algebraic rows, where history is an initial guess.
 class StageEquations {
  public:
   StageEquations(const Problem& problem, Vec nodes);
 
   // Newton's method down to rounding, with f = first_rhs at all stages as the initial guess; size: the
   // largest |y| so far. nullopt where it does not converge.
-  [[nodiscard]] std::optional<StageSolution> solve(const Matrix& past, const std::vector<Matrix>& weights,
+  [[nodiscard]] std::optional<StageSolution> solve(const Matrix& history, const std::vector<Matrix>& weights,
                                                    double from, double length, In first_rhs, In size) const;
 
   // Sets the rounding noise of f that neither its size nor its derivatives show.
@@ -40,4 +41,4 @@ class StageEquations {
   Vec rhs_noise_ = Vec::Zero(problem_.size());
 };
 
-}  // namespace fde
+}  // namespace fde::reference

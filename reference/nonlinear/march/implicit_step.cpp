@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
 
 #include <limits>
 #include <utility>
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
 Vec masses(const Problem& problem) {
   Vec mass(problem.size());
   for (Eigen::Index i = 0; i < problem.size(); ++i)
-    mass[i] = algebraic(problem.components[static_cast<std::size_t>(i)]) ? 0.0 : 1.0;
+    mass[i] = is_algebraic(problem.components[static_cast<std::size_t>(i)]) ? 0.0 : 1.0;
   return mass;
 }
 
@@ -56,7 +57,7 @@ Matrix LinearisedStep::terms_of(const Matrix& y_size) const {
 Matrix residual_of(const Problem& problem, const Matrix& next, const Matrix& y, const Matrix& rhs) {
   Matrix residual = next - y;
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (algebraic(problem.components[static_cast<std::size_t>(i)])) residual.col(i) = rhs.col(i);
+    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) residual.col(i) = rhs.col(i);
   }
   return residual;
 }
@@ -73,4 +74,4 @@ Noise propagated_noise(const LinearisedStep& step, const std::function<Matrix(co
   return {of_y.colwise().maxCoeff(), (of_rhs.cwiseAbs() + step.terms_of(of_y)).colwise().maxCoeff()};
 }
 
-}  // namespace fde
+}  // namespace fde::reference

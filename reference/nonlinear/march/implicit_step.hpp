@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/LU>
@@ -6,9 +7,9 @@
 
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::reference {
 
-// The equations y_i = past_i + W_i f_i(t, y) of an implicit step (past_i: the history term), and
+// The equations y_i = history_i + W_i f_i(t, y) of an implicit step (history_i: the history term), and
 // 0 = f_i(t, y) in algebraic rows, linearised at some y; y_i and f_i are the values of a component at the
 // nodes. Matrices of values have one row per node and one column per component; unknowns are numbered
 // component by component.
@@ -27,7 +28,7 @@ struct LinearisedStep {
   [[nodiscard]] Matrix terms_of(const Matrix& y_size) const;
 };
 
-// The residual of the equations: next - y with next = past + W f, and f in algebraic rows.
+// The residual of the equations: next - y with next = history + W f, and f in algebraic rows.
 Matrix residual_of(const Problem& problem, const Matrix& next, const Matrix& y, const Matrix& rhs);
 
 // Largest rounding error of each component of y and f.
@@ -46,4 +47,4 @@ Noise propagated_noise(const LinearisedStep& step, const std::function<Matrix(co
                        const Matrix& y, const Matrix& rhs, In further,
                        Matrix (*with_signs)(const Matrix& sizes));
 
-}  // namespace fde
+}  // namespace fde::reference

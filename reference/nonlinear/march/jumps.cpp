@@ -1,21 +1,22 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/march/jumps.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
-namespace fde {
+namespace fde::reference {
 
 double next_discontinuity(const Problem& problem, double after) {
-  const auto next = std::ranges::upper_bound(problem.jumps, after);
-  return next == problem.jumps.end() ? problem.end : std::min(*next, problem.end);
+  const auto next = std::ranges::upper_bound(problem.jump_times, after);
+  return next == problem.jump_times.end() ? problem.end : std::min(*next, problem.end);
 }
 
-bool jumps_at(const Problem& problem, double t) { return std::ranges::binary_search(problem.jumps, t); }
+bool jumps_at(const Problem& problem, double t) { return std::ranges::binary_search(problem.jump_times, t); }
 
 double last_jump(const Problem& problem, double t) {
-  const auto next = std::ranges::upper_bound(problem.jumps, t);
-  return next == problem.jumps.begin() ? 0.0 : *std::prev(next);
+  const auto next = std::ranges::upper_bound(problem.jump_times, t);
+  return next == problem.jump_times.begin() ? 0.0 : *std::prev(next);
 }
 
 bool just_after_jump(const Problem& problem, double from, double to) {
@@ -31,4 +32,4 @@ Vec node_times(const Problem& problem, double from, double length, In nodes) {
   return times;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

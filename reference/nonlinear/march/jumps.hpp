@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // At the times where f is discontinuous a panel or step ends, and the integration restarts as at t = 0: the
 // solution continues with fractional powers of the time since the jump.
@@ -29,4 +30,4 @@ inline constexpr double first_after_jump = 1e-11;
 // only double.
 bool just_after_jump(const Problem& problem, double from, double to);
 
-}  // namespace fde
+}  // namespace fde::reference

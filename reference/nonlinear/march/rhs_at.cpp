@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/march/rhs_at.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 Vec rhs_at(const Problem& problem, double t, In y) {
   Vec f(problem.size());
@@ -16,4 +17,4 @@ Matrix rhs_at(const Problem& problem, const Vec& times, const Matrix& y) {
   return rhs;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

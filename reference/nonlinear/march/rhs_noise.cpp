@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <random>
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -53,7 +54,7 @@ Vec RhsNoise::largest(const Vec& times, const Matrix& y) const {
   return noise;
 }
 
-bool RhsNoise::find(const Vec& times, const Matrix& y, In unresolved, In negligible, double scale) {
+bool RhsNoise::detect(const Vec& times, const Matrix& y, In unresolved, In negligible, double scale) {
   constexpr double explains = 32.0;
   const auto suspected =
       (unresolved.array() > matters * negligible.array() && unresolved.array() <= largest_noise * scale)
@@ -62,24 +63,24 @@ bool RhsNoise::find(const Vec& times, const Matrix& y, In unresolved, In negligi
   const Vec noise = largest(times, y);
   bool news = false;
   for (Eigen::Index i = 0; i < noise.size(); ++i) {
-    if (suspected[i] && noise[i] > found_[i] && noise[i] > matters * negligible[i] &&
+    if (suspected[i] && noise[i] > allowance_[i] && noise[i] > matters * negligible[i] &&
         noise[i] <= largest_noise * scale && explains * noise[i] >= unresolved[i]) {
-      found_[i] = safety * noise[i];
+      allowance_[i] = safety * noise[i];
       news = true;
     }
   }
   return news;
 }
 
-void RhsNoise::follow(const Vec& times, const Matrix& y, In explained) {
-  if (found_.isZero(0.0)) return;
+void RhsNoise::update_after_step(const Vec& times, const Matrix& y, In explained) {
+  if (allowance_.isZero(0.0)) return;
   const Vec noise = largest(times, y);
-  for (Eigen::Index i = 0; i < found_.size(); ++i) {
-    if (found_[i] == 0.0) continue;
+  for (Eigen::Index i = 0; i < allowance_.size(); ++i) {
+    if (allowance_[i] == 0.0) continue;
     const double allowance = noise[i] > explained[i] ? safety * noise[i] : 0.0;
-    const double faded = found_[i] > explained[i] ? found_[i] / 2 : 0.0;
-    found_[i] = std::clamp(allowance, faded, found_[i]);
+    const double faded = allowance_[i] > explained[i] ? allowance_[i] / 2 : 0.0;
+    allowance_[i] = std::clamp(allowance, faded, allowance_[i]);
   }
 }
 
-}  // namespace fde
+}  // namespace fde::reference

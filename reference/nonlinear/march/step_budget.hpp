@@ -1,16 +1,18 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
 
-namespace fde {
+namespace fde::reference {
 
 // Whether an integration that went from `before` to `now` in `steps` steps, with `steps_left` more allowed,
 // will not reach the end: its time has not doubled, as it does while steps grow, and at this pace the end is
 // far out of reach.
-constexpr bool hopeless(double before, double now, std::size_t steps, double end, std::size_t steps_left) {
+constexpr bool cannot_reach_end(double before, double now, std::size_t steps, double end,
+                                std::size_t steps_left) {
   constexpr double far = 3.0;
   const double pace = (now - before) / static_cast<double>(steps);
   return now < 2.0 * before && end - now > far * pace * static_cast<double>(steps_left);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

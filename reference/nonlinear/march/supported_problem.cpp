@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/march/supported_problem.hpp"
 
 #include <fmt/format.h>
@@ -6,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace fde {
+namespace fde::reference {
 
-void require_posed(const Problem& problem) {
+void require_supported(const Problem& problem) {
   const auto require = [](bool holds, const std::string& what) {
     if (!holds) throw std::invalid_argument("reference solution: " + what);
   };
@@ -18,11 +19,11 @@ void require_posed(const Problem& problem) {
     const auto& component = problem.components[i];
     const double order = component.order;
     require(component.side == Side::left, fmt::format("component {} has a right derivative", i));
-    require(algebraic(component) || (order > 0.0 && order <= 2.0),
+    require(is_algebraic(component) || (order > 0.0 && order <= 2.0),
             fmt::format("component {} needs an order in [0, 2], it has {}", i, order));
     require(component.initial.size() == initial_count(order),
             fmt::format("component {} needs ceil(order) initial values", i));
   }
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/march/unit_increment.hpp"
 
 #include <cmath>
 
-namespace fde {
+namespace fde::reference {
 
 Vec unit_increment(const Problem& problem, double length) {
   Vec increment(problem.size());
@@ -13,4 +14,4 @@ Vec unit_increment(const Problem& problem, double length) {
   return increment;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

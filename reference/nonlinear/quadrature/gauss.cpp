@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/quadrature/gauss.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-namespace fde {
+namespace fde::reference {
 
 // Golub and Welsch (1969): nodes and weights from the symmetric tridiagonal matrix of the recurrence of the
 // Jacobi polynomials for (1-u)^power on [-1, 1].
@@ -75,4 +76,4 @@ LongVec barycentric_weights(const LongVec& nodes) {
   return weights;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
 
-namespace fde {
+namespace fde::reference {
 
 // Weights that every panel uses are computed once in extended precision and then rounded to double.
 using LongVec = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
@@ -28,4 +29,4 @@ LongMatrix legendre_analysis(const GaussRule& rule);
 // The weights prod_{k != j} 1 / (nodes[j] - nodes[k]) of the barycentric interpolation formula.
 LongVec barycentric_weights(const LongVec& nodes);
 
-}  // namespace fde
+}  // namespace fde::reference

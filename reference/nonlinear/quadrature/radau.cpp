@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/quadrature/radau.hpp"
 
 #include <Eigen/LU>
@@ -7,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace fde {
+namespace fde::reference {
 
 namespace {
 
@@ -67,4 +68,4 @@ RadauRule::RadauRule(int stages) {
   with_start = StageMatrix(dense.partialPivLu().inverse()).cast<double>();
 }
 
-}  // namespace fde
+}  // namespace fde::reference

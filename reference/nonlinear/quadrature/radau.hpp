@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
 
-namespace fde {
+namespace fde::reference {
 
 // Small matrices in extended precision with storage on the stack.
 constexpr int max_stages = 16;
@@ -17,10 +18,10 @@ struct RadauRule {
   explicit RadauRule(int stages);  // in [1, max_stages], else std::invalid_argument
 
   Stages nodes;
-  StageMatrix
-      integral;  // (i, j): the Runge-Kutta matrix, int_0^nodes[i] of the Lagrange polynomial of nodes[j]
+  // (i, j): the Runge-Kutta matrix, int_0^nodes[i] of the Lagrange polynomial of nodes[j].
+  StageMatrix integral;
   Eigen::MatrixXd at_nodes;    // Legendre coefficients of a polynomial from its values at the nodes
   Eigen::MatrixXd with_start;  // the same from its values at 0 and at the nodes
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
 
 #include <array>
@@ -6,12 +7,16 @@
 
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 template <class Real>
 Contour<Real>::Contour(const Real& mu, const Real& omega, const Real& depth, bool half_step_shift)
-    : mu_(mu), omega_(omega), depth_(depth), shift_(half_step_shift ? Real(1) / 2 : Real(0)), share_(0) {
+    : mu_(mu),
+      omega_(omega),
+      depth_(depth),
+      shift_(half_step_shift ? Real(1) / 2 : Real(0)),
+      exp_minus_mu_(0) {
   using std::exp, std::log, std::sqrt;
-  share_ = exp(-mu);
+  exp_minus_mu_ = exp(-mu);
   const Real step = 2 * pi<Real>() / omega;
   const Real end = sqrt(1 + depth / mu);  // mu (1 - theta^2) = -depth
   const Real log_mu = log(mu), scale = step * mu / pi<Real>();
@@ -114,4 +119,4 @@ const Contour<long double>& contour_away_from(const std::vector<Complex<long dou
   return clearance(contours[0]) >= clearance(contours[1]) ? contours[0] : contours[1];
 }
 
-}  // namespace fde
+}  // namespace fde::reference

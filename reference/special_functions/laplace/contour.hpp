@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Inverse Laplace transform at time 1 by the trapezoidal rule on a parabola round the negative real axis
 // (Weideman & Trefethen, Math. Comp. 76, 2007):
@@ -29,7 +30,7 @@ class Contour {
 
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const Real& omega() const { return omega_; }
-  [[nodiscard]] const Real& share() const { return share_; }  // e^-mu
+  [[nodiscard]] const Real& exp_minus_mu() const { return exp_minus_mu_; }  // e^-mu
   [[nodiscard]] ContourShape shape() const;
 
   // Factor m of the pole with this logarithm, whose imaginary part determines the sheet.
@@ -52,7 +53,7 @@ class Contour {
  private:
   [[nodiscard]] Complex<Real> step_of(const Complex<Real>& log_pole) const;  // theta / h - shift
 
-  Real mu_, omega_, depth_, shift_, share_;
+  Real mu_, omega_, depth_, shift_, exp_minus_mu_;
   std::vector<Node> nodes_;
 };
 
@@ -69,4 +70,4 @@ const Contour<long double>& contour_away_from(const std::vector<Complex<long dou
 extern template class Contour<long double>;
 extern template class Contour<BigReal>;
 
-}  // namespace fde
+}  // namespace fde::reference

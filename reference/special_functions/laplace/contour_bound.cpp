@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 
 #include "fdebench/reference/special_functions/numbers/log_gamma.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr double pi_double = std::numbers::pi;
@@ -143,7 +144,7 @@ double ContourBound::log_truncation_error(const Quotient& quotient) const {
   return weight + power - std::log1p(-ratio) - clearance;
 }
 
-ContourBound::Result ContourBound::at(const Quotient& quotient) const {
+ContourBound::Result ContourBound::bound_for(const Quotient& quotient) const {
   Result best{std::numeric_limits<double>::infinity(), near_lines_.front().distance};
   for (const Line& line : near_lines_) {
     const double bound = log_line(line, quotient);
@@ -156,4 +157,4 @@ ContourBound::Result ContourBound::at(const Quotient& quotient) const {
   return best;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

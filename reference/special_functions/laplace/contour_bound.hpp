@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <complex>
@@ -5,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace fde {
+namespace fde::reference {
 
 // The parameters of the parabola of contour.hpp in double, for bounds.
 struct ContourShape {
@@ -57,7 +58,7 @@ class ContourBound {
     double log_bound;
     double distance;  // d: the poles with Re root > d are those between the lines
   };
-  [[nodiscard]] Result at(const Quotient& quotient) const;
+  [[nodiscard]] Result bound_for(const Quotient& quotient) const;
 
   // log of a bound of (1/2 pi) int |e^s F ds| along the whole line s = mu (distance + i x)^2: a bound of f
   // minus the residues of the poles with Re root > distance.
@@ -65,7 +66,7 @@ class ContourBound {
 
   // Whether the residue of the pole counts: the pole is between the lines, or right of the second one, where
   // the exact factor is 1 and the computed one nearly so.
-  [[nodiscard]] static bool counts(std::complex<double> root, double distance) {
+  [[nodiscard]] static bool includes_residue(std::complex<double> root, double distance) {
     return root.real() > distance;
   }
 
@@ -82,4 +83,4 @@ class ContourBound {
   std::vector<Line> near_lines_, far_lines_;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

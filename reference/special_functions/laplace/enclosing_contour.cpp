@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/laplace/enclosing_contour.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Long = long double;
@@ -17,7 +18,7 @@ constexpr Long turn = 2.0L * std::numbers::pi_v<Long>;
 
 }  // namespace
 
-// A parabola for one choice of rise and c, and its number of nodes.
+// A parabola for one choice of right_extent and c, and its number of nodes.
 struct EnclosingContour::Shape {
   Long rise = 0.0L, c = 0.0L, step = 0.0L, above = 0.0L, below = 0.0L;
   Long nodes = infinity;
@@ -44,32 +45,32 @@ EnclosingContour::EnclosingContour(const std::vector<Point>& singularities, int 
     others.erase(reached, others.end());
   }
   const Long largest = std::abs(sigma_) + std::abs(y_) + width + mu_;
-  working_digits_ =
-      static_cast<int>(std::ceil((width + rise() + std::log(Long(count_) + 1.0L) + std::log1p(largest)) /
-                                 std::numbers::ln10_v<Long>)) +
-      4;
+  working_digits_ = static_cast<int>(std::ceil(
+                        (width + right_extent() + std::log(Long(count_) + 1.0L) + std::log1p(largest)) /
+                        std::numbers::ln10_v<Long>)) +
+                    4;
 }
 
 // The rectangle extends to the nearest image of a singularity, less a margin that keeps |s - s*|^-order small
 // on its edge.
 EnclosingContour::Shape EnclosingContour::shape(const std::vector<Point>& enclosed, Long width, Long margin,
-                                                Long rise, Long c) const {
-  const Long mu = rise + c;
+                                                Long right_extent, Long c) const {
+  const Long mu = right_extent + c;
   Long distance = 1.0L;
   for (const auto& s : enclosed) {
     const Point root = std::sqrt(Point(s.real() - sigma_ + c, s.imag() - y_) / mu);
     distance = std::min(distance, 1.0L - root.real());
   }
   if (distance <= 0.0L) return {};
-  Shape found{.rise = rise, .c = c, .above = distance * (1.0L - margin)};
+  Shape found{.rise = right_extent, .c = c, .above = distance * (1.0L - margin)};
   // on Im theta = -a the error is e^(mu (1 + a)^2 - c - 2 pi a / h), least at 1 + a = pi / (h mu)
-  const Long half_turns = mu + std::sqrt(mu * (rise + width));
+  const Long half_turns = mu + std::sqrt(mu * (right_extent + width));
   const Long top = std::max(0.0L, mu * (1.0L - found.above) * (1.0L - found.above) - c);
   found.step = std::min(turn * found.above / (width + top), turn / 2.0L / half_turns);
   // the nearest line where this is below e^-width: a farther one takes more discs in log_bound()
   const Long slack = turn / 2.0L / found.step - mu;
-  found.below = (slack - std::sqrt(std::max(0.0L, slack * slack - mu * (rise + width + 3.0L)))) / mu;
-  found.nodes = std::sqrt((rise + width) / mu) / found.step;
+  found.below = (slack - std::sqrt(std::max(0.0L, slack * slack - mu * (right_extent + width + 3.0L)))) / mu;
+  found.nodes = std::sqrt((right_extent + width) / mu) / found.step;
   return found;
 }
 
@@ -136,4 +137,4 @@ std::vector<EnclosingContour::Node> EnclosingContour::nodes_from(int first) cons
   return nodes;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
 
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Inverse Laplace transform at time 1,
 //   f = 1/(2 pi i) int e^s F(s) ds,
@@ -40,8 +41,8 @@ class EnclosingContour {
   [[nodiscard]] int working_digits() const { return working_digits_; }
 
   [[nodiscard]] long double sigma() const { return sigma_; }
-  // e^s on the contour is up to e^(sigma + rise).
-  [[nodiscard]] long double rise() const { return mu_ - c_; }
+  // |e^s| on the contour is at most e^(sigma + right_extent).
+  [[nodiscard]] long double right_extent() const { return mu_ - c_; }
 
   struct Disc {
     Point centre;
@@ -62,7 +63,7 @@ class EnclosingContour {
   struct Shape;
   void choose(const std::vector<Point>& enclosed, long double width, long double order);
   [[nodiscard]] Shape shape(const std::vector<Point>& enclosed, long double width, long double margin,
-                            long double rise, long double c) const;
+                            long double right_extent, long double c) const;
   [[nodiscard]] bool is_near_rectangle(const Point& singularity) const;
   [[nodiscard]] Point at(const Point& theta) const;
   [[nodiscard]] std::vector<Node> nodes_from(int first) const;
@@ -74,4 +75,4 @@ class EnclosingContour {
   int count_ = 0, working_digits_ = 0;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/laplace/enclosing_contour.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Long = long double;
@@ -107,4 +108,4 @@ long double EnclosingContour::log_bound(const Majorant& majorant) const {
   return sigma_ + sum;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/laplace/free_strip.hpp"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr double pi_double = std::numbers::pi;
@@ -21,13 +22,14 @@ double log_sum(double a, double b) {
 // first k factors take |s|^alpha and the others |z_i|, with the k that gives the smallest bound.
 // log_of_power(e) is the log of |s|^e.
 template <class LogOfPower>
-double least_size(const FreeStrip::Product& product, double exponent, const LogOfPower& log_of_power) {
+double least_size(const SingularityFreeStrip::Product& product, double exponent,
+                  const LogOfPower& log_of_power) {
   double constant = 0.0;
-  for (const auto& factor : product.factors) constant -= factor.strength * factor.log_size;
+  for (const auto& factor : product.factors) constant -= factor.singularity_order * factor.log_size;
   double least = log_of_power(exponent) + constant;
   for (const auto& factor : product.factors) {
-    exponent -= factor.strength * product.alpha;
-    constant += factor.strength * factor.log_size;
+    exponent -= factor.singularity_order * product.alpha;
+    constant += factor.singularity_order * factor.log_size;
     least = std::min(least, log_of_power(exponent) + constant);
   }
   return least;
@@ -35,16 +37,16 @@ double least_size(const FreeStrip::Product& product, double exponent, const LogO
 
 // For an exponent between the least and the largest, |s|^e is at most the sum of its values for these two.
 template <class LogOfPower>
-double log_size(const FreeStrip::Product& product, const LogOfPower& log_of_power) {
+double log_size(const SingularityFreeStrip::Product& product, const LogOfPower& log_of_power) {
   const double least = least_size(product, product.exponent, log_of_power);
-  return product.more == 0.0
+  return product.exponent_range == 0.0
              ? least
-             : log_sum(least, least_size(product, product.exponent + product.more, log_of_power));
+             : log_sum(least, least_size(product, product.exponent + product.exponent_range, log_of_power));
 }
 
 }  // namespace
 
-FreeStrip::Line FreeStrip::line_at(double distance) const {
+SingularityFreeStrip::Line SingularityFreeStrip::line_at(double distance) const {
   const auto& [offset, mu, omega, depth] = shape_;
   const double turns = omega * std::abs(1.0 - distance);
   const double inner = distance - corner_, outer = distance + corner_;
@@ -57,7 +59,7 @@ FreeStrip::Line FreeStrip::line_at(double distance) const {
           LineIntegrals(mu, outer)};
 }
 
-FreeStrip::FreeStrip(const ShiftedShape& shape)
+SingularityFreeStrip::SingularityFreeStrip(const ShiftedShape& shape)
     : shape_(shape), corner_(std::sqrt(-shape.offset / shape.mu)) {
   for (const double part : {0.03, 0.1, 0.2, 0.35, 0.5, 0.6, 0.7, 0.8})
     near_lines_.push_back(line_at(corner_ + (1.0 - corner_) * part));
@@ -67,14 +69,15 @@ FreeStrip::FreeStrip(const ShiftedShape& shape)
   }
 }
 
-double FreeStrip::position_of(std::complex<double> root) const {
+double SingularityFreeStrip::position_of(std::complex<double> root) const {
   return std::sqrt((root * root - shape_.offset) / shape_.mu).real();
 }
 
 // The positions r* of the singularities s* of a product relative to the contour.
-class FreeStrip::Places {
+class SingularityFreeStrip::SingularityPositions {
  public:
-  Places(const FreeStrip& strip, const Product& product) : strip_(strip), product_(product) {
+  SingularityPositions(const SingularityFreeStrip& strip, const Product& product)
+      : strip_(strip), product_(product) {
     const auto& [offset, mu, omega, depth] = strip.shape_;
     for (const Factor& factor : product.factors) {
       std::vector<Place> places;
@@ -116,7 +119,7 @@ class FreeStrip::Places {
         least = std::min(least, times * product_.alpha * (1.0 - rounding) / (1.0 + 1.0 / share));
       }
       if (!(least > 0.0)) return -infinity;
-      sum += factor.strength * std::log(least / 10.0);
+      sum += factor.singularity_order * std::log(least / 10.0);
     }
     return sum;
   }
@@ -125,14 +128,14 @@ class FreeStrip::Places {
   struct Place {
     double re, size, scale;
   };
-  const FreeStrip& strip_;
+  const SingularityFreeStrip& strip_;
   const Product& product_;
   std::vector<std::vector<Place>> places_;
 };
 
 // A geometric series from the first truncated node on, as in ContourBound: |s| grows by at most the factor
 // e^(2 step / theta) from one node to the next.
-double FreeStrip::log_truncation_error(const Product& product) const {
+double SingularityFreeStrip::log_truncation_error(const Product& product) const {
   const auto& [offset, mu, omega, depth] = shape_;
   const double step = 2.0 * pi_double / omega, theta = std::sqrt(1.0 + depth / mu);
   const double log_modulus = std::log(std::hypot(offset + mu * (1.0 - theta * theta), 2.0 * mu * theta));
@@ -148,7 +151,7 @@ double FreeStrip::log_truncation_error(const Product& product) const {
   return weight + power - std::log1p(-ratio);
 }
 
-double FreeStrip::log_line(const Line& line, const Product& product) {
+double SingularityFreeStrip::log_line(const Line& line, const Product& product) {
   const double size = log_size(product, [&](double exponent) {
     return exponent <= 0.0 ? line.log_inner + line.inner.log_at(exponent)
                            : line.log_outer + line.outer.log_at(exponent);
@@ -156,14 +159,14 @@ double FreeStrip::log_line(const Line& line, const Product& product) {
   return size + line.log_factor;
 }
 
-std::optional<FreeStrip::Result> FreeStrip::at(const Product& product) const {
+std::optional<SingularityFreeStrip::Result> SingularityFreeStrip::bound_for(const Product& product) const {
   constexpr double most_size = 1e100;  // its square does not overflow
   for (const Factor& factor : product.factors) {
     for (const auto& root : factor.roots) {
       if (!(std::abs(root) < most_size)) return std::nullopt;
     }
   }
-  const Places places(*this, product);
+  const SingularityPositions places(*this, product);
   double innermost = corner_, outermost = infinity;
   Result result{infinity, 0.0, 0.0, false, false};
   places.for_each([&](double place) {
@@ -197,4 +200,4 @@ std::optional<FreeStrip::Result> FreeStrip::at(const Product& product) const {
   return result;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <complex>
@@ -7,7 +8,7 @@
 
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The parabola s = offset + mu (1 + i theta)^2, offset <= 0: the offset makes it wide in imaginary direction
 // while e^s on the real axis stays moderate. Otherwise as ContourShape: |e^(s - offset)| is e^-depth at the
@@ -17,7 +18,7 @@ struct ShiftedShape {
 };
 
 // An a priori bound of the error of the trapezoidal rule on a shifted parabola for
-//   F = s^exponent product of (s^alpha - z_i)^-strength_i
+//   F = s^exponent product of (s^alpha - z_i)^-singularity_order_i
 // with every singularity left or right of a strip around the contour. No singularity is corrected for: the
 // caller has to add the contributions of those on the right. The theorem is the one of ContourBound, between
 // the lines Re r = near and Re r = far, r = sqrt((s - offset) / mu). With r_0 = sqrt(-offset / mu) < near,
@@ -27,31 +28,33 @@ struct ShiftedShape {
 //   |log s - log s*| >= log(1 + |s - s*| / |s*|),  |s - s*| = mu |r - r*| |r + r*| >= mu gap max(gap, |r*|),
 // gap = |Re r - Re r*|; for an s* on another sheet it is at least 2 log(1 + gap / |q*|) with
 // q = sqrt(s / mu), where Re q >= sqrt((Re r)^2 - r_0^2).
-class FreeStrip {
+class SingularityFreeStrip {
  public:
-  explicit FreeStrip(const ShiftedShape& shape);
+  explicit SingularityFreeStrip(const ShiftedShape& shape);
 
-  // (s^alpha - z)^-strength, strength > 0.
+  // (s^alpha - z)^-singularity_order, singularity_order > 0.
   struct Factor {
     double log_size;                              // log|z|
     double nearest_other_argument;                // as in ContourBound::Quotient
     std::span<const std::complex<double>> roots;  // sqrt(s*) for all s* with |arg s*| < 2 pi
-    double strength;
+    double singularity_order;
   };
   struct Product {
     double exponent, alpha;
     std::span<const Factor> factors;  // by ascending |z|
-    double more = 0.0;                // the bound holds for every exponent in [exponent, exponent + more]
+    // The bound holds for every exponent in [exponent, exponent + exponent_range].
+    double exponent_range = 0.0;
   };
   struct Result {
     double log_bound;
-    double log_clearance;  // in the strip the product of |s^alpha - z_i|^strength_i is at least
-    // e^log_clearance times the product of max(|s|^alpha, |z_i|)^strength_i
+    // In the strip the product of |s^alpha - z_i|^singularity_order_i is at least e^log_clearance times the
+    // product of max(|s|^alpha, |z_i|)^singularity_order_i.
+    double log_clearance;
     double least_size;     // least |s| in the strip
     bool inside, outside;  // whether there are s* on the principal sheet left of the strip, right of it
   };
   // nullopt where an s* is too near the contour for any strip.
-  [[nodiscard]] std::optional<Result> at(const Product& product) const;
+  [[nodiscard]] std::optional<Result> bound_for(const Product& product) const;
 
   // Re r* of s* = root^2.
   [[nodiscard]] double position_of(std::complex<double> root) const;
@@ -63,7 +66,7 @@ class FreeStrip {
     double log_inner, log_outer;  // of the ratios of the integrals with and without offset
     LineIntegrals inner, outer;
   };
-  class Places;
+  class SingularityPositions;
   [[nodiscard]] Line line_at(double distance) const;
   [[nodiscard]] static double log_line(const Line& line, const Product& product);
   [[nodiscard]] double log_truncation_error(const Product& product) const;
@@ -73,4 +76,4 @@ class FreeStrip {
   std::vector<Line> near_lines_, far_lines_;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/laplace/roots_on_sheet.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 
 #include "fdebench/reference/special_functions/laplace/sheets.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 std::vector<RootOnSheet> roots_on_sheet(long double alpha, std::complex<long double> log_z) {
   constexpr long double half_turn = std::numbers::pi_v<long double>, hair = 1e-9L, largest = 11000.0L;
@@ -22,4 +23,4 @@ std::vector<RootOnSheet> roots_on_sheet(long double alpha, std::complex<long dou
   return roots;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

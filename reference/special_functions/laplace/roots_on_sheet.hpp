@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <complex>
 #include <vector>
 
-namespace fde {
+namespace fde::reference {
 
 struct RootOnSheet {
   std::complex<long double> logarithm;  // its imaginary part determines the sheet
@@ -14,4 +15,4 @@ struct RootOnSheet {
 // its sides, unless alpha is an integer: then there is no cut.
 std::vector<RootOnSheet> roots_on_sheet(long double alpha, std::complex<long double> log_z);
 
-}  // namespace fde
+}  // namespace fde::reference

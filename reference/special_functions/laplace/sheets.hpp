@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // log z on a sheet of the logarithm: log z + 2 pi i sheet. Divided by alpha it is the logarithm of a solution
 // s of s^alpha = z, one per sheet.
@@ -11,4 +12,4 @@ Complex<Real> log_on_sheet(const Complex<Real>& log_z, int sheet) {
   return {real_part<Real>(log_z), Real(imag_part<Real>(log_z) + 2 * sheet * pi<Real>())};
 }
 
-}  // namespace fde
+}  // namespace fde::reference

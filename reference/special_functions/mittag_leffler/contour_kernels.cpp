@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/contour_kernels.hpp"
 
 #include <limits>
@@ -12,7 +13,7 @@
 #include "fdebench/reference/special_functions/numbers/double_double-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace fde::HWY_NAMESPACE {
+namespace fde::reference::HWY_NAMESPACE {
 
 // Unit of the errors below: sums and products have an error of at most a quarter of it, exponentials of four.
 constexpr double unit_roundoff = 0x1p-103;
@@ -37,18 +38,19 @@ HWY_INLINE double sum_of_lanes(Vector x) { return hn::GetLane(hn::SumOfLanes(tag
 
 // Partial sums over the nodes, one per lane.
 struct Sums {
-  Pair value;
+  ComplexVector value;
   Vector error;
 
   // Adds weight / (power - z) for sign = 1, or the term of the conjugate node for sign = -1: the conjugate of
   // weight / (power - conj z).
-  HWY_INLINE void add(const Pair& weight, const Pair& power, const PowerQuotient& quotient, double sign) {
-    const Pair difference{power.re + constant(-quotient.scaled.real()),
-                          power.im + constant(-sign * quotient.scaled.imag())};
+  HWY_INLINE void add(const ComplexVector& weight, const ComplexVector& power, const PowerQuotient& quotient,
+                      double sign) {
+    const ComplexVector difference{power.re + constant(-quotient.scaled.real()),
+                                   power.im + constant(-sign * quotient.scaled.imag())};
     const Real inverse =
         reciprocal(sum_of_products(difference.re, difference.re, difference.im, difference.im));
-    const Pair conjugate{difference.re, -difference.im};
-    const Pair term = (weight * conjugate) * inverse;
+    const ComplexVector conjugate{difference.re, -difference.im};
+    const ComplexVector term = (weight * conjugate) * inverse;
     value.re = value.re + term.re;
     value.im = sign > 0.0 ? value.im + term.im : value.im - term.im;
     const Vector size = hn::Mul(hn::Mul(norm1(weight), norm1(difference)), inverse.hi);
@@ -71,11 +73,11 @@ QuotientSum sum_kernel(const ContourNodes& nodes, const PowerQuotient& quotient)
   const Real zero{hn::Zero(tag), hn::Zero(tag)};
   Sums sums{{zero, zero}, hn::Zero(tag)};
   for (std::size_t i = 0; i < nodes.size(); i += hn::Lanes(tag)) {
-    const Pair log{load(nodes.log_re, i), load(nodes.log_im, i)};
-    const Pair unscaled = exponential(log * alpha);
-    const Pair power{scale(unscaled.re, scaling), scale(unscaled.im, scaling)};
-    const Pair weight =
-        Pair{load(nodes.weight_re, i), load(nodes.weight_im, i)} * exponential(log * exponent);
+    const ComplexVector log{load(nodes.log_re, i), load(nodes.log_im, i)};
+    const ComplexVector unscaled = exponential(log * alpha);
+    const ComplexVector power{scale(unscaled.re, scaling), scale(unscaled.im, scaling)};
+    const ComplexVector weight =
+        ComplexVector{load(nodes.weight_re, i), load(nodes.weight_im, i)} * exponential(log * exponent);
     sums.add(weight, power, quotient, 1.0);
     if (!real) sums.add(weight, power, quotient, -1.0);
   }
@@ -88,7 +90,7 @@ QuotientSum sum_kernel(const ContourNodes& nodes, const PowerQuotient& quotient)
 }
 
 // log z by one Newton step for e^w = z from a logarithm in double, whose error is below 2^-40.
-HWY_INLINE Pair logarithm(const Pair& z) {
+HWY_INLINE ComplexVector logarithm(const ComplexVector& z) {
   std::array<double, double_double_lanes> re{}, im{};
   hn::StoreU(z.re.hi, tag, re.data());
   hn::StoreU(z.im.hi, tag, im.data());
@@ -98,8 +100,9 @@ HWY_INLINE Pair logarithm(const Pair& z) {
     im[lane] = std::arg(at);
   }
   const Vector log_re = hn::LoadU(tag, re.data()), log_im = hn::LoadU(tag, im.data()), zero = hn::Zero(tag);
-  const Pair quotient = z * exponential(Pair{{hn::Neg(log_re), zero}, {hn::Neg(log_im), zero}});
-  const Pair off{quotient.re + constant(-1.0), quotient.im};
+  const ComplexVector quotient =
+      z * exponential(ComplexVector{{hn::Neg(log_re), zero}, {hn::Neg(log_im), zero}});
+  const ComplexVector off{quotient.re + constant(-1.0), quotient.im};
   // log(1 + off) = off - off^2 / 2 + ...
   const Vector a = off.re.hi, b = off.im.hi, half = constant(-0.5);
   const Real square_re = off.re + hn::Mul(half, hn::Sub(hn::Mul(a, a), hn::Mul(b, b)));
@@ -109,21 +112,22 @@ HWY_INLINE Pair logarithm(const Pair& z) {
 
 // Partial sums over the nodes, one per lane.
 struct PowerSums {
-  Pair value;
+  ComplexVector value;
   Vector terms,
       differences;  // sizes of the terms, times those of their exponents or times the cancellation in 1 - q
 
-  HWY_INLINE void add(const Pair& node_weight, const Pair& log, const BinomialPower& power, double sign) {
+  HWY_INLINE void add(const ComplexVector& node_weight, const ComplexVector& log, const BinomialPower& power,
+                      double sign) {
     const ComplexDoubleDouble& z = power.log_z;
-    const Pair scaled = log * constant(power.alpha),
-               log_z{constant(z.re), constant(DoubleDouble{sign * z.im.hi, sign * z.im.lo})};
-    const Pair turned = power.outward ? Pair{scaled.re - log_z.re, scaled.im - log_z.im}
-                                      : Pair{log_z.re - scaled.re, log_z.im - scaled.im};
-    const Pair ratio = exponential(turned);
-    const Pair difference{-ratio.re + constant(1.0), -ratio.im};
-    const Pair raised = logarithm(difference) * constant(-power.strength);
-    const Pair head = log * constant(power.exponent), exponent = head + raised;
-    const Pair term = node_weight * exponential(exponent);
+    const ComplexVector scaled = log * constant(power.alpha),
+                        log_z{constant(z.re), constant(DoubleDouble{sign * z.im.hi, sign * z.im.lo})};
+    const ComplexVector turned = power.outward ? ComplexVector{scaled.re - log_z.re, scaled.im - log_z.im}
+                                               : ComplexVector{log_z.re - scaled.re, log_z.im - scaled.im};
+    const ComplexVector ratio = exponential(turned);
+    const ComplexVector difference{-ratio.re + constant(1.0), -ratio.im};
+    const ComplexVector raised = logarithm(difference) * constant(-power.singularity_order);
+    const ComplexVector head = log * constant(power.exponent), exponent = head + raised;
+    const ComplexVector term = node_weight * exponential(exponent);
     value.re = value.re + term.re;
     value.im = sign > 0.0 ? value.im + term.im : value.im - term.im;
     const Vector size = norm1(term), parts = hn::Add(norm1(head), norm1(raised));
@@ -137,8 +141,8 @@ QuotientSum power_kernel(const ContourNodes& nodes, const BinomialPower& power) 
   const Real zero{hn::Zero(tag), hn::Zero(tag)};
   PowerSums sums{{zero, zero}, hn::Zero(tag), hn::Zero(tag)};
   for (std::size_t i = 0; i < nodes.size(); i += hn::Lanes(tag)) {
-    const Pair log{load(nodes.log_re, i), load(nodes.log_im, i)};
-    const Pair weight{load(nodes.weight_re, i), load(nodes.weight_im, i)};
+    const ComplexVector log{load(nodes.log_re, i), load(nodes.log_im, i)};
+    const ComplexVector weight{load(nodes.weight_re, i), load(nodes.weight_im, i)};
     sums.add(weight, log, power, 1.0);
     if (!power.real) sums.add(weight, log, power, -1.0);
   }
@@ -147,33 +151,33 @@ QuotientSum power_kernel(const ContourNodes& nodes, const BinomialPower& power) 
   const double log_z = std::abs(power.log_z.re.hi) + std::abs(power.log_z.im.hi);
   const double ratio = 8.0 + 2.0 * (log_z + power.alpha * nodes.largest_log);
   result.error = unit_roundoff * ((24.0 + additions) * sum_of_lanes(sums.terms) +
-                                  std::abs(power.strength) * ratio * sum_of_lanes(sums.differences));
+                                  std::abs(power.singularity_order) * ratio * sum_of_lanes(sums.differences));
   if (power.real) double_real_part(result);
   return result;
 }
 
 // The same for x^j / p(x).
 struct PolynomialSums {
-  std::array<Pair, max_degree> values;
+  std::array<ComplexVector, max_degree> values;
   std::array<Vector, max_degree> errors;
   Vector largest_loss;
 
   // The relative error of p and the ulps are counted in units of unit_roundoff.
-  HWY_INLINE void add(const Pair& weight, const Pair& x, const PolynomialQuotient& quotient,
+  HWY_INLINE void add(const ComplexVector& weight, const ComplexVector& x, const PolynomialQuotient& quotient,
                       double power_ulps, double weight_ulps, double sign) {
     const std::size_t degree = quotient.coefficients.size();
-    Pair sum{constant(DoubleDouble{1.0, 0.0}), constant(DoubleDouble{0.0, 0.0})};
+    ComplexVector sum{constant(DoubleDouble{1.0, 0.0}), constant(DoubleDouble{0.0, 0.0})};
     const Vector modulus = norm1(x);
     Vector lost = constant(static_cast<double>(degree) * power_ulps);
     for (std::size_t j = degree; j-- > 0;) {
       const auto& [re, im] = quotient.coefficients[j];
-      sum = sum * x + Pair{constant(re), constant(DoubleDouble{sign * im.hi, sign * im.lo})};
+      sum = sum * x + ComplexVector{constant(re), constant(DoubleDouble{sign * im.hi, sign * im.lo})};
       const double own = (std::abs(re.hi) + std::abs(im.hi)) * (static_cast<double>(j) + 1.0) * power_ulps +
                          quotient.errors[j] / unit_roundoff;
       lost = hn::MulAdd(lost, modulus, constant(own));
     }
     const Real square = reciprocal(sum_of_products(sum.re, sum.re, sum.im, sum.im));
-    Pair term = weight * Pair{sum.re * square, -sum.im * square};
+    ComplexVector term = weight * ComplexVector{sum.re * square, -sum.im * square};
     // |p| is at least half of |Re p| + |Im p|
     const Vector loss = hn::Mul(constant(2.0), hn::Div(lost, norm1(sum)));
     largest_loss = hn::Max(largest_loss, loss);
@@ -201,10 +205,10 @@ std::array<QuotientSum, max_degree> polynomial_kernel(const ContourNodes& nodes,
                weight_ulps = 16.0 + 0.25 * static_cast<double>(nodes.size()) +
                              std::abs(quotient.exponent.hi) * nodes.largest_log;
   for (std::size_t i = 0; i < nodes.size(); i += hn::Lanes(tag)) {
-    const Pair log{load(nodes.log_re, i), load(nodes.log_im, i)};
-    const Pair x = exponential(log * constant(quotient.alpha));
-    const Pair weight = Pair{load(nodes.weight_re, i), load(nodes.weight_im, i)} *
-                        exponential(log * constant(quotient.exponent));
+    const ComplexVector log{load(nodes.log_re, i), load(nodes.log_im, i)};
+    const ComplexVector x = exponential(log * constant(quotient.alpha));
+    const ComplexVector weight = ComplexVector{load(nodes.weight_re, i), load(nodes.weight_im, i)} *
+                                 exponential(log * constant(quotient.exponent));
     sums.add(weight, x, quotient, power_ulps, weight_ulps, 1.0);
     if (!real) sums.add(weight, x, quotient, power_ulps, weight_ulps, -1.0);
   }
@@ -225,20 +229,22 @@ HWY_INLINE DoubleDouble first_lane(const Real& x) { return {hn::GetLane(x.hi), h
 // One Newton step for e^w = z, with the remainder, which is below 2^-50, in double-double.
 ComplexDoubleDouble logarithm_kernel(std::complex<double> z) {
   const double re = std::log(std::abs(z)), im = std::arg(z);
-  const Pair there{constant(DoubleDouble{z.real(), 0.0}), constant(DoubleDouble{z.imag(), 0.0})};
-  const Pair back = exponential(Pair{constant(DoubleDouble{-re, 0.0}), constant(DoubleDouble{-im, 0.0})});
-  const Pair quotient = there * back;
+  const ComplexVector there{constant(DoubleDouble{z.real(), 0.0}), constant(DoubleDouble{z.imag(), 0.0})};
+  const ComplexVector back =
+      exponential(ComplexVector{constant(DoubleDouble{-re, 0.0}), constant(DoubleDouble{-im, 0.0})});
+  const ComplexVector quotient = there * back;
   const Real rest = quotient.re + constant(-1.0);
-  const Pair log{rest + constant(DoubleDouble{re, 0.0}), quotient.im + constant(im)};
+  const ComplexVector log{rest + constant(DoubleDouble{re, 0.0}), quotient.im + constant(im)};
   return {first_lane(log.re), first_lane(log.im)};
 }
 
-HWY_INLINE Pair inverse(const Pair& z) {
+HWY_INLINE ComplexVector inverse(const ComplexVector& z) {
   const Real square = reciprocal(sum_of_products(z.re, z.re, z.im, z.im));
   return {z.re * square, -z.im * square};
 }
 
-HWY_INLINE void store(Residues& out, std::size_t i, const Pair& value, Vector exponent, Vector error) {
+HWY_INLINE void store(Residues& out, std::size_t i, const ComplexVector& value, Vector exponent,
+                      Vector error) {
   std::array<std::array<double, double_double_lanes>, 6> columns{};
   const std::array<Vector, 6> rows{value.re.hi, value.re.lo, value.im.hi, value.im.lo, exponent, error};
   for (std::size_t c = 0; c < rows.size(); ++c) hn::StoreU(rows[c], tag, columns[c].data());
@@ -251,20 +257,21 @@ HWY_INLINE void store(Residues& out, std::size_t i, const Pair& value, Vector ex
 
 // The factor m of a pole (contour.hpp), and d log m / d log s*.
 struct PoleFactor {
-  Pair factor;
+  ComplexVector factor;
   Vector sensitivity;
 };
 
 // m = 1 / (1 -+ e^(-omega (root - 1)))
-HWY_INLINE PoleFactor factor_of_pole(const PoleArguments& poles, const Pair& log) {
-  const Pair half{log.re * constant(0.5) - constant(poles.half_log_mu), log.im * constant(0.5)};
-  const Pair root = exponential(half);
+HWY_INLINE PoleFactor factor_of_pole(const PoleArguments& poles, const ComplexVector& log) {
+  const ComplexVector half{log.re * constant(0.5) - constant(poles.half_log_mu), log.im * constant(0.5)};
+  const ComplexVector root = exponential(half);
   const Vector omega = constant(poles.omega), least = constant(-1000.0);
-  const Pair phase{(root.re + constant(-1.0)) * hn::Neg(omega), root.im * hn::Neg(omega)};
+  const ComplexVector phase{(root.re + constant(-1.0)) * hn::Neg(omega), root.im * hn::Neg(omega)};
   const Exponential size = exponential(phase.re);
-  const Pair wave = unit(phase.im) * scale(size.mantissa, power_of_two(hn::Max(size.exponent, least)));
+  const ComplexVector wave =
+      exp_i(phase.im) * scale(size.mantissa, power_of_two(hn::Max(size.exponent, least)));
   const Vector sign = constant(poles.half_step_shift ? 1.0 : -1.0);
-  const Pair factor = inverse(Pair{wave.re * sign + constant(1.0), wave.im * sign});
+  const ComplexVector factor = inverse(ComplexVector{wave.re * sign + constant(1.0), wave.im * sign});
   const Vector phase_error = hn::Mul(omega, hn::Add(norm1(root), constant(1.0)));
   return {factor, hn::Mul(phase_error, hn::Mul(norm1(wave), norm1(factor)))};
 }
@@ -273,15 +280,16 @@ Residues residues_kernel(const PoleArguments& poles, const std::array<double, do
                          std::size_t count) {
   Residues residues{};
   const Real per_alpha = reciprocal(constant(DoubleDouble{poles.alpha, 0.0})), power = constant(poles.power);
-  const Pair one{constant(DoubleDouble{1.0, 0.0}), constant(DoubleDouble{0.0, 0.0})};
+  const ComplexVector one{constant(DoubleDouble{1.0, 0.0}), constant(DoubleDouble{0.0, 0.0})};
   for (std::size_t i = 0; i < count; i += hn::Lanes(tag)) {
     const Real turns = constant(pi_double_double) * hn::Mul(constant(2.0), hn::LoadU(tag, sheets.data() + i));
-    const Pair log{constant(poles.log_z.re) * per_alpha, (constant(poles.log_z.im) + turns) * per_alpha};
-    const Pair pole = exponential(log);
+    const ComplexVector log{constant(poles.log_z.re) * per_alpha,
+                            (constant(poles.log_z.im) + turns) * per_alpha};
+    const ComplexVector pole = exponential(log);
     const PoleFactor seen = poles.omega == 0.0 ? PoleFactor{one, hn::Zero(tag)} : factor_of_pole(poles, log);
-    const Pair exponent = pole + log * power;
+    const ComplexVector exponent = pole + log * power;
     const Exponential growth = exponential(exponent.re);
-    const Pair residue = unit(exponent.im) * (growth.mantissa * per_alpha);
+    const ComplexVector residue = exp_i(exponent.im) * (growth.mantissa * per_alpha);
     // The error of log z is a few 2^-104, the error of log s* 1/alpha times as much.
     const Vector log_error = hn::Add(norm1(log), constant(4.0 + 2.0 / poles.alpha));
     const Vector pole_error = hn::Add(norm1(pole), constant(1.0 + std::abs(poles.power.hi)));
@@ -291,11 +299,11 @@ Residues residues_kernel(const PoleArguments& poles, const std::array<double, do
   return residues;
 }
 
-}  // namespace fde::HWY_NAMESPACE
+}  // namespace fde::reference::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace fde {
+namespace fde::reference {
 
 HWY_EXPORT(sum_kernel);
 HWY_EXPORT(power_kernel);
@@ -352,5 +360,5 @@ Residues residues_at(const PoleArguments& poles, const std::array<double, double
   return HWY_DYNAMIC_DISPATCH(residues_kernel)(poles, sheets, count);
 }
 
-}  // namespace fde
+}  // namespace fde::reference
 #endif

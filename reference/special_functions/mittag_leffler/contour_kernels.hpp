@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
 #include "fdebench/reference/special_functions/numbers/double_double.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 struct ComplexDoubleDouble {
   DoubleDouble re, im;
@@ -43,12 +44,12 @@ struct QuotientSum {
 };
 QuotientSum sum_over_nodes(const ContourNodes& nodes, const PowerQuotient& quotient);
 
-// s^exponent (1 - q)^-strength in double-double, q = z s^-alpha, or s^alpha / z if outward. The power is the
-// principal one: its cuts run from each s* with s*^alpha = z to 0, or to infinity if outward.
+// s^exponent (1 - q)^-singularity_order in double-double, q = z s^-alpha, or s^alpha / z if outward. The
+// power is the principal one: its cuts run from each s* with s*^alpha = z to 0, or to infinity if outward.
 struct BinomialPower {
   double alpha;
   DoubleDouble exponent;
-  double strength;
+  double singularity_order;
   ComplexDoubleDouble log_z;
   bool real;  // z is real: the lower half of the contour gives the conjugates
   bool outward;
@@ -92,4 +93,4 @@ using Residues = std::array<Residue, double_double_lanes>;
 Residues residues_at(const PoleArguments& poles, const std::array<double, double_double_lanes>& sheets,
                      std::size_t count);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/decimal_arguments.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 
 #include "fdebench/reference/special_functions/numbers/bounded.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 template <class Number>
@@ -100,4 +101,4 @@ MittagLefflerValue rounded_to_double(const DecimalComplex& written) {
   return {value, bound};
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <complex>
@@ -8,7 +9,7 @@
 #include "fdebench/reference/special_functions/numbers/bounded.hpp"
 
 // Parsing and checks of arguments and output of values, shared by the Mittag-Leffler functions.
-namespace fde {
+namespace fde::reference {
 
 // The decimal number in text, rounded once. Throws std::invalid_argument "function: name: ..." unless text is
 // a finite number.
@@ -40,4 +41,4 @@ DecimalComplex to_decimal_complex(const Bounded<BigReal>& x, bool real, int digi
 // The nearest double, with that rounding in the bound; infinite if written.bound is "inf".
 MittagLefflerValue rounded_to_double(const DecimalComplex& written);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/special_functions/numbers/double_double.hpp"
@@ -5,7 +6,7 @@
 // The cases in the evaluation of E_{alpha,beta}(z), the inverse Laplace transform at time 1 of
 //   F(s) = s^(alpha-beta) / (s^alpha - z),
 // for every number type.
-namespace fde {
+namespace fde::reference {
 
 enum class EvaluationForm {
   at_zero,        // z = 0: 1 / Gamma(beta)
@@ -34,4 +35,4 @@ EvaluationForm evaluation_form(const Alpha& alpha, const Beta& beta, const Argum
   return is_pole_of_gamma(beta) ? EvaluationForm::shifted_beta : EvaluationForm::on_contour;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

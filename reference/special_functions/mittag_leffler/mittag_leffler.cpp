@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 #include "fdebench/reference/special_functions/mittag_leffler/underflow.hpp"
 #include "fdebench/reference/special_functions/numbers/adaptive_precision.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Arguments = MittagLefflerArguments;
@@ -106,4 +107,4 @@ MittagLefflerValue mittag_leffler_in_double(const std::string& alpha, const std:
   return rounded_to_double(mittag_leffler(alpha, beta, re, im, double_digits + guard_digits));
 }
 
-}  // namespace fde
+}  // namespace fde::reference

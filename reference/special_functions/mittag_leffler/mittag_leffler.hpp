@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <complex>
 #include <string>
 
-namespace fde {
+namespace fde::reference {
 
 struct MittagLefflerValue {
   std::complex<double> value;
@@ -32,4 +33,4 @@ DecimalComplex mittag_leffler(const std::string& alpha, const std::string& beta,
 MittagLefflerValue mittag_leffler_in_double(const std::string& alpha, const std::string& beta,
                                             const std::string& re, const std::string& im);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/multiprecision.hpp"
 
 #include <stdexcept>
@@ -10,7 +11,7 @@
 #include "fdebench/reference/special_functions/numbers/reciprocal_gamma.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Arguments = MittagLefflerArguments;
@@ -22,8 +23,8 @@ constexpr double beyond_exponents = 50.0;
 constexpr double nothing = 1e6;
 
 // Adds Res(e^s F, s*) = (1/alpha) e^(s* + (1-beta) log s*) times a factor known to that many ulps.
-void add_residue(Sum<BigReal>& sum, const Arguments& x, const BigComplex& log_pole, const BigComplex& factor,
-                 const BigReal& factor_ulps) {
+void add_residue(BoundedSum<BigReal>& sum, const Arguments& x, const BigComplex& log_pole,
+                 const BigComplex& factor, const BigReal& factor_ulps) {
   if (imag_part<BigReal>(log_pole) == 0 && real_part<BigReal>(log_pole) > beyond_exponents)
     return sum.add_infinite(BigComplex(1), exp(BigReal(real_part<BigReal>(log_pole))));
   const BigComplex pole = x.alpha == 1 ? x.z : BigComplex(exp(log_pole));
@@ -42,10 +43,10 @@ void add_residue(Sum<BigReal>& sum, const Arguments& x, const BigComplex& log_po
   sum.add(residue * factor, ulps * epsilon<BigReal>());
 }
 
-// The value for Form::residues_only.
-Sum<BigReal> sum_of_residues(const Arguments& x) {
+// The value for EvaluationForm::residues_only.
+BoundedSum<BigReal> sum_of_residues(const Arguments& x) {
   const BigComplex log_z = log(x.z);
-  Sum<BigReal> sum;
+  BoundedSum<BigReal> sum;
   for (int sheet = 0; sheet < x.alpha; ++sheet) {
     const BigComplex log_pole = log_on_sheet<BigReal>(log_z, sheet) / x.alpha;
     add_residue(sum, x, log_pole, BigComplex(1), BigReal(0));
@@ -61,7 +62,7 @@ BigComplex power_minus_beta(const Arguments& x, const Contour<BigReal>::Node& no
   return exp(BigComplex(-x.beta * node.log_s));
 }
 
-void add_nodes(Sum<BigReal>& sum, const Arguments& x, const Contour<BigReal>& contour) {
+void add_nodes(BoundedSum<BigReal>& sum, const Arguments& x, const Contour<BigReal>& contour) {
   const bool equal = x.beta == x.alpha;
   const BigReal powers = 2 * x.alpha + abs(x.beta);
   const auto& nodes = contour.nodes();
@@ -97,38 +98,38 @@ std::complex<double> root_on(double mu, const BigComplex& log_pole) {
 }
 
 // The sum of the residues that overflow. If there are any, everything else is negligible.
-Sum<BigReal> overflowing_residues(const Arguments& x) {
+BoundedSum<BigReal> overflowing_residues(const Arguments& x) {
   constexpr double least_log = 40.0;  // log |s*| below which e^s* does not overflow
-  Sum<BigReal> sum;
-  for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).seen) {
+  BoundedSum<BigReal> sum;
+  for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).on_near_sheets) {
     if (real_part<BigReal>(log_pole) < least_log ||
         abs(BigReal(imag_part<BigReal>(log_pole))) > pi<BigReal>())
       continue;
-    Sum<BigReal> residue;
+    BoundedSum<BigReal> residue;
     add_residue(residue, x, log_pole, BigComplex(1), BigReal(0));
-    if (residue.infinite) sum.add_infinite(residue.value, residue.largest_exponent);
+    if (residue.overflows) sum.add_infinite(residue.value, residue.largest_exponent);
   }
   return sum;
 }
 
-Sum<BigReal> on_contour(const Arguments& x, int digits) {
+BoundedSum<BigReal> on_contour(const Arguments& x, int digits) {
   const BigComplex log_z = log(x.z);
   const auto exponent = BigReal(x.alpha - x.beta).convert_to<double>();
   const Contour<BigReal>& contour = contour_for(digits, exponent);
   const ContourShape shape = contour.shape();
   const Poles<BigReal> poles = poles_of(x.alpha, log_z);
   PerSheet<std::complex<double>> roots;
-  for (const auto& pole : poles.seen) roots.push_back(root_on(shape.mu, pole.log));
+  for (const auto& pole : poles.on_near_sheets) roots.push_back(root_on(shape.mu, pole.log));
   const auto [log_bound, distance] =
-      ContourBound(shape).at({.exponent = exponent,
-                              .alpha = x.alpha.convert_to<double>(),
-                              .log_size = real_part<BigReal>(log_z).convert_to<double>(),
-                              .nearest_other_argument = poles.nearest_other_argument,
-                              .roots = {roots.data(), roots.size()}});
-  Sum<BigReal> sum;
+      ContourBound(shape).bound_for({.exponent = exponent,
+                                     .alpha = x.alpha.convert_to<double>(),
+                                     .log_size = real_part<BigReal>(log_z).convert_to<double>(),
+                                     .nearest_other_argument = poles.nearest_other_argument,
+                                     .roots = {roots.data(), roots.size()}});
+  BoundedSum<BigReal> sum;
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    if (!ContourBound::counts(roots[i], distance)) continue;
-    const BigComplex& log_pole = poles.seen[i].log;
+    if (!ContourBound::includes_residue(roots[i], distance)) continue;
+    const BigComplex& log_pole = poles.on_near_sheets[i].log;
     const BigComplex factor = contour.pole_factor(log_pole);
     const BigReal off = norm1(BigComplex(factor - 1));
     // To the right of both far lines of ContourBound the exact factor is 1.
@@ -141,42 +142,42 @@ Sum<BigReal> on_contour(const Arguments& x, int digits) {
   return sum;
 }
 
-void scale(Sum<BigReal>& sum, const BigComplex& factor) {
+void scale(BoundedSum<BigReal>& sum, const BigComplex& factor) {
   sum.value *= factor;
   sum.error = norm1(factor) * sum.error + 8 * epsilon<BigReal>() * norm1(sum.value);
 }
 
 // With the first two terms of the asymptotic expansion peeled off (forms.hpp). For large |z| they are most of
 // the value; for beta = alpha the first is 0 and the second is most of it.
-Sum<BigReal> peeled(const Arguments& x, int digits) {
+BoundedSum<BigReal> with_leading_terms(const Arguments& x, int digits) {
   const BigComplex inverse = 1 / x.z, square = inverse * inverse;
   const BigReal first = x.beta - x.alpha, second = first - x.alpha;
-  Sum<BigReal> sum = on_contour({x.alpha, second, x.z}, digits);
+  BoundedSum<BigReal> sum = on_contour({x.alpha, second, x.z}, digits);
   scale(sum, square);
   add_reciprocal_gamma(sum, -inverse, first, BigReal(abs(x.beta) + x.alpha));
   add_reciprocal_gamma(sum, -square, second, BigReal(abs(x.beta) + 2 * x.alpha));
   return sum;
 }
 
-Sum<BigReal> at_zero(const Arguments& x) {
-  Sum<BigReal> sum;
+BoundedSum<BigReal> at_zero(const Arguments& x) {
+  BoundedSum<BigReal> sum;
   const BigReal size = is_integer(x.beta) ? BigReal(0) : BigReal(abs(x.beta));
   add_reciprocal_gamma(sum, BigComplex(1), x.beta, size);
   return sum;
 }
 
-Sum<BigReal> evaluate(const Arguments& x, int digits) {
+BoundedSum<BigReal> evaluate(const Arguments& x, int digits) {
   const EvaluationForm form = evaluation_form(x.alpha, x.beta, x.z);
   if (form == EvaluationForm::at_zero) return at_zero(x);
   if (form == EvaluationForm::residues_only) return sum_of_residues(x);
-  if (Sum<BigReal> overflow = overflowing_residues(x); overflow.infinite) return overflow;
+  if (BoundedSum<BigReal> overflow = overflowing_residues(x); overflow.overflows) return overflow;
   if (form == EvaluationForm::shifted_beta) {
-    Sum<BigReal> sum = evaluate({x.alpha, BigReal(x.alpha + x.beta), x.z}, digits);
+    BoundedSum<BigReal> sum = evaluate({x.alpha, BigReal(x.alpha + x.beta), x.z}, digits);
     scale(sum, x.z);
     return sum;
   }
   constexpr double far = 65536.0;
-  return norm1(x.z) < far ? on_contour(x, digits) : peeled(x, digits);
+  return norm1(x.z) < far ? on_contour(x, digits) : with_leading_terms(x, digits);
 }
 
 // Decimal digits by which the phases of e^s* exceed one turn, for the poles that are not far in the left half
@@ -187,7 +188,7 @@ int phase_digits(const Arguments& x, int most) {
                    circle = 1.01 * std::numbers::pi, grows = 0.5 * std::numbers::pi * (1.0 - 1e-15);
   const bool only = evaluation_form(x.alpha, x.beta, x.z) == EvaluationForm::residues_only;
   double digits = 0.0;
-  for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).seen) {
+  for (const auto& [sheet, log_pole] : poles_of(x.alpha, BigComplex(log(x.z))).on_near_sheets) {
     const auto log_size = real_part<BigReal>(log_pole).convert_to<double>(),
                turned = std::abs(imag_part<BigReal>(log_pole).convert_to<double>());
     if (turned > circle || std::cos(turned) < (log_size > log_of_far ? next_to_the_axis : left)) continue;
@@ -208,4 +209,4 @@ Bounded<BigReal> mittag_leffler_multiprecision(int digits, int places,
   return increase_digits_by_bound(digits, extra, [&](int working) { return evaluate(read(), working); });
 }
 
-}  // namespace fde
+}  // namespace fde::reference

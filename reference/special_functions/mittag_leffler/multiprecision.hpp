@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
 
 #include "fdebench/reference/special_functions/numbers/bounded.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Arguments of E_{alpha,beta}(z) with Im z >= 0.
 struct MittagLefflerArguments {
@@ -22,4 +23,4 @@ struct MittagLefflerArguments {
 Bounded<BigReal> mittag_leffler_multiprecision(int digits, int places,
                                                const std::function<MittagLefflerArguments()>& read);
 
-}  // namespace fde
+}  // namespace fde::reference

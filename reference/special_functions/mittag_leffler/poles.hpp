@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <boost/container/static_vector.hpp>
 
 #include "fdebench/reference/special_functions/laplace/sheets.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // A pole s*^alpha = z, log s* = (log z + 2 pi i sheet) / alpha.
 template <class Real>
@@ -20,9 +21,9 @@ using PerSheet = boost::container::static_vector<T, 2 * max_sheet + 1>;
 
 template <class Real>
 struct Poles {
-  PerSheet<Pole<Real>> seen{};  // those with |arg s*| < 2 pi
-  double nearest_other_argument =
-      std::numeric_limits<double>::infinity();  // of the others, as in ContourBound::Quotient
+  PerSheet<Pole<Real>> on_near_sheets{};  // those with |arg s*| < 2 pi
+  // Of the other poles, as in ContourBound::Quotient.
+  double nearest_other_argument = std::numeric_limits<double>::infinity();
 };
 
 // The poles on the sheets first_sheet, ..., max_sheet. Poles nearer to 0 than the range of double count as
@@ -34,21 +35,21 @@ Poles<Real> poles_of(const Real& alpha, const Complex<Real>& log_z, int first_sh
   const Real log_size = real_part<Real>(log_z);
   const bool next_to_zero = log_size / alpha < -most_log;
   Poles<Real> poles;
-  const auto not_seen = [&](const Real& distance) {
+  const auto on_far_sheets = [&](const Real& distance) {
     poles.nearest_other_argument = std::min(poles.nearest_other_argument, static_cast<double>(distance));
   };
   for (int sheet = first_sheet; sheet <= max_sheet; ++sheet) {
     const Complex<Real> log = log_on_sheet<Real>(log_z, sheet);
     const Real argument = abs(imag_part<Real>(log));
     if (next_to_zero) {
-      not_seen(Real(-log_size - most_log_of_contour * alpha));
+      on_far_sheets(Real(-log_size - most_log_of_contour * alpha));
     } else if (argument < 2 * pi<Real>() * alpha) {
-      poles.seen.push_back({sheet, Complex<Real>(log / alpha)});
+      poles.on_near_sheets.push_back({sheet, Complex<Real>(log / alpha)});
     } else {
-      not_seen(argument);
+      on_far_sheets(argument);
     }
   }
   return poles;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

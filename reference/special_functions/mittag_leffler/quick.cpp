@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/quick.hpp"
 
 #include <algorithm>
@@ -7,13 +8,13 @@
 #include "fdebench/reference/special_functions/mittag_leffler/quick_residues.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/tiny_order.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Value = std::complex<long double>;
 
 // The first `count` terms of the asymptotic expansion (forms.hpp).
-QuickValue head(const QuickArguments& x, int count) {
+QuickValue leading_terms(const QuickArguments& x, int count) {
   const Value inverse = 1.0L / Value(x.z);
   QuickValue sum{0.0L, 0.0L};
   Value power = 1.0L;
@@ -45,7 +46,7 @@ DoubleDouble exponent_after(const QuickArguments& x, int peeled) {
 PerSheet<std::complex<double>> roots_on(const QuickArguments& x, double mu) {
   PerSheet<std::complex<double>> roots;
   const double modulus = std::exp(0.5 * (x.log_size() / x.alpha - std::log(mu)));
-  for (const auto& pole : x.poles.seen) roots.push_back(std::polar(modulus, 0.5 * pole.log.imag()));
+  for (const auto& pole : x.poles.on_near_sheets) roots.push_back(std::polar(modulus, 0.5 * pole.log.imag()));
   return roots;
 }
 
@@ -55,18 +56,18 @@ std::optional<QuickValue> on_contour(const QuickArguments& x, const QuickContour
   const auto roots = roots_on(x, contours.staggered.front().shape.mu);
   const QuickContour& contour = contours.away_from({roots.data(), roots.size()});
   const auto [log_bound, distance] =
-      contour.bound.at({.exponent = exponent.hi,
-                        .alpha = x.alpha,
-                        .log_size = x.log_size(),
-                        .nearest_other_argument = x.poles.nearest_other_argument,
-                        .roots = {roots.data(), roots.size()}});
+      contour.bound.bound_for({.exponent = exponent.hi,
+                               .alpha = x.alpha,
+                               .log_size = x.log_size(),
+                               .nearest_other_argument = x.poles.nearest_other_argument,
+                               .roots = {roots.data(), roots.size()}});
   PerSheet<Pole<double>> counted;
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    if (ContourBound::counts(roots[i], distance)) counted.push_back(x.poles.seen[i]);
+    if (ContourBound::includes_residue(roots[i], distance)) counted.push_back(x.poles.on_near_sheets[i]);
   }
   const auto residues = residue_sum(x, &contour, counted);
   if (!residues) return std::nullopt;
-  QuickValue sum = head(x, peeled) + contour_sum(x, contour, exponent, peeled) + *residues;
+  QuickValue sum = leading_terms(x, peeled) + contour_sum(x, contour, exponent, peeled) + *residues;
   sum.error += peeled == 0 ? std::exp(log_bound)
                            : std::exp(static_cast<long double>(log_bound) - peeled * x.log_size());
   return sum;
@@ -109,7 +110,7 @@ std::optional<QuickValue> on_contours(const QuickArguments& x) {
     for (const int peeled : {0, 2}) {
       if (peeled == 0 ? x.scaled.exponent >= large : x.scaled.exponent < moderate) continue;
       const double exponent = exponent_after(x, peeled).hi;
-      if (contours.fit(exponent - x.alpha, exponent) && try_with(contours, peeled)) return best;
+      if (contours.covers(exponent - x.alpha, exponent) && try_with(contours, peeled)) return best;
     }
   }
   return best;
@@ -156,4 +157,4 @@ std::optional<QuickValue> mittag_leffler_quick(double alpha, const DoubleDouble&
   return near ? near : on_contours(x);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <complex>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reference/special_functions/numbers/double_double.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // A value and a bound of the modulus of its error, before the rounding to double.
 struct QuickValue {
@@ -33,4 +34,4 @@ inline constexpr long double quick_tolerance = 0x1.8p-51L;
 std::optional<QuickValue> mittag_leffler_quick(double alpha, const DoubleDouble& beta,
                                                std::complex<double> z);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
 
 #include <algorithm>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr int digits = 45;
@@ -48,4 +49,4 @@ const std::array<QuickContours, 6>& quick_contours() {
   return all;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

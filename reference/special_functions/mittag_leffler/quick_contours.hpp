@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@
 #include "fdebench/reference/special_functions/mittag_leffler/contour_kernels.hpp"
 
 // The contours of mittag_leffler_quick(), computed once.
-namespace fde {
+namespace fde::reference {
 
 // A contour with its error bound and its nodes in the form that the kernels take.
 struct QuickContour {
@@ -25,7 +26,7 @@ struct QuickContours {
   double least_exponent, most_exponent;
   std::array<QuickContour, 2> staggered;
 
-  [[nodiscard]] bool fit(double least, double most) const {
+  [[nodiscard]] bool covers(double least, double most) const {
     return least >= least_exponent && most <= most_exponent;
   }
   // The contour whose nodes are farther from the poles; roots as in ContourBound::Quotient.
@@ -35,4 +36,4 @@ struct QuickContours {
 // In the order in which they are tried.
 const std::array<QuickContours, 6>& quick_contours();
 
-}  // namespace fde
+}  // namespace fde::reference

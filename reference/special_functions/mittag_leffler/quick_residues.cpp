@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/quick_residues.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 // The poles whose residues are not negligible; nullopt where the phase of a large one cannot be computed.
@@ -97,7 +98,7 @@ std::optional<QuickValue> residue_sum(const QuickArguments& x, const QuickContou
 
 std::optional<QuickValue> sum_of_all_residues(const QuickArguments& x) {
   PerSheet<Pole<double>> principal;
-  for (const auto& pole : x.poles.seen) {
+  for (const auto& pole : x.poles.on_near_sheets) {
     // Each root once: arg s* in (-pi, pi], for real z the upper half of them.
     const double argument = x.scaled.log.im.hi + 2.0 * pole.sheet * pi<double>();
     if (argument > -x.alpha * pi<double>() && argument <= x.alpha * pi<double>() * 1.000001)
@@ -106,4 +107,4 @@ std::optional<QuickValue> sum_of_all_residues(const QuickArguments& x) {
   return residue_sum(x, nullptr, principal);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

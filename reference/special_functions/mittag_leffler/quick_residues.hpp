@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/special_functions/mittag_leffler/poles.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/quick.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // z = value * 2^exponent with 1 <= |value| < 4, for every z other than 0.
 struct ScaledArgument {
@@ -41,7 +42,7 @@ inline std::complex<long double> to_long(const ComplexDoubleDouble& z) {
 std::optional<QuickValue> residue_sum(const QuickArguments& x, const QuickContour* contour,
                                       const PerSheet<Pole<double>>& counted);
 
-// E_{alpha,beta}(z) as a sum of residues, for Form::residues_only.
+// E_{alpha,beta}(z) as a sum of residues, for EvaluationForm::residues_only.
 std::optional<QuickValue> sum_of_all_residues(const QuickArguments& x);
 
-}  // namespace fde
+}  // namespace fde::reference

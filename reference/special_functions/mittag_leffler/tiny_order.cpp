@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/tiny_order.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Value = std::complex<long double>;
@@ -22,7 +23,7 @@ class ReciprocalGamma {
   [[nodiscard]] long double slope() const { return sign_ + slope_beyond_; }
   [[nodiscard]] long double slope_error() const { return slope_error_; }
   // value - alpha slope; epsilon - alpha first, as the two may cancel.
-  [[nodiscard]] long double less(long double alpha) const {
+  [[nodiscard]] long double value_minus_slope(long double alpha) const {
     return sign_ * (epsilon_ - alpha) + (beyond_ - alpha * slope_beyond_);
   }
 
@@ -80,7 +81,7 @@ std::optional<QuickValue> over_scale(double order, const DoubleDouble& beta, std
   if (size == 0.0L || !is_small(alpha, z, distance)) return std::nullopt;
   const ReciprocalGamma gamma(beta);
   // By z/(1-z)^2 = 1/(1-z)^2 - 1/(1-z), terms that cancel for large z are combined.
-  const Value first = (size > far ? gamma.less(alpha) : gamma.value()) / rest,
+  const Value first = (size > far ? gamma.value_minus_slope(alpha) : gamma.value()) / rest,
               second = alpha * gamma.slope() / rest * ((size > far ? Value(1.0L) : z) / rest);
   const long double linear = alpha / distance * (size / distance),
                     square = alpha / distance * linear * (1.0L + size);
@@ -115,4 +116,4 @@ std::optional<BoundedDouble> mittag_leffler_tiny_order_out_of_range(double alpha
   return BoundedDouble{{part(sum->value.real()), part(sum->value.imag())}, infinity};
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <complex>
@@ -10,7 +11,7 @@
 // contour: the contour integral cancels to the size of alpha, |1-z| or 1/Gamma(beta), and takes hundreds of
 // digits. nullopt where the order is not small compared with |1-z|, where e^s* of a pole s*^alpha = z is not
 // negligible, and where the error is above quick_tolerance.
-namespace fde {
+namespace fde::reference {
 
 // For |beta| <= 1600, otherwise nullopt.
 std::optional<QuickValue> mittag_leffler_tiny_order(double alpha, const DoubleDouble& beta,
@@ -21,4 +22,4 @@ std::optional<QuickValue> mittag_leffler_tiny_order(double alpha, const DoubleDo
 std::optional<BoundedDouble> mittag_leffler_tiny_order_out_of_range(double alpha, double beta,
                                                                     std::complex<double> z);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/underflow.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/quick_residues.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr double log_of_nothing = -750.0;  // half the smallest double is e^-745.1
@@ -32,10 +33,10 @@ bool vanishes_on(const QuickArguments& x, double mu) {
   constexpr double most_log = 600.0, log_of_poles = 3.0;
   PerSheet<std::complex<double>> roots;
   bool residues_vanish = true;
-  for (const auto& pole : x.poles.seen) {
+  for (const auto& pole : x.poles.on_near_sheets) {
     const double log_modulus = 0.5 * std::min(pole.log.real() - std::log(mu), most_log);
     roots.push_back(std::polar(std::exp(log_modulus), 0.5 * pole.log.imag()));
-    if (ContourBound::counts(roots.back(), 1.0))
+    if (ContourBound::includes_residue(roots.back(), 1.0))
       residues_vanish = residues_vanish && log_residue(x, pole) + log_of_poles < log_of_nothing;
   }
   return residues_vanish &&
@@ -59,4 +60,4 @@ bool certainly_underflows(double alpha, double beta, std::complex<double> z) {
                              [&](double part) { return vanishes_on(x, part * beta); });
 }
 
-}  // namespace fde
+}  // namespace fde::reference

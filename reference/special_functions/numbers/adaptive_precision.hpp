@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -7,7 +8,7 @@
 
 #include "fdebench/reference/special_functions/numbers/bounded.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Decimal digits of a value that rounds almost correctly to double.
 inline constexpr int double_digits = 17;
@@ -16,17 +17,17 @@ inline constexpr long double double_tolerance = 5e-16L;
 
 // Result of an evaluation with a certain number of working digits.
 struct WorkingEstimate {
-  Bounded<BigReal> known;
+  Bounded<BigReal> value_and_bound;
   BigReal scale = BigReal(0);  // size of the summands of the value; 0: the value never counts as zero
-  bool settled = false;        // more digits change nothing: the value is infinite, or structurally 0
+  bool is_final = false;       // more digits change nothing: the value is infinite, or structurally 0
 };
 
-// Parameters of raise_digits().
+// Parameters of increase_digits().
 struct DigitSearchOptions {
-  int wanted;  // decimal digits of relative accuracy
-  int guard;   // working digits beyond those in the first evaluation
-  std::function<int(int digits, int missing)>
-      next;              // the next working digits, `missing` being those that lacked
+  int target_digits;  // decimal digits of relative accuracy
+  int guard;          // working digits beyond those in the first evaluation
+  // The working digits of the next evaluation, after one with `digits` that lacked `missing` digits.
+  std::function<int(int digits, int missing)> next_digits;
   int zero_digits = 40;  // a value this many digits below its scale counts as zero
 };
 
@@ -40,13 +41,14 @@ struct DigitSearchResult {
 // Largest number of working digits.
 constexpr int max_working_digits(int wanted) { return 4 * wanted + 1000; }
 
-// Raises the working digits until every bound is at most 10^-wanted max(|value|, 10^-zero_digits scale), or
-// until there are max_working_digits(wanted). Precondition: a Precision is in force; evaluate() sets its own.
-DigitSearchResult raise_digits(const DigitSearchOptions& search,
-                               const std::function<std::vector<WorkingEstimate>(int digits)>& evaluate);
+// Raises the working digits until every bound is at most 10^-target_digits max(|value|, 10^-zero_digits
+// scale), or until there are max_working_digits(target_digits). Precondition: a Precision is in force;
+// evaluate() sets its own.
+DigitSearchResult increase_digits(const DigitSearchOptions& search,
+                                  const std::function<std::vector<WorkingEstimate>(int digits)>& evaluate);
 
 // The exception to throw if raised.largest_missed_bound has a value: "no accurate value in reach: bound ...
 // at ... digits".
 std::runtime_error insufficient_digits(const DigitSearchResult& raised);
 
-}  // namespace fde
+}  // namespace fde::reference

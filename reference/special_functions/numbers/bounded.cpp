@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/numbers/bounded.hpp"
 
 #include <cmath>
 #include <limits>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 std::string scientific(const BigReal& x, int digits) { return to_text(x, "%.*Re", digits - 1); }
@@ -19,7 +20,7 @@ std::string in_decimal(const BigReal& x, int digits) {
 }
 
 // The next double: an upper bound again, for a bound that was rounded to nearest.
-double upwards(double bound) { return std::nextafter(bound, std::numeric_limits<double>::infinity()); }
+double round_up(double bound) { return std::nextafter(bound, std::numeric_limits<double>::infinity()); }
 
 }  // namespace
 
@@ -42,7 +43,7 @@ BoundedDouble to_double(const Complex<long double>& value, long double error) {
   if (!std::isfinite(rounded.real()) || !std::isfinite(rounded.imag()))
     return {rounded, std::numeric_limits<double>::infinity()};
   const Complex<long double> off(value.real() - rounded.real(), value.imag() - rounded.imag());
-  return {rounded, upwards(static_cast<double>(norm1(off) + error))};
+  return {rounded, round_up(static_cast<double>(norm1(off) + error))};
 }
 
 BoundedDouble to_double(const Bounded<BigReal>& x) {
@@ -53,7 +54,7 @@ BoundedDouble to_double(const Bounded<BigReal>& x) {
   if (!std::isfinite(rounded.real()) || !std::isfinite(rounded.imag()))
     return {rounded, std::numeric_limits<double>::infinity()};
   const BigReal off = abs(BigReal(re - rounded.real())) + abs(BigReal(im - rounded.imag()));
-  return {rounded, upwards(BigReal(off + x.bound).convert_to<double>())};
+  return {rounded, round_up(BigReal(off + x.bound).convert_to<double>())};
 }
 
-}  // namespace fde
+}  // namespace fde::reference

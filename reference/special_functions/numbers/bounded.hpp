@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <complex>
@@ -5,7 +6,7 @@
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // A value and a bound of the modulus of its error.
 template <class Real>
@@ -32,4 +33,4 @@ struct BoundedDouble {
 BoundedDouble to_double(const Complex<long double>& value, long double error);
 BoundedDouble to_double(const Bounded<BigReal>& x);
 
-}  // namespace fde
+}  // namespace fde::reference

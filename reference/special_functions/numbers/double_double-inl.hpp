@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vectors of double-doubles (unevaluated sums hi + lo, relative error about 2^-104; Dekker, Numer. Math. 18,
 // 1971; Hida, Li & Bailey 2001), and their exponential, sine and cosine. Included once for each vector
 // target.
@@ -14,7 +15,7 @@
 #include "fdebench/reference/special_functions/numbers/double_double.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace fde::HWY_NAMESPACE {
+namespace fde::reference::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<double, double_double_lanes>;
@@ -24,7 +25,7 @@ constexpr Tag tag;
 struct Real {
   Vector hi, lo;
 };
-struct Pair {
+struct ComplexVector {
   Real re, im;
 };
 
@@ -102,15 +103,17 @@ HWY_INLINE Real reciprocal(const Real& a) {
   return quick_two_sum(first, hn::Mul(first, rest));
 }
 
-HWY_INLINE Pair operator+(const Pair& a, const Pair& b) { return {a.re + b.re, a.im + b.im}; }
-HWY_INLINE Pair operator*(const Pair& a, const Pair& b) {
+HWY_INLINE ComplexVector operator+(const ComplexVector& a, const ComplexVector& b) {
+  return {a.re + b.re, a.im + b.im};
+}
+HWY_INLINE ComplexVector operator*(const ComplexVector& a, const ComplexVector& b) {
   return {sum_of_products(a.re, b.re, -a.im, b.im), sum_of_products(a.re, b.im, a.im, b.re)};
 }
-HWY_INLINE Pair operator*(const Pair& a, const Real& b) { return {a.re * b, a.im * b}; }
-HWY_INLINE Pair operator*(const Pair& a, Vector b) { return {a.re * b, a.im * b}; }
+HWY_INLINE ComplexVector operator*(const ComplexVector& a, const Real& b) { return {a.re * b, a.im * b}; }
+HWY_INLINE ComplexVector operator*(const ComplexVector& a, Vector b) { return {a.re * b, a.im * b}; }
 
 // |Re| + |Im| of the leading parts.
-HWY_INLINE Vector norm1(const Pair& a) { return hn::Add(hn::Abs(a.re.hi), hn::Abs(a.im.hi)); }
+HWY_INLINE Vector norm1(const ComplexVector& a) { return hn::Add(hn::Abs(a.re.hi), hn::Abs(a.im.hi)); }
 
 // x times a power of two. Precondition: no overflow or underflow.
 HWY_INLINE Real scale(const Real& x, Vector power_of_two) {
@@ -158,7 +161,7 @@ HWY_INLINE Real polynomial(const std::array<DoubleDouble, N>& c, const Real& x, 
   return quick_two_sum(hi, lo);
 }
 
-HWY_INLINE Real entries(const double* hi, const double* lo, hn::Vec<hn::RebindToSigned<Tag>> index) {
+HWY_INLINE Real gather_entries(const double* hi, const double* lo, hn::Vec<hn::RebindToSigned<Tag>> index) {
   return {hn::GatherIndex(tag, hi, index), hn::GatherIndex(tag, lo, index)};
 }
 
@@ -178,11 +181,11 @@ HWY_INLINE Exponential exponential(const Real& x) {
   const Real series = polynomial(exponential_head, r, polynomial(exponential_tail, r.hi));
   const auto j = hn::And(k.bits, hn::Set(integers, ElementaryTables::exponential_steps - 1));
   const Vector n = hn::Floor(hn::Mul(k.value, constant(1.0 / ElementaryTables::exponential_steps)));
-  return {entries(table.exponentials_hi.data(), table.exponentials_lo.data(), j) * series, n};
+  return {gather_entries(table.exponentials_hi.data(), table.exponentials_lo.data(), j) * series, n};
 }
 
 // e^(i y): y = (256 n + j) 2 pi / 256 + r; |y| < 2^40.
-HWY_INLINE Pair unit(const Real& y) {
+HWY_INLINE ComplexVector exp_i(const Real& y) {
   const auto& table = ElementaryTables::get();
   const hn::RebindToSigned<Tag> integers;
   const Rounded k = round(hn::Mul(y.hi, constant(ElementaryTables::angles / (2.0 * pi_double_double.hi))));
@@ -195,18 +198,18 @@ HWY_INLINE Pair unit(const Real& y) {
   const Real sine = r * polynomial(sine_head, square, polynomial(sine_tail, square.hi));
   const Real cosine = polynomial(cosine_head, square, polynomial(cosine_tail, square.hi));
   const auto j = hn::And(k.bits, hn::Set(integers, ElementaryTables::angles - 1));
-  const Pair turned{entries(table.cosines_hi.data(), table.cosines_lo.data(), j),
-                    entries(table.sines_hi.data(), table.sines_lo.data(), j)};
-  return turned * Pair{cosine, sine};
+  const ComplexVector turned{gather_entries(table.cosines_hi.data(), table.cosines_lo.data(), j),
+                             gather_entries(table.sines_hi.data(), table.sines_lo.data(), j)};
+  return turned * ComplexVector{cosine, sine};
 }
 
 // e^z. Precondition: no overflow or underflow.
-HWY_INLINE Pair exponential(const Pair& z) {
+HWY_INLINE ComplexVector exponential(const ComplexVector& z) {
   const Exponential size = exponential(z.re);
-  return unit(z.im) * scale(size.mantissa, power_of_two(size.exponent));
+  return exp_i(z.im) * scale(size.mantissa, power_of_two(size.exponent));
 }
 
-}  // namespace fde::HWY_NAMESPACE
+}  // namespace fde::reference::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/numbers/double_double.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 ElementaryTables make_tables() {
@@ -53,4 +54,4 @@ const ElementaryTables& ElementaryTables::get() {
   return lazy_table<digits, make_tables>();
 }
 
-}  // namespace fde
+}  // namespace fde::reference

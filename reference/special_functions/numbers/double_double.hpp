@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // An unevaluated sum hi + lo with |lo| at most half a unit in the last place of hi: about 32 digits.
 struct DoubleDouble {
@@ -60,4 +61,4 @@ struct ElementaryTables {
   static const ElementaryTables& get();
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>
 
-namespace fde {
+namespace fde::reference {
 
 // log|Gamma(x)|. std::lgamma stores the sign in a global variable, a data race between threads.
 inline double log_gamma(double x) {
@@ -10,4 +11,4 @@ inline double log_gamma(double x) {
   return lgamma_r(x, &sign);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-namespace fde {
+namespace fde::reference {
 
 Rational shortest_decimal(double x) {
   if (!std::isfinite(x)) throw std::invalid_argument(fmt::format("'{}' is not a finite decimal number", x));
@@ -48,4 +49,4 @@ int ceiling(const Rational& x) {
   return whole.convert_to<int>() + (x > Rational(whole) ? 1 : 0);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

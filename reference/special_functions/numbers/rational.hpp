@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <boost/multiprecision/gmp.hpp>
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Exact fractions: orders and coefficients given as decimals add, multiply and cancel without rounding.
 using Rational =
@@ -20,4 +21,4 @@ Real rounded(const Rational& x);
 // The smallest integer >= x.
 int ceiling(const Rational& x);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 std::recursive_mutex& precision_mutex() {
@@ -62,13 +63,13 @@ std::string to_text(const BigReal& x, const char* format, int precision) {
 std::string to_text(const BigReal& x, int digits) { return to_text(x, "%.*Rg", digits); }
 
 template <>
-long double decimal<long double>(double x) {
+long double from_shortest_decimal<long double>(double x) {
   return parse<long double>(fmt::format("{}", x));
 }
 
 template <>
-BigReal decimal<BigReal>(double x) {
+BigReal from_shortest_decimal<BigReal>(double x) {
   return parse<BigReal>(fmt::format("{}", x));
 }
 
-}  // namespace fde
+}  // namespace fde::reference

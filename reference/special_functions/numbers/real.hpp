@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 // The two number types of the references: long double, and mpfr/mpc at a precision chosen at run time.
@@ -15,7 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace fde {
+namespace fde::reference {
 
 using BigReal = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
                                               boost::multiprecision::et_off>;
@@ -129,16 +130,16 @@ std::string to_text(const BigReal& x, const char* format, int precision);
 
 // The shortest decimal that rounds to x, as a Real: 0.1 becomes one tenth.
 template <class Real>
-Real decimal(double x);
+Real from_shortest_decimal(double x);
 
 // A sum of complex terms, a bound of its rounding error, and its scale: the sum of the sizes of the terms
 // (without the factor e^mu by which the terms on a contour exceed their contribution to the value).
 template <class Real>
-struct Sum {
+struct BoundedSum {
   Complex<Real> value = Complex<Real>(0);
   Real error = Real(0);
   Real scale = Real(0);
-  bool infinite = false;  // the sum certainly overflows
+  bool overflows = false;  // the sum certainly overflows
   Real largest_exponent = Real(0);
 
   // relative_error is relative to size: the size of the term, or a larger one if the term comes from
@@ -147,16 +148,16 @@ struct Sum {
     add(term, norm1(term), relative_error, share);
   }
   void add(const Complex<Real>& term, const Real& size, const Real& relative_error, const Real& share) {
-    if (!infinite) value += term;
+    if (!overflows) value += term;
     error += size * relative_error;
     scale += size * share;
   }
-  void add(const Sum& other) {
+  void add(const BoundedSum& other) {
     error += other.error;
     scale += other.scale;
-    if (other.infinite) {
+    if (other.overflows) {
       add_infinite(other.value, other.largest_exponent);
-    } else if (!infinite) {
+    } else if (!overflows) {
       value += other.value;
     }
   }
@@ -167,10 +168,10 @@ struct Sum {
       constexpr double infinity = std::numeric_limits<double>::infinity();
       return Real(x == 0 ? 0.0 : x < 0 ? -infinity : infinity);
     };
-    if (infinite && exponent * same < largest_exponent) return;
-    if (!infinite || exponent > same * largest_exponent) value = Complex<Real>(0);
+    if (overflows && exponent * same < largest_exponent) return;
+    if (!overflows || exponent > same * largest_exponent) value = Complex<Real>(0);
     value += Complex<Real>(part(real_part<Real>(direction)), part(imag_part<Real>(direction)));
-    infinite = true;
+    overflows = true;
     largest_exponent = exponent;
   }
 };
@@ -184,4 +185,4 @@ bool exp_overflows(const Complex<Real>& z, const Real& relative_error) {
   return real_part<Real>(z) - error > most && (imag_part<Real>(z) == 0 || error < 0.1);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/numbers/reciprocal_gamma.hpp"
 
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 // Gamma on [1, 2] to about the current precision, from the series of the lower incomplete gamma function,
@@ -59,8 +60,8 @@ BigReal cancellable_reciprocal_gamma(const BigReal& x) {
 
 }  // namespace
 
-void add_reciprocal_gamma(Sum<BigReal>& sum, const BigComplex& factor, const BigReal& x, const BigReal& size,
-                          const BigReal& factor_ulps) {
+void add_reciprocal_gamma(BoundedSum<BigReal>& sum, const BigComplex& factor, const BigReal& x,
+                          const BigReal& size, const BigReal& factor_ulps) {
   const BigReal whole = round(x), rounding = 4 * size * epsilon<BigReal>();
   if (whole <= 0 && abs(BigReal(x - whole)) <= rounding) return;
   sum.add(BigComplex(factor * cancellable_reciprocal_gamma(x)),
@@ -71,4 +72,4 @@ void add_reciprocal_gamma(Sum<BigReal>& sum, const BigComplex& factor, const Big
   sum.error += norm1(factor) * slope * rounding;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

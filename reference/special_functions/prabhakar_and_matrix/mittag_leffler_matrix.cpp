@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/resolvent.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/schur_form.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Long = long double;
@@ -38,7 +39,7 @@ using Read = std::function<Arguments()>;
 Long to_long(const BigReal& x) { return x.convert_to<Long>(); }
 
 // Adds weight s^(alpha-beta) (s^alpha - A)^-1 at a node.
-void add_node(const Arguments& x, const Node& node, std::vector<Sum<BigReal>>& sums) {
+void add_node(const Arguments& x, const Node& node, std::vector<BoundedSum<BigReal>>& sums) {
   sums.resize(x.matrix.entries.size());
   const BigComplex s_alpha = exp(BigComplex(x.alpha * node.log_s));
   const BigComplex weight = node.weight * exp(BigComplex((x.alpha - x.beta) * node.log_s));
@@ -98,7 +99,8 @@ EnclosedTransform transform_of(const Read& read) {
     for (const auto& root : roots_on_sheet(alpha, logarithm)) transform.singularities.push_back(root.value);
   }
   transform.prepare = [read] {
-    return [x = read()](const Node& node, std::vector<Sum<BigReal>>& sums) { add_node(x, node, sums); };
+    return
+        [x = read()](const Node& node, std::vector<BoundedSum<BigReal>>& sums) { add_node(x, node, sums); };
   };
   transform.majorants = {majorant_of(schur, alpha, power)};
   return transform;
@@ -198,4 +200,4 @@ std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::
   return texts;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +7,7 @@
 
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // A matrix with a bound of the error of each entry.
 struct MatrixValue {
@@ -33,4 +34,4 @@ MatrixValue mittag_leffler(double alpha, double beta, const Eigen::MatrixXd& mat
 std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::string& beta,
                                            const std::vector<DecimalComplex>& matrix, int digits);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix_quick.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -11,7 +12,7 @@
 
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/shifted_contours.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Long = long double;
@@ -203,8 +204,8 @@ class Spectrum {
   // none.
   [[nodiscard]] std::optional<double> log_bound(const ShiftedContour& contour, double exponent) const {
     const double more = alpha_ * (static_cast<double>(eigenvalues_.size()) - 1.0);
-    const auto strip =
-        contour.strip.at({.exponent = exponent, .alpha = alpha_, .factors = factors_, .more = more});
+    const auto strip = contour.strip.bound_for(
+        {.exponent = exponent, .alpha = alpha_, .factors = factors_, .exponent_range = more});
     if (!strip || strip->outside || !is_near(*strip)) return std::nullopt;
     return strip->log_bound + std::log(2.0);  // |p| >= |q| / 2, and the bound is for q
   }
@@ -213,7 +214,7 @@ class Spectrum {
   // Whether |p| >= |q| / 2 in the strip and right of it: with v_i = max(|z_i|, least |x|) and the clearance c
   //   |x|^j <= prod_i max(|x|, |z_i|) / prod of the n - j largest v_i
   //         <= |q| / (c prod of the n - j largest v_i).
-  [[nodiscard]] bool is_near(const FreeStrip::Result& strip) const {
+  [[nodiscard]] bool is_near(const SingularityFreeStrip::Result& strip) const {
     const Long least = std::pow(static_cast<Long>(strip.least_size), static_cast<Long>(alpha_));
     Long sum = 0.0L, product = 1.0L;
     for (std::size_t j = eigenvalues_.size(); j-- > 0;) {
@@ -227,7 +228,7 @@ class Spectrum {
   std::vector<Value> eigenvalues_;  // by ascending modulus
   std::vector<Long> off_;
   std::vector<SingularityRoots> roots_;
-  std::vector<FreeStrip::Factor> factors_;
+  std::vector<SingularityFreeStrip::Factor> factors_;
 };
 
 // sum_j N_j c_j
@@ -305,4 +306,4 @@ std::optional<std::vector<QuickValue>> mittag_leffler_matrix_quick(double alpha,
   return std::nullopt;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

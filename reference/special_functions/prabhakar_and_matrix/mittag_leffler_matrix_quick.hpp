@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +7,7 @@
 
 #include "fdebench/reference/special_functions/mittag_leffler/quick.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // E_{alpha,beta}(A) of a small matrix in double-double, row by row:
 //   (x - A)^-1 = sum_j x^j N_j / p(x),  p(x) = det(x - A),  x = s^alpha
@@ -19,4 +20,4 @@ inline constexpr int max_quick_rows = 4;
 std::optional<std::vector<QuickValue>> mittag_leffler_matrix_quick(double alpha, double beta,
                                                                    const Eigen::MatrixXcd& matrix);
 
-}  // namespace fde
+}  // namespace fde::reference

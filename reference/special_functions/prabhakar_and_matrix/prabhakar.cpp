@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_quick.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_transform.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Arguments = PrabhakarArguments;
@@ -37,14 +38,15 @@ bool series_applies(const Arguments& x) {
 // The terms of the series may cancel: the working digits are doubled until the value is accurate. If the
 // terms cancel completely even with max_working_digits(), the value counts as zero.
 Bounded<BigReal> sum_series(const Request& request, int wanted) {
-  const DigitSearchOptions search{
-      .wanted = wanted, .guard = 10, .next = [](int digits, int /*missing*/) { return 2 * digits; }};
-  const DigitSearchResult raised = raise_digits(search, [&](int digits) {
+  const DigitSearchOptions search{.target_digits = wanted,
+                                  .guard = 10,
+                                  .next_digits = [](int digits, int /*missing*/) { return 2 * digits; }};
+  const DigitSearchResult raised = increase_digits(search, [&](int digits) {
     const Precision precision(digits + request.places);
-    const Sum<BigReal> sum = prabhakar_series(request.read());
+    const BoundedSum<BigReal> sum = prabhakar_series(request.read());
     const bool last = digits == max_working_digits(wanted);
     return std::vector<WorkingEstimate>{
-        {.known = {sum.value, sum.error}, .scale = last ? sum.scale : BigReal(0)}};
+        {.value_and_bound = {sum.value, sum.error}, .scale = last ? sum.scale : BigReal(0)}};
   });
   if (raised.largest_missed_bound) throw insufficient_digits(raised);
   return raised.values.front();
@@ -170,4 +172,4 @@ DecimalComplex mittag_leffler_derivative(int k, const std::string& alpha, const 
       digits);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The three-parameter Mittag-Leffler function of Prabhakar,
 //   E^gamma_{alpha,beta}(z) = sum_k (gamma)_k z^k / (k! Gamma(alpha k + beta)),
@@ -26,4 +27,4 @@ DecimalComplex prabhakar(const std::string& alpha, const std::string& beta, cons
 DecimalComplex mittag_leffler_derivative(int k, const std::string& alpha, const std::string& beta,
                                          const std::string& re, const std::string& im, int digits);
 
-}  // namespace fde
+}  // namespace fde::reference

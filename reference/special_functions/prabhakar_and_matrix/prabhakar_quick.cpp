@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_quick.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/shifted_contours.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Value = std::complex<long double>;
@@ -134,15 +135,15 @@ struct ContourChoice {
 };
 std::optional<ContourChoice> contour_choice(const PrabhakarParameters& x, const QuickArguments& argument,
                                             const SingularityRoots& roots, const ShiftedContour& contour) {
-  const FreeStrip::Factor factor = roots.factor(x.gamma);
-  const auto strip = contour.strip.at(
+  const SingularityFreeStrip::Factor factor = roots.factor(x.gamma);
+  const auto strip = contour.strip.bound_for(
       {.exponent = x.alpha * x.gamma - x.beta.hi, .alpha = x.alpha, .factors = {&factor, 1}});
   if (!strip || (strip->inside && strip->outside && !is_integer(x.gamma))) return std::nullopt;
   double sum = std::exp(strip->log_bound);
   for (std::size_t i = 0; i < roots.roots.size() && strip->outside; ++i) {
     const bool beyond = roots.roots[i].real() > 0.0 && contour.strip.position_of(roots.roots[i]) > 1.0;
     const double pair = argument.real() ? 2.0 : 1.0;
-    if (beyond) sum += pair * std::exp(log_neglected_singularity(x, roots.poles.seen[i].log));
+    if (beyond) sum += pair * std::exp(log_neglected_singularity(x, roots.poles.on_near_sheets[i].log));
   }
   return ContourChoice{std::log(sum), strip->outside};
 }
@@ -215,4 +216,4 @@ std::optional<QuickValue> prabhakar_quick(double alpha, const DoubleDouble& beta
   return first ? std::nullopt : prabhakar_series_quick(alpha, beta, gamma, z);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/special_functions/mittag_leffler/quick.hpp"
 
 // Prabhakar's function in long double and double-double, for Im z >= 0. nullopt where the error is above
 // quick_tolerance of the value.
-namespace fde {
+namespace fde::reference {
 
 // By the series sum_j (gamma)_j z^j / (j! Gamma(alpha j + beta)), if its terms decay fast enough.
 std::optional<QuickValue> prabhakar_series_quick(double alpha, const DoubleDouble& beta, double gamma,
@@ -30,4 +31,4 @@ inline constexpr double series_radius = 0.4;
 std::optional<QuickValue> prabhakar_quick(double alpha, const DoubleDouble& beta, double gamma,
                                           std::complex<double> z);
 
-}  // namespace fde
+}  // namespace fde::reference

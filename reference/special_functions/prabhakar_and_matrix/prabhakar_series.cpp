@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -7,7 +8,7 @@
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_transform.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 // A bound of the sum of the terms after the k-th, infinite where there is none yet; next is
@@ -28,9 +29,9 @@ BigReal tail(const PrabhakarArguments& x, int k, const BigComplex& next) {
 
 }  // namespace
 
-Sum<BigReal> prabhakar_series(const PrabhakarArguments& x) {
+BoundedSum<BigReal> prabhakar_series(const PrabhakarArguments& x) {
   constexpr int most_terms = 200000;
-  Sum<BigReal> sum;
+  BoundedSum<BigReal> sum;
   BigComplex factor(1);  // (gamma)_k z^k / k!
   BigReal factor_ulps(0);
   for (int k = 0; k < most_terms; ++k) {
@@ -52,4 +53,4 @@ Sum<BigReal> prabhakar_series(const PrabhakarArguments& x) {
   throw std::runtime_error(fmt::format("the power series takes more than {} terms", most_terms));
 }
 
-}  // namespace fde
+}  // namespace fde::reference

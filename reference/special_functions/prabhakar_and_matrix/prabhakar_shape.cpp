@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_shape.hpp"
 
 #include "fdebench/reference/special_functions/laplace/roots_on_sheet.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Long = long double;
@@ -78,7 +79,7 @@ BigReal PrabhakarSingularities::power_of(const PrabhakarArguments& x) const {
   return integer_power ? BigReal(round(power)) : power;
 }
 
-bool PrabhakarSingularities::peeled() const {
+bool PrabhakarSingularities::subtracts_leading_term() const {
   constexpr Long far = -1e6L;
   const auto is_far = [](const Point& s) { return s.real() < far; };
   return integer_power && !integer_alpha && std::log(-far) * alpha < log_z.real() &&
@@ -87,7 +88,7 @@ bool PrabhakarSingularities::peeled() const {
 
 long double PrabhakarSingularities::log_majorant(const Disc& disc) const {
   if (integer_alpha) return majorant_by_roots(*this, disc);
-  return peeled() ? majorant_without_head(*this, disc) : majorant_by_logarithm(*this, disc);
+  return subtracts_leading_term() ? majorant_without_head(*this, disc) : majorant_by_logarithm(*this, disc);
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_transform.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // Properties of Prabhakar's transform for which long double suffices: its singularities, the form in which to
 // evaluate it, and a bound of its size. z may overflow in long double.
@@ -26,9 +27,9 @@ struct PrabhakarSingularities {
   [[nodiscard]] bool has_no_cut() const { return integer_alpha && integer_power; }
   // Whether the term of F in s^power, power an integer, is subtracted: it contributes nothing, and F is close
   // to it on the contour if all s* are far in the left half-plane.
-  [[nodiscard]] bool peeled() const;
-  // Logarithm of an upper bound of |F|, or if peeled() of the remainder, on a disc.
+  [[nodiscard]] bool subtracts_leading_term() const;
+  // Logarithm of an upper bound of |F|, or of the remainder if subtracts_leading_term(), on a disc.
   [[nodiscard]] long double log_majorant(const EnclosingContour::Disc& disc) const;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

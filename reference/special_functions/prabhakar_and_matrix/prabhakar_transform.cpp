@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_transform.hpp"
 
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_shape.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Long = long double;
@@ -46,12 +47,12 @@ class Evaluation {
     }
   }
 
-  void add(const Node& node, std::vector<Sum<BigReal>>& sums) const {
+  void add(const Node& node, std::vector<BoundedSum<BigReal>>& sums) const {
     sums.resize(1);
     BigReal ulps = 8 + 4 * norm1(node.s);
-    const BigComplex value = shape_.integer_alpha ? by_roots(node, ulps)
-                             : shape_.peeled()    ? without_head(node, ulps)
-                                                  : by_logarithm(node, ulps);
+    const BigComplex value = shape_.integer_alpha              ? by_roots(node, ulps)
+                             : shape_.subtracts_leading_term() ? without_head(node, ulps)
+                                                               : by_logarithm(node, ulps);
     sums.front().add(BigComplex(node.weight * value), BigReal(ulps * epsilon<BigReal>()));
   }
 
@@ -136,12 +137,11 @@ EnclosedTransform prabhakar_transform(const ReadPrabhakar& read) {
   if (shape.beta > large) transform.singularities.emplace_back(shape.beta / 2.0L);
   transform.zero_digits += static_cast<int>(2.0L * std::abs(shape.beta));
   transform.prepare = [read, shape] {
-    return [evaluation = Evaluation(read(), shape)](const Node& node, std::vector<Sum<BigReal>>& sums) {
-      evaluation.add(node, sums);
-    };
+    return [evaluation = Evaluation(read(), shape)](
+               const Node& node, std::vector<BoundedSum<BigReal>>& sums) { evaluation.add(node, sums); };
   };
   transform.majorants = {[shape](const EnclosingContour::Disc& disc) { return shape.log_majorant(disc); }};
   return transform;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/reference/special_functions/laplace/enclosed_transform.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // E^gamma_{alpha,beta}(z) is the inverse Laplace transform at time 1 of
 //   F(s) = s^(alpha gamma - beta) / (s^alpha - z)^gamma = s^-beta (1 - z s^-alpha)^-gamma.
@@ -23,6 +24,6 @@ EnclosedTransform prabhakar_transform(const ReadPrabhakar& read);
 // sum_k (gamma)_k z^k / (k! Gamma(alpha k + beta)), with a bound of the rounding and truncation errors. A
 // polynomial for gamma = 0, -1, -2, ...; otherwise the terms decay for |z| <= 0.4 max(1, beta)^alpha. Throws
 // std::runtime_error if it takes too many terms.
-Sum<BigReal> prabhakar_series(const PrabhakarArguments& x);
+BoundedSum<BigReal> prabhakar_series(const PrabhakarArguments& x);
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/resolvent.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 BigMatrix identity(int size) {
@@ -92,4 +93,4 @@ BoundedInverse bounded_inverse(const BigMatrix& matrix) {
   return result;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

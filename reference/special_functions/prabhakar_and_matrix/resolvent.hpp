@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // A square matrix of multiprecision numbers, row by row.
 struct BigMatrix {
@@ -26,4 +27,4 @@ struct BoundedInverse {
 };
 BoundedInverse bounded_inverse(const BigMatrix& matrix);
 
-}  // namespace fde
+}  // namespace fde::reference

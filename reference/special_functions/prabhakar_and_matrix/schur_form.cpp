@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/schur_form.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <boost/multiprecision/eigen.hpp>
 #include <stdexcept>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Long = long double;
@@ -119,4 +120,4 @@ long double SchurForm::resolvent_norm(const Point& z, long double radius) const 
   return inverse.norm() * rounding;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +7,7 @@
 
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/resolvent.hpp"
 
-namespace fde {
+namespace fde::reference {
 
 // The real Schur form T = U^T A U of a square matrix, at the current precision; for a complex A + iB, the
 // Schur form of the real matrix [A -B; B A], which has the conjugate eigenvalues as well.
@@ -39,4 +40,4 @@ class SchurForm {
   std::vector<Point> log_eigenvalues_;
 };
 
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/shifted_contours.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr int digits = 45;
@@ -31,7 +32,7 @@ const std::array<ShiftedContour, 8>& shifted_contours() {
 
 SingularityRoots::SingularityRoots(double alpha, const std::complex<double>& log_z, int first_sheet)
     : log_size(log_z.real()), poles(poles_of(alpha, log_z, first_sheet)) {
-  for (const auto& pole : poles.seen)
+  for (const auto& pole : poles.on_near_sheets)
     roots.push_back(std::polar(std::exp(0.5 * pole.log.real()), 0.5 * pole.log.imag()));
 }
 
@@ -43,4 +44,4 @@ double SingularityRoots::growth() const {
   return largest;
 }
 
-}  // namespace fde
+}  // namespace fde::reference

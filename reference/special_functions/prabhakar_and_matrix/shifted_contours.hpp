@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -7,14 +8,14 @@
 #include "fdebench/reference/special_functions/mittag_leffler/contour_kernels.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/quick_residues.hpp"
 
-// The contours of the quick evaluations for singularities of any kind (FreeStrip), computed once.
-namespace fde {
+// The contours of the quick evaluations for singularities of any kind (SingularityFreeStrip), computed once.
+namespace fde::reference {
 
 struct ShiftedContour {
   explicit ShiftedContour(const ShiftedShape& of);
 
   ShiftedShape shape;
-  FreeStrip strip;
+  SingularityFreeStrip strip;
   ContourNodes nodes;
 };
 
@@ -24,7 +25,7 @@ inline constexpr double max_log_error = -33.0;
 // In the order in which they are tried.
 const std::array<ShiftedContour, 8>& shifted_contours();
 
-// The singularities s*^alpha = z in the form that FreeStrip takes.
+// The singularities s*^alpha = z in the form that SingularityFreeStrip takes.
 struct SingularityRoots {
   SingularityRoots(double alpha, const std::complex<double>& log_z, int first_sheet);
 
@@ -34,9 +35,9 @@ struct SingularityRoots {
 
   // max(0, largest Re s* on the principal sheet): the logarithm of the possible size of the function.
   [[nodiscard]] double growth() const;
-  [[nodiscard]] FreeStrip::Factor factor(double strength) const {
-    return {log_size, poles.nearest_other_argument, {roots.data(), roots.size()}, strength};
+  [[nodiscard]] SingularityFreeStrip::Factor factor(double singularity_order) const {
+    return {log_size, poles.nearest_other_argument, {roots.data(), roots.size()}, singularity_order};
   }
 };
 
-}  // namespace fde
+}  // namespace fde::reference

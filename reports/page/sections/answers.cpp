@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,18 +11,18 @@
 #include "fdebench/reports/page/accuracies.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::string accuracy_text(double accuracy) { return fmt::format("≤ 1e{:.0f}", std::log10(accuracy)); }
 
 // The session of a time, if there are several: they may be from different machines.
-std::string session_note(const PageInput& page, const Option& option) {
+std::string session_note(const PageInput& page, const RecommendedRun& option) {
   return page.sessions.size() > 1 ? fmt::format(", session {}", option.session + 1) : "";
 }
 
 // The other schemes that are the same algorithm on this scene.
-std::string names_note(const Option& option) {
+std::string names_note(const RecommendedRun& option) {
   if (option.schemes.size() < 2) return "";
   return fmt::format("here the same as {}",
                      fmt::join(option.schemes.begin() + 1, option.schemes.end(), ", "));
@@ -33,10 +34,10 @@ struct Margin {
   std::vector<std::string> ties{};  // lines whose time interval overlaps the first's
 };
 
-Margin margin_of(const PageInput& page, std::span<const Option> ranked) {
+Margin margin_of(const PageInput& page, std::span<const RecommendedRun> ranked) {
   Margin margin;
-  const Option& first = ranked.front();
-  for (const Option& other : ranked.subspan(1)) {
+  const RecommendedRun& first = ranked.front();
+  for (const RecommendedRun& other : ranked.subspan(1)) {
     if (other.time.low <= first.time.high) margin.ties.push_back(page.label(other));
   }
   if (ranked.size() > 1) margin.ratio = ranked[1].time.median / first.time.median;
@@ -52,7 +53,7 @@ std::string first_names(const std::vector<std::string>& names) {
 }
 
 // A text with the smallest error of other algorithms than the first.
-std::string next_best(const PageInput& page, const SceneSettings& scene, const Option& first,
+std::string next_best(const PageInput& page, const SceneSettings& scene, const RecommendedRun& first,
                       const ErrorKind& kind) {
   const MeasuredRun* next = nullptr;
   const auto measure = error_measure(kind);
@@ -64,8 +65,8 @@ std::string next_best(const PageInput& page, const SceneSettings& scene, const O
   return fmt::format("; the next best, {}, has {}", page.label(next->key), error_text(*(*next)[measure]));
 }
 
-std::string margin_text(const PageInput& page, const SceneSettings& scene, std::span<const Option> ranked,
-                        const ErrorKind& kind) {
+std::string margin_text(const PageInput& page, const SceneSettings& scene,
+                        std::span<const RecommendedRun> ranked, const ErrorKind& kind) {
   if (ranked.size() == 1) return "no other line gets there" + next_best(page, scene, ranked.front(), kind);
   const Margin margin = margin_of(page, ranked);
   if (!margin.ties.empty()) return "within noise of " + first_names(margin.ties);
@@ -77,19 +78,19 @@ std::string margin_text(const PageInput& page, const SceneSettings& scene, std::
 
 // Strength of the winner's colour: 0 if another line may be as quick, 1 if the second takes ten times as long
 // or there is no second.
-double strength(const PageInput& page, std::span<const Option> ranked) {
+double strength(const PageInput& page, std::span<const RecommendedRun> ranked) {
   if (ranked.size() == 1) return 1.0;
   const Margin margin = margin_of(page, ranked);
   return margin.ties.empty() ? std::clamp(std::log10(margin.ratio), 0.0, 1.0) : 0.0;
 }
 
-std::string run_note(const PageInput& page, const Option& option) {
+std::string run_note(const PageInput& page, const RecommendedRun& option) {
   const auto grid = page.grid(option.setup);
   return fmt::format("{}{}{}{}", grid, grid.empty() ? "" : ", ", run_text(option),
                      session_note(page, option));
 }
 
-std::string best_text(const PageInput& page, const Option& best) {
+std::string best_text(const PageInput& page, const RecommendedRun& best) {
   return fmt::format("{}, {}", page.label(best), run_note(page, best));
 }
 
@@ -103,12 +104,12 @@ Cell missing_cell(const std::optional<Shortfall>& missed) {
 Cell map_cell(const PageInput& page, const SceneLines& lines, const ErrorKind& kind, double accuracy) {
   const auto ranked = lines.within(kind, accuracy);
   if (ranked.empty()) return missing_cell(lines.shortfall(kind, accuracy, {}));
-  const Option& first = ranked.front();
+  const RecommendedRun& first = ranked.front();
   return {.text = page.label(first),
           .detail = time_text(first.time.median),
           .line = page.label(first),
           .strength = strength(page, ranked),
-          .next = ranked.size() > 1 ? ranked[1].time.median / first.time.median : 0.0,
+          .runner_up_ratio = ranked.size() > 1 ? ranked[1].time.median / first.time.median : 0.0,
           .session = page.sessions.size() > 1 ? first.session + 1 : 0};
 }
 
@@ -117,7 +118,7 @@ std::vector<Cell> answer_row(const PageInput& page, const SceneSettings& scene, 
                              double accuracy) {
   Cell heading{.text = accuracy_text(accuracy)};
   if (const auto ranked = lines.within(kind, accuracy); !ranked.empty()) {
-    const Option& first = ranked.front();
+    const RecommendedRun& first = ranked.front();
     const std::string label = page.label(first);
     return {heading,
             {.text = label, .detail = names_note(first), .line = label},
@@ -157,7 +158,7 @@ Table answers_map(const PageInput& page, const std::vector<MapRow>& scenes, cons
   for (const double accuracy : accuracies) table.columns.push_back({accuracy_text(accuracy)});
   RowGroup rows;
   for (const auto& [title, section, lines] : scenes) {
-    std::vector<Cell> cells{{.text = title, .to = section}};
+    std::vector<Cell> cells{{.text = title, .link = section}};
     for (const double accuracy : accuracies) cells.push_back(map_cell(page, lines, kind, accuracy));
     rows.rows.push_back(std::move(cells));
   }
@@ -171,10 +172,10 @@ Section answers_section(const PageInput& page) {
   Section section{
       .id = "answer",
       .title = "Which scheme is cheapest",
-      .paragraphs = {
-          "For each scene and each error, the measured run that gets there in the least time: the fuller the "
-          "colour, the further behind is the next scheme. A click leads to the scene, with the runs, its "
-          "charts and its equation's source."}};
+      .paragraphs = {"For each scene and each error, the measured run that reaches it in the least time. The "
+                     "darker the cell, the larger the factor by which the next scheme is slower. A click "
+                     "leads to the scene, with the runs, its "
+                     "charts and its equation's source."}};
   if (page.sessions.size() > 1) {
     section.paragraphs.emplace_back(
         "The results were made in several sessions; times of different machines or builds do not "
@@ -182,7 +183,7 @@ Section answers_section(const PageInput& page) {
   }
   if (page.runs.finished.empty()) return section;
   const auto scenes = map_rows(page);
-  for (const ErrorKind& kind : error_kinds()) section.tables.push_back(answers_map(page, scenes, kind));
+  for (const ErrorKind& kind : error_kinds) section.tables.push_back(answers_map(page, scenes, kind));
   return section;
 }
 
@@ -198,4 +199,4 @@ Table scene_answers(const PageInput& page, const SceneSettings& scene, const Sce
   return table;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

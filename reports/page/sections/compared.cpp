@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 #include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::size_t most_rows = 200;  // per kind of change
@@ -18,11 +19,11 @@ std::vector<Cell> row(const PageInput& page, const CommonRun& run, std::string b
                       std::string change, bool worse) {
   const RunKey& key = run.now->key;
   const std::string label = page.label(key);
-  return {{.text = label_of(key.scene), .to = section_of(key.scene)},
+  return {{.text = label_of(key.scene), .link = section_of(key.scene)},
           {.text = label, .detail = resolution_text(key.setup), .line = label},
           {.text = std::move(before)},
           {.text = std::move(now)},
-          {.text = std::move(change), .marked = worse}};
+          {.text = std::move(change), .highlighted = worse}};
 }
 
 // Adds the first rows of a kind of change, under a title with the total number.
@@ -35,7 +36,7 @@ void add(Table& table, const std::string& title, const std::vector<Change>& chan
   table.groups.push_back(std::move(group));
 }
 
-std::string verdict_text(const Verdict& verdict, const MeasuredRun& run) {
+std::string verdict_text(const TrialResult& verdict, const MeasuredRun& run) {
   return fmt::format("{} ({})", verdict.word, sentence(run.ending));
 }
 
@@ -48,7 +49,7 @@ Section compared_section(const PageInput& page, const Runs& before) {
       .title = "Compared with the first results",
       .paragraphs = {fmt::format(
           "{} runs are in both, {} only in the first, {} only in the second, which the rest of the page "
-          "is of. A verdict fell or an error grew where it is marked. Errors that moved by less than a "
+          "is of. Where a verdict got worse or an error grew, it is marked. Errors that moved by less than a "
           "hundredth, or by less than what rounding and the reference leave open, are left out, and "
           "times whose 95 % intervals meet.",
           found.common, found.only_before, found.only_now)},
@@ -56,7 +57,8 @@ Section compared_section(const PageInput& page, const Runs& before) {
                 .columns = {{"scene"}, {"scheme"}, {"first"}, {"second"}, {"change"}}}};
   add(section.table, "Verdicts and endings", found.endings, [&](const EndingChange& change) {
     return row(page, change.run, verdict_text(change.before, *change.run.before),
-               verdict_text(change.now, *change.run.now), change.fell() ? "fell" : "changed", change.fell());
+               verdict_text(change.now, *change.run.now), change.is_worse() ? "worse" : "changed",
+               change.is_worse());
   });
   add(section.table, "Errors", found.errors, [&](const ErrorChange& error) {
     auto factor =
@@ -74,4 +76,4 @@ Section compared_section(const PageInput& page, const Runs& before) {
   return section;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

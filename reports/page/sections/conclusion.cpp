@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,14 +12,14 @@
 #include "fdebench/reports/page/accuracies.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::string accuracy_name(double accuracy) { return fmt::format("1e{:.0f}", std::log10(accuracy)); }
 
 // Consecutive accuracies with the same cheapest line.
 struct AccuracyRange {
-  Option first, last;
+  RecommendedRun first, last;
   double from = 0.0, to = 0.0;
 };
 
@@ -67,7 +68,7 @@ std::string limit(const PageInput& page, const SceneLines& lines, RunSpan runs, 
 std::string left_out(const PageInput& page, const SceneSettings& scene) {
   std::set<std::string> refused, ended;
   for (const MeasuredRun& run : of_scene(page.runs.failed, scene))
-    (run.ending.kind == Ending::refused ? refused : ended).insert(page.label(run.key));
+    (run.ending.kind == SolveStatus::refused ? refused : ended).insert(page.label(run.key));
   std::vector<std::string> parts;
   if (!ended.empty()) parts.push_back(fmt::format("Some runs of {} end early", fmt::join(ended, ", ")));
   if (!refused.empty()) {
@@ -105,4 +106,4 @@ std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan r
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-}  // namespace fde
+}  // namespace fde::bench

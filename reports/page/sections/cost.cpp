@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 Cell cell(const std::optional<double>& value, std::string (*text)(double)) {
@@ -62,4 +63,4 @@ Section cost_section(const PageInput& page) {
   return section;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +11,7 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/reports/page/run_columns.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -28,15 +29,15 @@ json runs_of_curves(const PageInput& page, const ParameterCurves& curves) {
 }
 
 // The common settings without those that equal their defaults.
-SceneSettings told(const ParameterCurves& curves) {
-  SceneSettings told = curves.scene;
-  if (const auto* maker = find_scene(told.id)) {
+SceneSettings without_defaults(const ParameterCurves& curves) {
+  SceneSettings settings = curves.scene;
+  if (const auto* maker = find_scene(settings.id)) {
     for (const auto& parameter : maker->parameters) {
-      const auto value = told.values.find(parameter.name);
-      if (value != told.values.end() && value->second == parameter.value) told.values.erase(value);
+      const auto value = settings.values.find(parameter.name);
+      if (value != settings.values.end() && value->second == parameter.value) settings.values.erase(value);
     }
   }
-  return told;
+  return settings;
 }
 
 }  // namespace
@@ -44,7 +45,7 @@ SceneSettings told(const ParameterCurves& curves) {
 json curve_sections(const PageInput& page) {
   json sections = json::array();
   for (const auto& curves : parameter_curves(page.runs)) {
-    const auto scene = told(curves);
+    const auto scene = without_defaults(curves);
     sections.push_back(
         {{"id", fmt::format("curve-{}{}-{}", label_of(scene), short_checksum(scene), curves.parameter)},
          {"title", fmt::format("{} over {}", name_of_scene(scene).title, curves.parameter)},
@@ -58,4 +59,4 @@ json curve_sections(const PageInput& page) {
   return sections;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

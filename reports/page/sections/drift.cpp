@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +8,7 @@
 #include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr auto internal = "internal drift", independent = "independent drift";
@@ -139,4 +140,4 @@ Section drift_section(const PageInput& page) {
   return section;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

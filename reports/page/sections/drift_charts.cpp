@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -15,7 +16,7 @@
 #include "fdebench/reports/page/chart_number.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -55,17 +56,17 @@ class IndependentColumns {
   IndependentColumns(const Scene& scene, const Grid& grid, Matrix columns)
       : scene_(scene), columns_(std::move(columns)) {
     if (!grid.uniform() || grid.steps < IndependentMemoryRule::fewest_steps) return;
-    for (const auto& [derivative, velocity, order, powers] : scene.memories)
+    for (const auto& [derivative, velocity, order, powers] : scene.memory_columns)
       memories_.emplace_back(grid, order, powers);
   }
 
   // Whether at() is expensive: it then computes a history sum.
-  [[nodiscard]] bool dear() const { return !memories_.empty(); }
+  [[nodiscard]] bool is_expensive() const { return !memories_.empty(); }
 
   [[nodiscard]] Vec at(int step) const {
     Vec seen = columns_.col(step);
     for (std::size_t m = 0; m < memories_.size(); ++m) {
-      const MemoryColumn& of = scene_.memories[m];
+      const MemoryColumn& of = scene_.memory_columns[m];
       seen[of.derivative] = memories_[m].at(step, columns_.row(of.velocity).transpose());
     }
     return seen;
@@ -88,13 +89,13 @@ std::optional<json> course_of(const PageInput& page, const BestInTime& best) {
   const Scene scene = make_scene(SceneVariant{maker, key.scene.values, key.scene.until});
   const Grid grid{.end = scene.problem.end, .steps = *steps, .grading = key.setup.grading};
   const Trajectory path = scheme->solve(scene.problem, grid, key.setup.options());
-  if (path.ending != Ending::finished || path.y.cols() != *steps + 1) return std::nullopt;
+  if (path.status != SolveStatus::finished || path.y.cols() != *steps + 1) return std::nullopt;
   const IndependentColumns columns(scene, grid, columns_of(scene.outputs, path));
   RunningMaximum largest(grid.end);
   double next = 0.0;
   for (int n = 1; n <= *steps; ++n) {
     const double t = grid.time(n);
-    if (columns.dear() && t < next && n < *steps) continue;
+    if (columns.is_expensive() && t < next && n < *steps) continue;
     next = t * std::exp2(1.0 / times_an_octave);
     largest.observe(t, scene.constraint.drift(t, columns.at(n)));
   }
@@ -151,4 +152,4 @@ json drift_charts(const PageInput& page, const ConstrainedScene& scene) {
           {"courses", courses_of(page, scene)}};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

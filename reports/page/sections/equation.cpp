@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -12,7 +13,7 @@ using nlohmann::json;
 std::string value_text(const Parameter& parameter, const SceneSettings& scene) {
   const auto given = scene.values.find(parameter.name);
   if (given != scene.values.end()) return to_text(given->second);
-  return parameter.derived.empty() ? to_text(parameter.value) : parameter.derived;
+  return parameter.default_formula.empty() ? to_text(parameter.value) : parameter.default_formula;
 }
 
 }  // namespace
@@ -27,7 +28,8 @@ json equations_of(const SceneSettings& scene) {
     for (const auto& [coefficient, order] : terms) of_unknown.push_back({coefficient, order});
     all.push_back({{"unknown", unknown}, {"terms", of_unknown}, {"rhs", rhs}});
   }
-  for (const auto& [left, right] : maker->shown) all.push_back({{"left", left}, {"right", right}});
+  for (const auto& [left, right] : maker->display_equations)
+    all.push_back({{"left", left}, {"right", right}});
   return all;
 }
 
@@ -38,11 +40,11 @@ Table parameters_table(const SceneSettings& scene) {
   RowGroup rows;
   for (const Parameter& parameter : maker->parameters) {
     Cell value{.text = value_text(parameter, scene)};
-    value.marked = scene.values.contains(parameter.name);
-    rows.rows.push_back({{.text = parameter.name}, value, {.text = parameter.meaning}});
+    value.highlighted = scene.values.contains(parameter.name);
+    rows.rows.push_back({{.text = parameter.name}, value, {.text = parameter.description}});
   }
   table.groups.push_back(std::move(rows));
   return table;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The scheme that solves the commensurate expansion of another scheme's chains; nullptr if there is none.
@@ -91,4 +92,4 @@ Section expansion_section(const PageInput& page) {
   return section;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

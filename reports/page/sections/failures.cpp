@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,11 +13,11 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Runs with the same ending: lines with the same numbers of steps.
-struct Shared {
+struct EqualEndings {
   std::vector<std::string> lines, steps;
   RunOutcome first, last;
 
@@ -29,17 +30,17 @@ struct Shared {
 // Refusals must have the same reason. Other endings may differ in step and time, which depend on the number
 // of steps.
 bool alike(const RunOutcome& one, const RunOutcome& other) {
-  return one.kind == other.kind && (one.kind != Ending::refused || one.detail == other.detail);
+  return one.kind == other.kind && (one.kind != SolveStatus::refused || one.detail == other.detail);
 }
 
 std::string steps_or_accuracy(const MeasuredRun& run) {
-  const auto* asked = std::get_if<Tolerance>(&run.key.setup.resolution);
-  return asked != nullptr ? error_text(asked->relative) : count_text(run.steps);
+  const auto* requested = std::get_if<Tolerance>(&run.key.setup.resolution);
+  return requested != nullptr ? error_text(requested->rtol) : count_text(run.steps);
 }
 
 // Consecutive numbers of steps of a line with the same ending.
-std::vector<Shared> endings_of(const PageInput& page, RunSpan line) {
-  std::vector<Shared> found;
+std::vector<EqualEndings> endings_of(const PageInput& page, RunSpan line) {
+  std::vector<EqualEndings> found;
   for (const MeasuredRun& run : line) {
     if (found.empty() || !alike(found.back().last, run.ending))
       found.push_back({.lines = {page.label(run.key)}, .steps = {}, .first = run.ending, .last = {}});
@@ -60,12 +61,12 @@ Section failures_section(const PageInput& page) {
                      "with the reason."},
       .table = {.caption = "Refused and failed runs with their reasons",
                 .columns = {{"scheme"}, {"N or accuracy"}, {"reason"}}},
-      .folded = true};
+      .collapsed = true};
   for (const RunSpan scene : by_scene(page.runs.failed)) {
-    std::vector<Shared> all;
+    std::vector<EqualEndings> all;
     for (const RunSpan line : by_line(scene)) {
-      for (Shared& ending : endings_of(page, line)) {
-        const auto same = std::ranges::find_if(all, [&](const Shared& other) {
+      for (EqualEndings& ending : endings_of(page, line)) {
+        const auto same = std::ranges::find_if(all, [&](const EqualEndings& other) {
           return other.reason() == ending.reason() && other.steps == ending.steps;
         });
         if (same == all.end()) {
@@ -76,7 +77,7 @@ Section failures_section(const PageInput& page) {
       }
     }
     RowGroup group{.title = name_of_scene(scene.front().key.scene).title};
-    for (const Shared& of : all) {
+    for (const EqualEndings& of : all) {
       group.rows.push_back({{.text = fmt::format("{}", fmt::join(of.lines, ", "))},
                             {.text = fmt::format("{}", fmt::join(of.steps, ", "))},
                             {.text = of.reason()}});
@@ -112,4 +113,4 @@ Section schemes_section(const PageInput& page) {
   return section;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

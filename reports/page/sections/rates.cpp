@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +9,7 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double largest_deviation = 0.1;
@@ -20,7 +21,7 @@ Cell observed(const NormRate& rate) {
   if (rate.fit.points == 0) return {.text = "no fit", .detail = "fewer than three errors above rounding"};
   Cell cell{.text = fmt::format("{:.2f}", rate.fit.slope)};
   if (deviates(rate)) {
-    cell.marked = true;
+    cell.highlighted = true;
     cell.detail = fmt::format("{:.2f} {} theory", std::abs(*rate.deviation()),
                               *rate.deviation() > 0 ? "above" : "below");
   }
@@ -113,4 +114,4 @@ Section rates_section(const PageInput& page) {
   return section;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <optional>
@@ -6,11 +7,11 @@
 #include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-std::optional<double> observed_rate_of(const PageInput& page, const SceneSettings& scene, const Option& line,
-                                       Norm norm) {
+std::optional<double> observed_rate_of(const PageInput& page, const SceneSettings& scene,
+                                       const RecommendedRun& line, Norm norm) {
   for (const RateRow& row : page.rates) {
     if (row.scene != scene || row.scheme != line.schemes.front() || !same_series(row.setup, line.setup))
       continue;
@@ -23,8 +24,8 @@ std::optional<double> observed_rate_of(const PageInput& page, const SceneSetting
 }  // namespace
 
 // Time = steps * time per step: says which factor distinguishes the first line from the second.
-std::string reason_for_speed(const PageInput& page, const SceneSettings& scene, const Option& first,
-                             const Option& second, Norm norm) {
+std::string reason_for_speed(const PageInput& page, const SceneSettings& scene, const RecommendedRun& first,
+                             const RecommendedRun& second, Norm norm) {
   const double fewer = static_cast<double>(second.steps) / first.steps;
   const double dearer = first.seconds_per_step() / second.seconds_per_step();
   const auto name = page.label(second);
@@ -42,4 +43,4 @@ std::string reason_for_speed(const PageInput& page, const SceneSettings& scene, 
   return text;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 #include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double largest_share = 0.1;
@@ -35,7 +36,7 @@ std::vector<Cell> reference_cells(const PageInput& page, RunSpan scene, std::str
   const double error = *(*best)[error_id], bound = *(*best)[bound_id];
   Cell share{.text = error > 0.0 ? error_text(bound / error) : "the error is 0"};
   if (bound > largest_share * error) {
-    share.marked = true;
+    share.highlighted = true;
     share.detail = "not resolved by the reference";
   }
   const std::string label = page.label(best->key);
@@ -91,25 +92,25 @@ std::vector<Cell> reference_row(const PageInput& page, RunSpan scene, const Basi
 constexpr ErrorKind judged{.norm = Norm::maximum, .scale = Scale::mixed};
 constexpr double fine = 1e-12;
 
-bool takes_accuracy(const Option& option) {
+bool takes_accuracy(const RecommendedRun& option) {
   return std::holds_alternative<Tolerance>(option.setup.resolution);
 }
 
 // The time of the quickest plain scheme on a grid within 1e-12, extrapolated by the error model if no run
-// reaches it. Plain: without start weights, hence with a low rate.
+// reaches it. Plain: without starting weights, hence with a low rate.
 struct PlainSchemeTime {
   double seconds = INFINITY;
   bool is_forecast = false;
 };
 
 PlainSchemeTime over_grid(const SceneLines& lines, RunSpan runs) {
-  const auto is_plain = [&](const Option& option) {
+  const auto is_plain = [&](const RecommendedRun& option) {
     return !takes_accuracy(option) && std::ranges::none_of(runs, [&](const MeasuredRun& run) {
       return run.key.scheme == option.schemes.front() && run["start_weights"];
     });
   };
   PlainSchemeTime best;
-  for (const Option& option : lines.within(judged, fine)) {
+  for (const RecommendedRun& option : lines.within(judged, fine)) {
     if (is_plain(option)) best.seconds = std::min(best.seconds, option.time.median);
   }
   if (std::isfinite(best.seconds)) return best;
@@ -133,7 +134,7 @@ class CostOfReferences {
  public:
   void add(const SceneLines& lines, RunSpan runs, double seconds) {
     computed_.push_back(seconds);
-    for (const Option& option : lines.within(judged, fine)) {
+    for (const RecommendedRun& option : lines.within(judged, fine)) {
       if (!takes_accuracy(option)) continue;
       choosing_.push_back(option.time.median);
       break;
@@ -148,7 +149,7 @@ class CostOfReferences {
     if (computed_.empty()) return {};
     const auto [least, most] = std::ranges::minmax(computed_);
     std::string said = fmt::format(
-        "Where two methods have to agree, a reference took {} to {} of a processor when it was computed anew "
+        "Where two methods have to agree, a reference took {} to {} of a processor when it was recomputed "
         "for this page, as fdebench exact does.",
         time_text(least), time_text(most));
     if (!ratios_.empty()) {
@@ -210,4 +211,4 @@ Section reference_section(const PageInput& page) {
   return section;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,7 +11,7 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/reports/page/run_columns.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -109,7 +110,7 @@ json scene_sections(const PageInput& page) {
     }
     const SceneLines lines(page.runs, solved);
     json answers = json::object(), conclusions = json::object();
-    for (const ErrorKind& kind : error_kinds()) {
+    for (const ErrorKind& kind : error_kinds) {
       answers[error_measure(kind)] = to_json(scene_answers(page, solved, lines, kind));
       conclusions[error_measure(kind)] = conclusion(page, lines, scene, kind);
     }
@@ -129,4 +130,4 @@ json scene_sections(const PageInput& page) {
   return sections;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

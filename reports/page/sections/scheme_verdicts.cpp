@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,12 +12,12 @@
 #include <vector>
 
 #include "fdebench/reports/analysis/text.hpp"
-#include "fdebench/reports/analysis/verdict.hpp"
+#include "fdebench/reports/analysis/trial_result.hpp"
 #include "fdebench/reports/page/accuracies.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr std::size_t most_named = 3;  // scenes in a sentence
@@ -54,7 +55,7 @@ LineScores standings_of(const PageInput& page, const ErrorKind& kind) {
       auto& winner = found.of[page.label(ranked.front())];
       ++winner.won_on[scene.id];
       if (ranked.size() > 1) winner.margins.push_back(ranked[1].time.median / ranked.front().time.median);
-      for (const Option& option : ranked) {
+      for (const RecommendedRun& option : ranked) {
         auto& of = found.of[page.label(option)];
         const double ratio = option.time.median / ranked.front().time.median;
         ++of.reached;
@@ -109,7 +110,7 @@ std::string against(const PageInput& page, const std::string& line) {
   int trials = 0;
   const auto count = [&](const MeasuredRun& run) {
     if (page.label(run.key) != line) return;
-    auto& of = counted[verdict(run).word];
+    auto& of = counted[trial_result(run).word];
     ++of.scenes[run.key.scene.id];
     ++of.reasons[general(run.ending.detail)];
   };
@@ -122,7 +123,7 @@ std::string against(const PageInput& page, const std::string& line) {
       count(run);
   }
   std::vector<std::string> parts;
-  for (const Verdict& of : {fails, inaccurate}) {
+  for (const TrialResult& of : {fails, inaccurate}) {
     if (const auto& scenes = counted[of.word].scenes; !scenes.empty())
       parts.push_back(fmt::format("{} on {}", of.word, named(scenes)));
   }
@@ -182,4 +183,4 @@ Table scheme_verdicts(const PageInput& page, const ErrorKind& kind) {
   return table;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

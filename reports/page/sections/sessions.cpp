@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::vector<Cell> row(std::string name, const std::vector<Session>& sessions,
@@ -35,4 +36,4 @@ Table sessions_table(const PageInput& page) {
   return table;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,7 +13,7 @@
 #include "fdebench/reports/page/chart_number.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -61,7 +62,7 @@ class Samples {
     return away.maxCoeff() > 0.0 ? left : right;
   }
 
-  Reference reference_;
+  reference::Reference reference_;
   Eigen::Index columns_;
   double end_, bound_ = 0.0;
   std::map<double, Vec> values_{};
@@ -96,7 +97,7 @@ void add_energy(json& shown, const Scene& scene, const Path& path) {
 
 void add_reactions(json& shown, const Scene& scene, const Path& path) {
   const auto& reactions = scene.reactions;
-  if (!reactions || !reactions.known()) return;
+  if (!reactions || !reactions.has_exact_multipliers()) return;
   const auto size = std::ssize(reactions.names);
   shown["reactions"] = columns_along(path, reactions.names, [&](double t, In columns) -> Vec {
     return exact_reactions(scene, t, columns).head(size);
@@ -105,7 +106,7 @@ void add_reactions(json& shown, const Scene& scene, const Path& path) {
 
 // Adds the coordinates of the motion; by name only if they are columns of the scene.
 void add_motion(json& shown, const Scene& scene, const Path& path) {
-  const auto& names = scene.motion.names;
+  const auto& names = scene.display_path.names;
   if (names.empty()) return;
   const auto columns = shown["columns"].get<std::vector<std::string>>();
   const bool are_columns = std::ranges::all_of(
@@ -114,8 +115,8 @@ void add_motion(json& shown, const Scene& scene, const Path& path) {
     shown["motion"] = {{"columns", names}};
     return;
   }
-  shown["motion"] =
-      columns_along(path, names, [&](double t, In of_path) { return columns_at(scene.motion, t, of_path); });
+  shown["motion"] = columns_along(
+      path, names, [&](double t, In of_path) { return columns_at(scene.display_path, t, of_path); });
 }
 
 }  // namespace
@@ -144,4 +145,4 @@ json solution_of(const SceneSettings& settings) {
   }
 }
 
-}  // namespace fde
+}  // namespace fde::bench

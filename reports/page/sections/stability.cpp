@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,11 +9,11 @@
 
 #include "fdebench/benchmarks/sweep/trials.hpp"
 #include "fdebench/reports/analysis/text.hpp"
-#include "fdebench/reports/analysis/verdict.hpp"
+#include "fdebench/reports/analysis/trial_result.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The labels of the trials' lines, without repetitions, in the order of the list of schemes.
@@ -33,32 +34,32 @@ Cell cell(const PageInput& page, const SceneSettings& scene, const std::string& 
     return run.key.scene == scene && page.label(run.key) == line;
   });
   if (found == page.trials.end()) return {.text = "not run"};
-  const std::string word(verdict(*found).word);
+  const std::string word(trial_result(*found).word);
   const auto error = (*found)["error_relative"];
   // Digits of agreement: 16 for an error at rounding, 0 for an error as large as the value.
   const double correct = error && word == survives.word ? -std::log10(std::max(*error, 1e-16)) : 0.0;
   return {.text = word,
           .detail = error ? error_text(*error) : "",
-          .hint = because(*found),
-          .tone = word,
+          .tooltip = reason_for(*found),
+          .verdict = word,
           .strength = std::clamp(correct / 16.0, 0.0, 1.0)};
 }
 
 // "5 of 12", with the numbers of refusals and of runs that stop rightly.
 Cell survivals(const PageInput& page, const std::string& line) {
-  std::map<Verdict, int> counts;
+  std::map<TrialResult, int> counts;
   int total = 0;
   for (const auto& run : page.trials) {
     if (page.label(run.key) != line) continue;
-    ++counts[verdict(run)];
+    ++counts[trial_result(run)];
     ++total;
   }
   std::vector<std::string> others;
-  for (const Verdict& of : {stops, refuses}) {
+  for (const TrialResult& of : {stops, refuses}) {
     if (counts[of] > 0) others.push_back(fmt::format("{} {}", of.word, counts[of]));
   }
   return {.text = fmt::format("{} of {}", counts[survives], total),
-          .hint = fmt::format("{}", fmt::join(others, ", "))};
+          .tooltip = fmt::format("{}", fmt::join(others, ", "))};
 }
 
 std::vector<Cell> row(const PageInput& page, const Trial& trial, const std::vector<std::string>& lines) {
@@ -80,7 +81,7 @@ Section stability_section(const PageInput& page) {
            "where it ends early, or where from some step on its error is not below the size of the "
            "value up to the end. It stops rightly where the solution has a singularity, and is not "
            "judged where there is no reference or the solution itself overflows. Below the "
-           "verdict stands the error at the end as a part of the value, the smaller the fuller the colour; a "
+           "verdict is the error at the end as a part of the value; a darker colour means a smaller error. A "
            "pointer that rests there shows the reason, or from when on rounding is at least a quarter of the "
            "error, and the time of the solve. Why each scheme fares as it does: docs/stability.md."},
       .table = {.caption = "Verdicts by scene and scheme", .columns = {{"scene"}}, .is_map = true}};
@@ -101,4 +102,4 @@ Section stability_section(const PageInput& page) {
   return section;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/symbols/generating_function.hpp"
 
 namespace fde {

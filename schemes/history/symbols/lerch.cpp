@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/symbols/lerch.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/symbols/symbol.hpp"
 
 #include <cmath>
@@ -97,8 +98,8 @@ Symbol predictor_corrector_symbol(const Problem& problem, double length) {
       [=, predictor = Convolutions(problem, kernels_of(families::rectangle), length)](ComplexValue log_zeta) {
         const Eigen::VectorXcd powers = corrector.difference_powers(log_zeta);
         const Eigen::VectorXcd newest = kappa.cwiseProduct(powers);
-        const Eigen::VectorXcd past = corrector.at(log_zeta) - newest;
-        ComplexMatrix s = -a * past.asDiagonal() - corrected * predictor.at(log_zeta).asDiagonal();
+        const Eigen::VectorXcd older = corrector.at(log_zeta) - newest;
+        ComplexMatrix s = -a * older.asDiagonal() - corrected * predictor.at(log_zeta).asDiagonal();
         s.diagonal() += powers;
         return s;
       };

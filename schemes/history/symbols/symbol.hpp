@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -24,7 +25,7 @@ using Symbol = std::function<ComplexMatrix(ComplexValue log_zeta)>;
 
 // The symbol of an implicit rule with this step size. For weights of increments of y, K is 1 / ((1-zeta) W)
 // times the step factor. A scheme that splits orders passes the split problem. Preconditions:
-// linear(problem), no algebraic rows, no right derivatives.
+// is_linear(problem), no algebraic rows, no right derivatives.
 Symbol implicit_symbol(const Problem& problem, const WeightFamily& family, double length);
 
 // The same for a rule that is not a convolution of f with one family: kernel_of(g) is (1-zeta)^g K for order

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/weights/exponential_sum.hpp"
 
 #include <fmt/format.h>

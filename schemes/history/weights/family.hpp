@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -19,8 +20,8 @@ struct EndpointValues {
 // 1 and the samples x are values of f or increments of y.
 //
 // A new family is one file that defines it and one line of families.def. Empty members limit its use: without
-// `coefficient` (or `filter`, or the two parts) sums are direct, without `ends` all steps are equal, without
-// `regular_part` there is no stability region.
+// `coefficient` (or `filter`, or the two parts) sums are direct, without `endpoint_values` all steps are
+// equal, without `regular_part` there is no stability region.
 struct WeightFamily {
   std::string_view id, title;
 
@@ -52,7 +53,7 @@ struct WeightFamily {
   // coefficient of exp(-node t) in the kernel. Formulas: weight_transform.hpp.
   double (*coefficient)(double order, double node, double kernel) = nullptr;
 
-  // The same for first_sample_weight. Empty: the start weight is 0 or w(n).
+  // The same for first_sample_weight. Empty: the weight of x_0 is 0 or w(n).
   double (*first_sample_coefficient)(double order, double node, double kernel) = nullptr;
 
   // phi_0 = 1, phi_1, ..., up to the last that is not negligible: w is the convolution of phi with the
@@ -70,7 +71,7 @@ struct WeightFamily {
 
   // The linear function that replaces the integrand on a step of this length, from the samples at its ends;
   // `after` is 0 at the newest step of an implicit rule.
-  EndpointValues (*ends)(double before, double after, double length) = nullptr;
+  EndpointValues (*endpoint_values)(double before, double after, double length) = nullptr;
 };
 
 namespace families {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/weights/kernel_moments.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/history/weights/exponential_sum.hpp"
@@ -11,7 +12,7 @@ namespace fde {
 //
 //   rectangle            Gamma(g+1) D               (k^g - (k-1)^g = g int_(k-1)^k t^(g-1) dt)
 //   trapezoid            Gamma(g+2) D^2 exp(-s)     (hat function on [k-1, k+1])
-//   its start weight     Gamma(g+2) (D - 1)/s       (half a hat)
+//   its weight of x_0    Gamma(g+2) (D - 1)/s       (half a hat)
 //   L1                   Gamma(2-g) D exp(-s)       (with a = 1 - g)
 //   Grunwald-Letnikov    D^(-a)                     (B(k+g, 1-g) = int_0^inf (e^s - 1)^(-g) e^(-k s) ds)
 //

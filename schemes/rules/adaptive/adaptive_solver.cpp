@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/adaptive_solver.hpp"
 
 #include <algorithm>
@@ -26,19 +27,20 @@ double time_after(double t, double length) {
 // floating-point number before its jump.
 std::vector<double> stretches(const Problem& problem) {
   std::vector<double> ends;
-  for (const double jump : problem.jumps) {
+  for (const double jump : problem.jump_times) {
     if (jump < problem.end) ends.push_back(std::nextafter(jump, 0.0));
   }
   ends.push_back(problem.end);
   return ends;
 }
 
-class March {
+class AdaptiveSolver {
  public:
-  March(const Problem& problem, const Tolerance& accuracy, const Options& options, const StepperFactory& make)
+  AdaptiveSolver(const Problem& problem, const Tolerance& accuracy, const Options& options,
+                 const StepperFactory& make)
       : problem_(problem),
         accuracy_(accuracy),
-        has_algebraic_rows_(std::ranges::any_of(problem.components, algebraic)),
+        has_algebraic_rows_(std::ranges::any_of(problem.components, is_algebraic)),
         run_(problem, options),
         blow_up_(run_.start()) {
     const auto ends = stretches(problem);
@@ -47,25 +49,26 @@ class March {
     shortest_ = std::min(shorter * first, std::numeric_limits<double>::epsilon() * ends.front());
     steps_ = make(run_, shortest_);
     control_ = PiController(steps_->rate(), std::min(first, ends.front()));
-    sides_ = sides(problem, 0.0, run_.start());
-    if (options.at.empty()) dense_ = std::make_shared<DenseOutput>(problem);
+    sides_ = switch_signs(problem, 0.0, run_.start());
+    if (options.output_times.empty()) dense_ = std::make_shared<DenseOutput>(problem);
   }
 
   Trajectory solve() {
-    const State state = [this](Archive& archive) { this->state(archive); };
-    run_.resume(state);
+    const StateArchiver state = [this](Archive& archive) { this->state(archive); };
+    run_.resume_from_checkpoint(state);
     for (const double end : stretches(problem_)) {
       if (end < interval_end_) continue;
-      if (interval_end_ < end && time_ > 0.0 && !cross_jump(behind(time_))) break;
+      if (interval_end_ < end && time_ > 0.0 && !cross_jump(just_after(time_))) break;
       interval_end_ = end;
-      for (bool continues = true; continues && time_ < end; continues = step_towards(end)) run_.offer(state);
+      for (bool continues = true; continues && time_ < end; continues = step_towards(end))
+        run_.offer_checkpoint(state);
       if (time_ < end) break;
     }
     run_.cost().history_bytes = steps_->bytes();
     run_.cost().rejected_steps = rejected_steps_;
     run_.cost().linear_solver = steps_->linear_solver();
     auto path = run_.finish();
-    if (dense_ && time_ > 0.0) path.dense = [dense = dense_](double t) { return dense->at(t); };
+    if (dense_ && time_ > 0.0) path.dense_output = [dense = dense_](double t) { return dense->at(t); };
     return path;
   }
 
@@ -77,7 +80,7 @@ class March {
   }
 
   // The second floating-point number after t: past a jump next to t.
-  [[nodiscard]] double behind(double t) const {
+  [[nodiscard]] double just_after(double t) const {
     return std::nextafter(std::nextafter(t, problem_.end), problem_.end);
   }
 
@@ -85,7 +88,7 @@ class March {
   bool cross_jump(double t) {
     constexpr double short_step = 1e-6;
     steps_->extrapolate_over_jump(run_, t);
-    if (!take(t)) return false;
+    if (!accept_step(t)) return false;
     steps_->restart(run_);
     blow_up_.restart();
     control_ = PiController(steps_->rate(), short_step * t);
@@ -103,7 +106,7 @@ class March {
       }
       double error = steps_->attempt(run_, t);
       const double length = t - time_;
-      if (error < no_solution && sides(problem_, t, steps_->result()) != sides_) {
+      if (error < no_solution && switch_signs(problem_, t, steps_->result()) != sides_) {
         if (length <= switch_tolerance()) return step_over_switch();
         error = no_solution;
       }
@@ -111,21 +114,21 @@ class March {
         error = std::max(error, dense_output_error(t));
       const bool unasked = time_ == 0.0 && error < no_solution &&
                            exempt_from_relative_tolerance(problem_, run_.start(), length / problem_.end);
-      if (control_.judge(unasked ? std::min(error, 1.0) : error, length)) return accept_inside_domain(t);
+      if (control_.update(unasked ? std::min(error, 1.0) : error, length)) return accept_inside_domain(t);
       ++rejected_steps_;
       if (length <= shortest_step()) return handle_smallest_step(error, t, end);
       if (!run_.out_of_budget()) continue;
-      run_.fail(Ending::out_of_budget, t);
+      run_.fail(SolveStatus::out_of_budget, t);
       return false;
     }
   }
 
-  // Called where no step is short enough for the error test. A jump of f that Problem::jumps does not contain
-  // can be the reason: the test counts the error of the step up to the jump as one that all steps make. In
-  // that case the run steps over the jump and restarts the rule; otherwise it ends.
+  // Called where no step is short enough for the error test. A jump of f that Problem::jump_times does not
+  // contain can be the reason: the test counts the error of the step up to the jump as one that all steps
+  // make. In that case the run steps over the jump and restarts the rule; otherwise it ends.
   bool handle_smallest_step(double error, double t, double end) {
-    const Ending reason = failure(error, t);
-    if (reason == Ending::step_too_small && time_ > 0.0 && steps_->error_of_jump() <= 1.0)
+    const SolveStatus reason = failure_status(error, t);
+    if (reason == SolveStatus::step_too_small && time_ > 0.0 && steps_->error_of_jump() <= 1.0)
       return step_over_jump(std::min(time_ + 2.0 * shortest_step(), end), reason);
     run_.fail(reason, t);
     return false;
@@ -136,13 +139,13 @@ class March {
   // error in the rows on which it acts, and the constraint removes this error at the end of the step only.
   double dense_output_error(double t) {
     constexpr double share = 0.3;
-    const Vec within = steps_->between(share * t);
+    const Vec within = steps_->dense_output(share * t);
     if (steps_->attempt(run_, share * t) == no_solution) return no_solution;
     double error = 0.0;
     for (Eigen::Index i = 0; i < within.size(); ++i) {
-      if (algebraic(problem_.components[static_cast<std::size_t>(i)])) continue;
+      if (is_algebraic(problem_.components[static_cast<std::size_t>(i)])) continue;
       const double y = steps_->result()[i], off = std::abs(within[i] - y);
-      if (off > 0.0) error = std::max(error, off / (accuracy_.absolute + accuracy_.relative * std::abs(y)));
+      if (off > 0.0) error = std::max(error, off / (accuracy_.atol + accuracy_.rtol * std::abs(y)));
     }
     steps_->attempt(run_, t);
     return error;
@@ -159,18 +162,18 @@ class March {
   // the domain and ends the run.
   bool accept_inside_domain(double t) {
     const auto outside = [&](double at, In y) { return !problem_.domain.contains(at, y); };
-    if (!outside(t, steps_->result())) return take(t);
-    const auto [inside, beyond] = change(
-        outside, [&](double at) { return steps_->between(at); }, t);
-    if (inside > time_ && steps_->attempt(run_, inside) < no_solution) take(inside);
-    run_.fail(Ending::singular, beyond);
+    if (!outside(t, steps_->result())) return accept_step(t);
+    const auto [inside, beyond] = bisect(
+        outside, [&](double at) { return steps_->dense_output(at); }, t);
+    if (inside > time_ && steps_->attempt(run_, inside) < no_solution) accept_step(inside);
+    run_.fail(SolveStatus::left_domain, beyond);
     return false;
   }
 
   // Bisection: the neighbouring floating-point numbers between which holds(t, y(t)) becomes true.
   // Precondition: it is true at t.
   template <typename Holds, typename Path>
-  std::pair<double, double> change(Holds holds, Path y, double t) {
+  std::pair<double, double> bisect(Holds holds, Path y, double t) {
     double before = time_, behind = t;
     for (;;) {
       const double middle = before + (behind - before) / 2.0;
@@ -182,29 +185,30 @@ class March {
   // Time until the first switch that is passed before t if f is extrapolated from the step before; infinity:
   // none is passed.
   double time_to_switch(double t) {
-    const auto ahead = [&](double at) { return steps_->continued(at); };
-    const auto switched = [&](double at, In y) { return sides(problem_, at, y) != sides_; };
-    if (problem_.switches.empty() || !switched(t, ahead(t))) return std::numeric_limits<double>::infinity();
-    return change(switched, ahead, t).first - time_;
+    const auto ahead = [&](double at) { return steps_->extrapolate(at); };
+    const auto switched = [&](double at, In y) { return switch_signs(problem_, at, y) != sides_; };
+    if (problem_.switching_functions.empty() || !switched(t, ahead(t)))
+      return std::numeric_limits<double>::infinity();
+    return bisect(switched, ahead, t).first - time_;
   }
 
   // Steps over a switch next to the last accepted time and restarts the rule.
   bool step_over_switch() {
-    return step_over_jump(std::min(time_ + 2.0 * switch_tolerance(), problem_.end), Ending::sliding);
+    return step_over_jump(std::min(time_ + 2.0 * switch_tolerance(), problem_.end), SolveStatus::sliding);
   }
 
   // Steps over a jump of f to t and restarts the rule. The run ends if no step was possible since the last
   // switch. It also ends if it has returned to a switch many times at once: the solution slides along the
   // switch and does not exist beyond.
-  bool step_over_jump(double t, Ending if_stuck) {
+  bool step_over_jump(double t, SolveStatus if_stuck) {
     constexpr int most_returns = 8;
     constexpr double at_once = 1e-9;  // of the time
     returns_to_switch_ = time_ - last_switch_time_ <= at_once * time_ ? returns_to_switch_ + 1 : 0;
     if (last_switch_time_ == time_ || returns_to_switch_ > most_returns) {
-      run_.fail(last_switch_time_ == time_ ? if_stuck : Ending::sliding, t);
+      run_.fail(last_switch_time_ == time_ ? if_stuck : SolveStatus::sliding, t);
       return false;
     }
-    sides_ = sides(problem_, t, steps_->continued(t));
+    sides_ = switch_signs(problem_, t, steps_->extrapolate(t));
     if (!cross_jump(t)) return false;
     last_switch_time_ = time_;
     return true;
@@ -221,32 +225,32 @@ class March {
     return std::max(shortest_, 4.0 * std::numeric_limits<double>::epsilon() * time_);
   }
 
-  bool take(double t) {
+  bool accept_step(double t) {
     const bool accepted =
-        run_.accept(t, steps_->result(), [&](double between) { return steps_->between(between); });
+        run_.accept(t, steps_->result(), [&](double between) { return steps_->dense_output(between); });
     // The step in which an event has ended the run is accepted too: the dense output up to the event needs
     // it.
     if (!accepted && !run_.ended_by_event()) return false;
-    steps_->take();
-    if (dense_) dense_->add(t, steps_->drives(), steps_->interpolated());
-    blow_up_.pass(t, steps_->result());
+    steps_->accept();
+    if (dense_) dense_->add(t, steps_->derivative_polynomials(), steps_->interpolated_rows());
+    blow_up_.accept_step(t, steps_->result());
     time_ = t;
     return accepted;
   }
 
   // Why no step to t is possible, however short.
-  Ending failure(double error, double t) {
+  SolveStatus failure_status(double error, double t) {
     const Vec& y = steps_->result();
     const bool finite = y.allFinite();
-    if (finite && !problem_.domain.contains(time_, y)) return Ending::singular;
-    if (blow_up_.is_near(time_)) return Ending::blow_up;
-    if (error != no_solution) return Ending::step_too_small;
-    return finite && run_.rhs(t, y).allFinite() ? Ending::not_converged : Ending::non_finite;
+    if (finite && !problem_.domain.contains(time_, y)) return SolveStatus::left_domain;
+    if (blow_up_.is_near(time_)) return SolveStatus::blow_up;
+    if (error != no_solution) return SolveStatus::step_too_small;
+    return finite && run_.rhs(t, y).allFinite() ? SolveStatus::not_converged : SolveStatus::non_finite;
   }
 
   const Problem& problem_;
   const Tolerance accuracy_;
-  const bool has_algebraic_rows_;  // has algebraic rows
+  const bool has_algebraic_rows_;
   Run run_;
   BlowUpDetector blow_up_;
   double shortest_ = 0.0, time_ = 0.0;
@@ -262,9 +266,9 @@ class March {
 
 }  // namespace
 
-Trajectory march_adaptively(const Problem& problem, const Tolerance& accuracy, const Options& options,
+Trajectory solve_adaptively(const Problem& problem, const Tolerance& accuracy, const Options& options,
                             const StepperFactory& make) {
-  return March(problem, accuracy, options, make).solve();
+  return AdaptiveSolver(problem, accuracy, options, make).solve();
 }
 
 }  // namespace fde

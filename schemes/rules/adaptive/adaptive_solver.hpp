@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -12,8 +13,8 @@ namespace fde {
 using StepperFactory = std::function<std::unique_ptr<AdaptiveStepper>(Run& run, double shortest)>;
 
 // Solves a problem with adaptive step size. The right-hand side hardly changes on the first step (see
-// initial_step_size). A step ends at each time in Problem::jumps, and the rule restarts there.
-Trajectory march_adaptively(const Problem& problem, const Tolerance& accuracy, const Options& options,
+// initial_step_size). A step ends at each time in Problem::jump_times, and the rule restarts there.
+Trajectory solve_adaptively(const Problem& problem, const Tolerance& accuracy, const Options& options,
                             const StepperFactory& make);
 
 }  // namespace fde

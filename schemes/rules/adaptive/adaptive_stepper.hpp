@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>
@@ -16,18 +17,18 @@ inline constexpr double no_solution = std::numeric_limits<double>::infinity();
 // coefficients of 1, w, w^2. In algebraic rows the polynomials are y itself.
 using DerivativePolynomials = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-// A component that is interpolated on a step from its own values: y as a polynomial of w,
+// A component that is interpolated on a step from its own values: y as a polynomial of w, with the
 // coefficients of 1, w, w^2, w^3. It replaces the fractional integral of D^g y where f makes the component
 // decay within the step: f is then far larger than y, and between the stages the error of the integral
 // exceeds the tolerance, though the equations of the step leave little of this error at the stages.
 struct InterpolatedRow {
   Eigen::Index row;
-  Eigen::Vector4d powers;
+  Eigen::Vector4d coefficients;
   // y at w.
   [[nodiscard]] double at(double w) const {
-    return powers[0] + w * (powers[1] + w * (powers[2] + w * powers[3]));
+    return coefficients[0] + w * (coefficients[1] + w * (coefficients[2] + w * coefficients[3]));
   }
-  void state(Archive& archive) { archive(row, powers); }
+  void state(Archive& archive) { archive(row, coefficients); }
 };
 using InterpolatedRows = std::vector<InterpolatedRow>;
 
@@ -38,8 +39,8 @@ inline bool needs_interpolation(double error, double left, double allowed) {
   return !(std::abs(error) <= allowed) && !(std::abs(left) > small_part * std::abs(error));
 }
 
-// A rule for steps of any size. Each step is attempted and its error is estimated; take() accepts the step,
-// or it is attempted again with another size. An attempt does not change the history.
+// A rule for steps of any size. attempt() solves a step and estimates its error; then accept() adds the step
+// to the history, or attempt() is called again with another size. attempt() does not change the history.
 class AdaptiveStepper {
  public:
   AdaptiveStepper() = default;
@@ -57,20 +58,20 @@ class AdaptiveStepper {
 
   // y at the end of the last attempt, and at a time t within its step.
   [[nodiscard]] virtual const Vec& result() const = 0;
-  virtual Vec between(double t) = 0;
+  virtual Vec dense_output(double t) = 0;
 
   // y at a time t after the last accepted one, with f extrapolated from the accepted steps.
-  virtual Vec continued(double t) = 0;
+  virtual Vec extrapolate(double t) = 0;
 
   // Replaces attempt() for a step over a jump of f that is too short to change y: f is extrapolated over it.
   virtual void extrapolate_over_jump(Run& run, double t) = 0;
 
   // Accepts the last attempt: adds it to the history.
-  virtual void take() = 0;
+  virtual void accept() = 0;
 
   // D^g y on the last accepted step, and the components that are interpolated on it.
-  [[nodiscard]] virtual DerivativePolynomials drives() const = 0;
-  [[nodiscard]] virtual const InterpolatedRows& interpolated() const = 0;
+  [[nodiscard]] virtual DerivativePolynomials derivative_polynomials() const = 0;
+  [[nodiscard]] virtual const InterpolatedRows& interpolated_rows() const = 0;
 
   // Restarts after a jump of f at the last accepted time: f is no longer extrapolated from the steps before
   // it.

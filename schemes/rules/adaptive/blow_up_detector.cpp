@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/blow_up_detector.hpp"
 
 #include <cmath>
@@ -11,7 +12,7 @@ BlowUpDetector::BlowUpDetector(In start)
       doubling_time_(Vec::Constant(start.size(), std::numeric_limits<double>::infinity())),
       faster_doublings_(doubled_at_) {}
 
-void BlowUpDetector::pass(double t, In y) {
+void BlowUpDetector::accept_step(double t, In y) {
   constexpr double sooner = 0.75;  // of the previous duration: doublings are detected at the ends of steps
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     const double size = std::abs(y[i]), took = t - doubled_at_[i];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/problem/archive.hpp"
@@ -11,7 +12,7 @@ class BlowUpDetector {
   explicit BlowUpDetector(In start);
 
   // Records an accepted step to t.
-  void pass(double t, In y);
+  void accept_step(double t, In y);
 
   // Restarts the count after a jump of f, where components may grow as they do from t = 0.
   void restart() { faster_doublings_.setZero(); }

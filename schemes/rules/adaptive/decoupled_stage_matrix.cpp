@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/decoupled_stage_matrix.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -8,9 +9,9 @@ namespace fde {
 
 void DecoupledStageMatrix::factorise(Run& /*run*/, double t, In y, In /*f*/, const StageWeights& weights) {
   const SparseMatrix* derivatives = &jacobian_;
-  if (const auto* told = std::get_if<SparseJacobian>(&problem_.derivatives)) {
+  if (const auto* sparse = std::get_if<SparseJacobian>(&problem_.derivatives)) {
     jacobian_.resize(y.size(), y.size());
-    told->at(t, y, jacobian_);
+    sparse->at(t, y, jacobian_);
     jacobian_.makeCompressed();
   } else {
     derivatives = &std::get<SparseLinearPart>(problem_.derivatives).matrix;

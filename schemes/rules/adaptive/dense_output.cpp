@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/dense_output.hpp"
 
 #include <algorithm>
@@ -22,23 +23,24 @@ DerivativePolynomials legendre(const DerivativePolynomials& powers) {
 DenseOutput::DenseOutput(const Problem& problem) : taylor_(problem), size_(problem.size()) {
   for (Eigen::Index i = 0; i < size_; ++i) {
     const double order = problem.components[static_cast<std::size_t>(i)].order;
-    auto found = std::ranges::find(groups_, order, &Group::order);
+    auto found = std::ranges::find(groups_, order, &OrderGroup::order);
     if (found == groups_.end()) found = groups_.insert(found, {order, {}});
     found->rows.push_back(i);
   }
 }
 
-void DenseOutput::add(double t, const DerivativePolynomials& drives, const InterpolatedRows& interpolated) {
+void DenseOutput::add(double t, const DerivativePolynomials& derivatives,
+                      const InterpolatedRows& interpolated) {
   times_.push_back(t);
   interpolated_.insert(interpolated_.end(), interpolated.begin(), interpolated.end());
   interpolated_offsets_.push_back(interpolated_.size());
-  const DerivativePolynomials coefficients = legendre(drives);
-  drives_.insert(drives_.end(), coefficients.data(), coefficients.data() + coefficients.size());
+  const DerivativePolynomials coefficients = legendre(derivatives);
+  derivatives_.insert(derivatives_.end(), coefficients.data(), coefficients.data() + coefficients.size());
 }
 
-Eigen::Map<const DerivativePolynomials> DenseOutput::drives_of(std::size_t step) const {
+Eigen::Map<const DerivativePolynomials> DenseOutput::derivatives_on(std::size_t step) const {
   const auto size = static_cast<std::size_t>(3 * size_);
-  return {drives_.data() + step * size, size_, 3};
+  return {derivatives_.data() + step * size, size_, 3};
 }
 
 Vec DenseOutput::at(double t) const {
@@ -59,15 +61,15 @@ Vec DenseOutput::at(double t) const {
     if (order == 0.0) {
       const double x = since - 1.0;
       const Eigen::Vector3d polynomials(1.0, x, 1.5 * x * x - 0.5);
-      for (const auto i : rows) y[i] = drives_of(static_cast<std::size_t>(last)).row(i) * polynomials;
+      for (const auto i : rows) y[i] = derivatives_on(static_cast<std::size_t>(last)).row(i) * polynomials;
       continue;
     }
     Matrix moments(steps, 3);
     moments << kernel_moments(order, beyond, 3), moments_inside_panel(order, since, 3).transpose();
     moments.array().colwise() *= halves.array().pow(order);
     for (Eigen::Index k = 0; k < steps; ++k) {
-      const auto drives = drives_of(static_cast<std::size_t>(k));
-      for (const auto i : rows) y[i] += drives.row(i).dot(moments.row(k));
+      const auto derivatives = derivatives_on(static_cast<std::size_t>(k));
+      for (const auto i : rows) y[i] += derivatives.row(i).dot(moments.row(k));
     }
   }
   const auto newest = static_cast<std::size_t>(last);
@@ -77,10 +79,10 @@ Vec DenseOutput::at(double t) const {
 }
 
 void DenseOutput::state(Archive& archive) {
-  archive.grown(times_);
-  archive.grown(interpolated_);
-  archive.grown(interpolated_offsets_);
-  archive.grown(drives_);
+  archive.resizable(times_);
+  archive.resizable(interpolated_);
+  archive.resizable(interpolated_offsets_);
+  archive.resizable(derivatives_);
 }
 
 }  // namespace fde

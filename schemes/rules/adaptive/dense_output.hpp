@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -16,7 +17,7 @@ class DenseOutput {
   explicit DenseOutput(const Problem& problem);
 
   // Adds the step from the end of the previous one to t: D^g y on it, and its interpolated components.
-  void add(double t, const DerivativePolynomials& drives, const InterpolatedRows& interpolated);
+  void add(double t, const DerivativePolynomials& derivatives, const InterpolatedRows& interpolated);
 
   // y at t. Precondition: 0 <= t <= the end of the last step.
   [[nodiscard]] Vec at(double t) const;
@@ -25,19 +26,19 @@ class DenseOutput {
 
  private:
   // All components of one order; order 0: the algebraic rows.
-  struct Group {
+  struct OrderGroup {
     double order;
     std::vector<Eigen::Index> rows;
   };
-  [[nodiscard]] Eigen::Map<const DerivativePolynomials> drives_of(std::size_t step) const;
+  [[nodiscard]] Eigen::Map<const DerivativePolynomials> derivatives_on(std::size_t step) const;
 
   TaylorPart taylor_;
   Eigen::Index size_;
-  std::vector<Group> groups_;
+  std::vector<OrderGroup> groups_;
   std::vector<double> times_{0.0};
   InterpolatedRows interpolated_;
   std::vector<std::size_t> interpolated_offsets_{0};  // index of the first one of each step, and their number
-  std::vector<double> drives_;  // step after step, as coefficients of Legendre polynomials
+  std::vector<double> derivatives_;  // step after step, as coefficients of Legendre polynomials
 };
 
 }  // namespace fde

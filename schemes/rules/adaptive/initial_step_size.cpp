@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/initial_step_size.hpp"
 
 #include <cmath>
@@ -23,7 +24,7 @@ bool exempt_from_relative_tolerance(const Problem& problem, In start, double par
   bool any = false;
   for (Eigen::Index i = 0; i < start.size(); ++i) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
-    if (start[i] != 0.0 || algebraic(component)) continue;
+    if (start[i] != 0.0 || is_algebraic(component)) continue;
     if (asks_digits(component, part_of_end)) return false;
     any = true;
   }
@@ -48,7 +49,7 @@ double initial_step_size(const Problem& problem, const Tolerance& accuracy, Run&
     y += unit.cwiseProduct(f);
     if (!y.allFinite()) continue;
     const Vec change = unit.cwiseProduct(run.rhs(length, y) - f).cwiseAbs();
-    const Vec limit = allowed.of(y.cwiseAbs().cwiseMax(start.cwiseAbs()), y.cwiseAbs());
+    const Vec limit = allowed.on_step(y.cwiseAbs().cwiseMax(start.cwiseAbs()), y.cwiseAbs());
     const auto passes = [&](Eigen::Index i) {
       const auto& component = problem.components[static_cast<std::size_t>(i)];
       return change[i] <= limit[i] ||

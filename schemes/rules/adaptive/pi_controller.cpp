@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/pi_controller.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ constexpr double smallest_error = 1e-6;
 
 }  // namespace
 
-bool PiController::judge(double error, double length) {
+bool PiController::update(double error, double length) {
   if (!(error <= 1.0)) {
     const double factor =
         std::isfinite(error) ? std::max(aim * std::pow(error, -1.0 / rate_), least) : unsolved;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/problem/archive.hpp"
@@ -15,7 +16,7 @@ class PiController {
 
   // Sets the size of the next attempt from the error of an attempt of this length. Returns whether that step
   // is accepted: its error is at most 1.
-  bool judge(double error, double length);
+  bool update(double error, double length);
 
   void state(Archive& archive) { archive(length_, last_error_, rejected_); }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/radau_stepper.hpp"
 
 #include <Eigen/LU>
@@ -87,7 +88,7 @@ RadauStepper::RadauStepper(const Problem& problem, const Tolerance& accuracy, co
       result_(previous_) {
   for (const auto& component : problem.components) {
     auto& row = rows_.emplace_back();
-    if (algebraic(component)) continue;
+    if (is_algebraic(component)) continue;
     const double order = component.order;
     auto found = std::ranges::find(kernels_, order, &Kernel::order);
     if (found == kernels_.end()) {
@@ -166,8 +167,8 @@ Vec RadauStepper::residual() const {
 }
 
 Vec RadauStepper::limits() const {
-  return allowed_.of(y_.cwiseAbs().rowwise().maxCoeff().cwiseMax(previous_.cwiseAbs()),
-                     known_.cwiseAbs().rowwise().maxCoeff());
+  return allowed_.on_step(y_.cwiseAbs().rowwise().maxCoeff().cwiseMax(previous_.cwiseAbs()),
+                          known_.cwiseAbs().rowwise().maxCoeff());
 }
 
 bool RadauStepper::solve(Run& run) {
@@ -280,7 +281,7 @@ RadauStepper::Values RadauStepper::parabolas() const {
   return values * to_powers().transpose();
 }
 
-Vec RadauStepper::between(double t) {
+Vec RadauStepper::dense_output(double t) {
   const double share = (t - time_) / length_;
   Values polynomials = parabolas();
   polynomials.col(1) *= share;
@@ -290,7 +291,7 @@ Vec RadauStepper::between(double t) {
   return y;
 }
 
-Vec RadauStepper::continued(double t) {
+Vec RadauStepper::extrapolate(double t) {
   Values polynomials = Values::Zero(y_.rows(), stages);
   const double ratio = previous_length_ ? (t - time_) / *previous_length_ : longest_continued + 1.0;
   if (ratio <= longest_continued) {
@@ -308,7 +309,7 @@ Vec RadauStepper::continued(double t) {
 }
 
 void RadauStepper::extrapolate_over_jump(Run& /*run*/, double t) {
-  result_ = continued(t);
+  result_ = extrapolate(t);
   prepare(t);
   derivatives_.colwise() = derivatives_at_start_;
   y_.colwise() = result_;
@@ -320,7 +321,7 @@ void RadauStepper::restart(Run& run) {
   previous_length_.reset();
 }
 
-void RadauStepper::take() {
+void RadauStepper::accept() {
   previous_parabolas_ = parabolas();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     if (!rows_[r]) continue;
@@ -329,7 +330,7 @@ void RadauStepper::take() {
         length_ * Polynomial(powers[0], powers[1], 2.0 * powers[2]);
   }
   for (auto& kernel : kernels_) kernel.integrals.advance(kernel.to_stage.back());
-  allowed_.pass(y_.cwiseAbs().rowwise().maxCoeff().cwiseMax(previous_.cwiseAbs()));
+  allowed_.accept_step(y_.cwiseAbs().rowwise().maxCoeff().cwiseMax(previous_.cwiseAbs()));
   time_ = next_;
   previous_length_ = length_;
   derivatives_at_start_ = derivatives_.col(stages - 1);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -10,8 +11,8 @@
 namespace fde {
 
 // Collocation at the three points of Radau IIA with adaptive step size, orders up to 1:
-//   y_i = past_i + sum_j K_ij f(t_j, y_j),   i, j = 1, 2, 3.
-// K gives the fractional integral of the parabola through f at the points. past is the Taylor part and the
+//   y_i = known_i + sum_j K_ij f(t_j, y_j),   i, j = 1, 2, 3.
+// K gives the fractional integral of the parabola through f at the points. known is the Taylor part and the
 // integral over all steps before, by a sum of exponentials, whose (linear) states are eliminated from the
 // equations of the step. For order 1 it is the method of Hairer & Wanner (Solving ODEs II, section IV.8).
 //
@@ -26,12 +27,12 @@ class RadauStepper final : public AdaptiveStepper {
 
   double attempt(Run& run, double t) override;
   [[nodiscard]] const Vec& result() const override { return result_; }
-  Vec between(double t) override;
-  Vec continued(double t) override;
+  Vec dense_output(double t) override;
+  Vec extrapolate(double t) override;
   void extrapolate_over_jump(Run& run, double t) override;
-  void take() override;
-  [[nodiscard]] DerivativePolynomials drives() const override { return previous_parabolas_; }
-  [[nodiscard]] const InterpolatedRows& interpolated() const override { return interpolated_; }
+  void accept() override;
+  [[nodiscard]] DerivativePolynomials derivative_polynomials() const override { return previous_parabolas_; }
+  [[nodiscard]] const InterpolatedRows& interpolated_rows() const override { return interpolated_; }
   void restart(Run& run) override;
   [[nodiscard]] double rate() const override;
   [[nodiscard]] std::size_t bytes() const override;
@@ -75,10 +76,11 @@ class RadauStepper final : public AdaptiveStepper {
   double time_ = 0.0;                 // end of the last accepted step
   double next_ = 0.0, length_ = 0.0;  // end and size of the attempt
   std::optional<double> previous_length_{};
-  Values known_, y_, f_, derivatives_;  // drives: D^g y from the equations of the step, in place of f(t, y)
-  Values previous_parabolas_;           // coefficients of their parabolas on the last accepted step
-  InterpolatedRows interpolated_;       // on the newest attempt
-  Vec derivatives_at_start_;            // f at the beginning of the step
+  // derivatives_: D^g y from the equations of the step, in place of f(t, y).
+  Values known_, y_, f_, derivatives_;
+  Values previous_parabolas_;      // coefficients of their parabolas on the last accepted step
+  InterpolatedRows interpolated_;  // on the newest attempt
+  Vec derivatives_at_start_;       // f at the beginning of the step
   Vec previous_, result_;
 };
 

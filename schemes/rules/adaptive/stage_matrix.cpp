@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/stage_matrix.hpp"
 
 #include <Eigen/LU>
@@ -22,7 +23,7 @@ class DenseStageMatrix final : public StageMatrix {
     const auto size = y.size();
     matrix_.setIdentity(stages * size, stages * size);
     for (Eigen::Index row = 0; row < size; ++row) {
-      const bool without_past = algebraic(problem_.components[static_cast<std::size_t>(row)]);
+      const bool without_past = is_algebraic(problem_.components[static_cast<std::size_t>(row)]);
       for (Eigen::Index i = 0; i < stages; ++i) {
         if (without_past) matrix_(i * size + row, i * size + row) = 0.0;
         for (Eigen::Index j = 0; j < stages; ++j) {
@@ -49,9 +50,9 @@ class SparseStageMatrix final : public StageMatrix {
   explicit SparseStageMatrix(const Problem& problem) : problem_(problem) {}
 
   void factorise(Run& /*run*/, double t, In y, In /*f*/, const StageWeights& weights) override {
-    if (const auto* told = std::get_if<SparseJacobian>(&problem_.derivatives)) {
+    if (const auto* sparse = std::get_if<SparseJacobian>(&problem_.derivatives)) {
       jacobian_.resize(y.size(), y.size());
-      told->at(t, y, jacobian_);
+      sparse->at(t, y, jacobian_);
       assemble(jacobian_, weights);
     } else {
       assemble(std::get<SparseLinearPart>(problem_.derivatives).matrix, weights);
@@ -100,8 +101,8 @@ std::unique_ptr<StageMatrix> make_stage_matrix(const Problem& problem) {
   const auto& rows = problem.components;
   const bool one_order =
       std::ranges::all_of(rows, [&](const Component& row) { return row.order == rows.front().order; });
-  if (sparse(problem) && one_order) return std::make_unique<DecoupledStageMatrix>(problem);
-  if (sparse(problem)) return std::make_unique<SparseStageMatrix>(problem);
+  if (has_sparse_jacobian(problem) && one_order) return std::make_unique<DecoupledStageMatrix>(problem);
+  if (has_sparse_jacobian(problem)) return std::make_unique<SparseStageMatrix>(problem);
   return std::make_unique<DenseStageMatrix>(problem);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/trapezoidal_stepper.hpp"
 
 #include <algorithm>
@@ -17,14 +18,14 @@ class NewtonOnTrapezoids final : public TrapezoidalSolver {
 
   bool solve(Run& run, const StepEquations& step, const Vec& /*continued*/, Vec& y, Vec& f) override {
     if (!newton_) newton_.emplace(problem_, tolerance_);
-    if (newton_->solve(run, step, y) != Ending::finished) {
+    if (newton_->solve(run, step, y) != SolveStatus::finished) {
       newton_.reset();
       return false;
     }
     // One more iteration, and f from the linearised equations: where they are stiff, the error of f(t, y) is
-    // far larger than that of y; where the step is short, the error of (y - past) / kappa is.
+    // far larger than that of y; where the step is short, the error of (y - known) / kappa is.
     f = run.rhs(step.t, y);
-    const Vec rest = step.past + step.kappa.cwiseProduct(f) - y;
+    const Vec rest = step.known + step.kappa.cwiseProduct(f) - y;
     Vec increment = rest;
     newton_->apply_inverse(increment);
     y += increment;
@@ -32,7 +33,7 @@ class NewtonOnTrapezoids final : public TrapezoidalSolver {
     return y.allFinite() && f.allFinite();
   }
 
-  [[nodiscard]] Vec left_over() const override { return Vec::Zero(problem_.size()); }
+  [[nodiscard]] Vec iteration_error() const override { return Vec::Zero(problem_.size()); }
   void apply_inverse(Vec& error) const override { newton_->apply_inverse(error); }
   [[nodiscard]] std::string_view linear_solver() const override {
     return newton_ ? newton_->linear_solver() : std::string_view();
@@ -40,7 +41,7 @@ class NewtonOnTrapezoids final : public TrapezoidalSolver {
   void state(Archive& archive) override {
     bool is_there = newton_.has_value();
     archive(is_there);
-    if (archive.reads() && is_there) newton_.emplace(problem_, tolerance_);
+    if (archive.is_reading() && is_there) newton_.emplace(problem_, tolerance_);
     if (is_there) archive(*newton_);
   }
 
@@ -57,14 +58,14 @@ class PredictionCorrector final : public TrapezoidalSolver {
   bool solve(Run& run, const StepEquations& step, const Vec& continued, Vec& y, Vec& f) override {
     f = continued;
     for (int correction = 0; correction <= corrections_; ++correction) {
-      y = step.past + step.kappa.cwiseProduct(f);
+      y = step.known + step.kappa.cwiseProduct(f);
       previous_ = std::exchange(f, run.rhs(step.t, y));
     }
     last_change_ = (f - previous_).cwiseAbs();
     return y.allFinite() && f.allFinite();
   }
 
-  [[nodiscard]] Vec left_over() const override { return last_change_; }
+  [[nodiscard]] Vec iteration_error() const override { return last_change_; }
   void apply_inverse(Vec& /*error*/) const override {}
   void state(Archive& /*archive*/) override {}
 
@@ -74,8 +75,8 @@ class PredictionCorrector final : public TrapezoidalSolver {
 };
 
 std::unique_ptr<History> history_for(const Problem& problem, const Options& options, double shortest) {
-  return make_history(HistoryKind::exponentials, {tables(problem, families::trapezoid)},
-                      {.end = problem.end, .shortest = shortest}, options.tolerance);
+  return make_history(HistoryKind::exponentials, {weight_tables(problem, families::trapezoid)},
+                      {.end = problem.end, .min_step = shortest}, options.tolerance);
 }
 
 }  // namespace
@@ -94,7 +95,7 @@ TrapezoidalStepper::TrapezoidalStepper(const Problem& problem, const Tolerance& 
     : problem_(problem),
       taylor_(problem),
       allowed_(accuracy),
-      factors_(tables(problem, families::trapezoid)),
+      factors_(weight_tables(problem, families::trapezoid)),
       history_(history_for(problem, options, shortest)),
       solver_(std::move(solver)),
       orders_(problem.size()),
@@ -123,9 +124,9 @@ double TrapezoidalStepper::attempt(Run& run, double t) {
   y_ = previous_;
   next_.t = t;
   if (!solver_->solve(run, {t, kappa_, known_}, extrapolated_rhs(t), y_, next_.f)) return no_solution;
-  const Vec left_over = solver_->left_over();
+  const Vec iteration_error = solver_->iteration_error();
   return error(defect().binaryExpr(
-      left_over, [](double line, double left) { return line + std::copysign(left, line); }));
+      iteration_error, [](double line, double left) { return line + std::copysign(left, line); }));
 }
 
 // max |error_i| / limit_i, where 0 / 0 counts as 0.
@@ -148,21 +149,23 @@ Vec TrapezoidalStepper::defect() const {
 }
 
 // Contribution to y_n of an error 1 of f on the whole step: h^g / Gamma(g+1).
-Vec TrapezoidalStepper::effect() const { return kappa_.cwiseProduct((orders_.array() + 1.0).matrix()); }
+Vec TrapezoidalStepper::effect_of_rhs_error() const {
+  return kappa_.cwiseProduct((orders_.array() + 1.0).matrix());
+}
 
 double TrapezoidalStepper::error_of_jump() const {
   constexpr double jumps = 1e-6;  // relative to f, on a step of few units in the last place of the time
   const Vec change = next_.f - newest_.f;
   const bool is_one =
       (change.array().abs() > jumps * newest_.f.array().abs().max(next_.f.array().abs())).any();
-  return is_one ? weighted_max_norm(effect().cwiseProduct(change), limit_) : no_solution;
+  return is_one ? weighted_max_norm(effect_of_rhs_error().cwiseProduct(change), limit_) : no_solution;
 }
 
 double TrapezoidalStepper::error(const Vec& of_f) {
-  const Vec unit = effect();
+  const Vec unit = effect_of_rhs_error();
   const Vec largest = y_.cwiseAbs().cwiseMax(previous_.cwiseAbs()), terms = known_.cwiseAbs();
   const Vec limit_of_all = allowed_.from_tolerance(largest, terms);
-  limit_ = allowed_.of(largest, terms);
+  limit_ = allowed_.on_step(largest, terms);
   Vec answered = unit.cwiseProduct(of_f);
   const Vec unanswered = answered;
   solver_->apply_inverse(answered);
@@ -233,12 +236,12 @@ Vec TrapezoidalStepper::extrapolated_rhs(double t) const {
   return newest_.f + (t - newest_.t) / (newest_.t - older_->t) * (newest_.f - older_->f);
 }
 
-Vec TrapezoidalStepper::continued(double t) {
+Vec TrapezoidalStepper::extrapolate(double t) {
   compute_known(t);
   return known_ + kappa_.cwiseProduct(extrapolated_rhs(t));
 }
 
-Vec TrapezoidalStepper::between(double t) {
+Vec TrapezoidalStepper::dense_output(double t) {
   compute_known(t);
   const double share = (t - newest_.t) / (next_.t - newest_.t);
   Vec y = known_ + kappa_.cwiseProduct(newest_.f + share * (next_.f - newest_.f));
@@ -247,14 +250,14 @@ Vec TrapezoidalStepper::between(double t) {
 }
 
 void TrapezoidalStepper::extrapolate_over_jump(Run& run, double t) {
-  y_ = continued(t);
+  y_ = extrapolate(t);
   next_ = {t, run.rhs(t, y_)};
   interpolated_.clear();
 }
 
-void TrapezoidalStepper::take() {
+void TrapezoidalStepper::accept() {
   history_->push(next_.t, next_.f);
-  allowed_.pass(y_.cwiseAbs().cwiseMax(previous_.cwiseAbs()));
+  allowed_.accept_step(y_.cwiseAbs().cwiseMax(previous_.cwiseAbs()));
   older_ = std::exchange(newest_, next_);
   previous_ = y_;
 }
@@ -264,7 +267,7 @@ void TrapezoidalStepper::restart(Run& /*run*/) {
   last_jump_time_ = newest_.t;
 }
 
-DerivativePolynomials TrapezoidalStepper::drives() const {
+DerivativePolynomials TrapezoidalStepper::derivative_polynomials() const {
   DerivativePolynomials lines = DerivativePolynomials::Zero(previous_.size(), 3);
   lines.col(0) = older_->f;
   lines.col(1) = newest_.f - older_->f;
@@ -274,7 +277,7 @@ DerivativePolynomials TrapezoidalStepper::drives() const {
 void TrapezoidalStepper::state(Archive& archive) {
   bool has_older = older_.has_value();
   archive(allowed_, history_, solver_, newest_, last_jump_time_, previous_, y_, has_older);
-  if (archive.reads()) older_ = has_older ? std::optional(newest_) : std::nullopt;
+  if (archive.is_reading()) older_ = has_older ? std::optional(newest_) : std::nullopt;
   if (older_) archive(*older_);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -24,7 +25,7 @@ class TrapezoidalSolver {
   virtual bool solve(Run& run, const StepEquations& step, const Vec& continued, Vec& y, Vec& f) = 0;
 
   // The error of the last solve against the exact solution of the step equations, as an error of f.
-  [[nodiscard]] virtual Vec left_over() const = 0;
+  [[nodiscard]] virtual Vec iteration_error() const = 0;
 
   // Replaces error by (1 - kappa df/dy)^(-1) error; a solver without a Jacobian leaves it unchanged.
   virtual void apply_inverse(Vec& error) const = 0;
@@ -63,12 +64,12 @@ class TrapezoidalStepper final : public AdaptiveStepper {
   double attempt(Run& run, double t) override;
   [[nodiscard]] double error_of_jump() const override;
   [[nodiscard]] const Vec& result() const override { return y_; }
-  Vec between(double t) override;
-  Vec continued(double t) override;
+  Vec dense_output(double t) override;
+  Vec extrapolate(double t) override;
   void extrapolate_over_jump(Run& run, double t) override;
-  void take() override;
-  [[nodiscard]] DerivativePolynomials drives() const override;
-  [[nodiscard]] const InterpolatedRows& interpolated() const override { return interpolated_; }
+  void accept() override;
+  [[nodiscard]] DerivativePolynomials derivative_polynomials() const override;
+  [[nodiscard]] const InterpolatedRows& interpolated_rows() const override { return interpolated_; }
   void restart(Run& run) override;
   [[nodiscard]] double rate() const override { return 2.0; }
   [[nodiscard]] std::size_t bytes() const override { return history_->bytes(); }
@@ -88,7 +89,7 @@ class TrapezoidalStepper final : public AdaptiveStepper {
   static double weighted_max_norm(const Vec& error, const Vec& limit);
   [[nodiscard]] double error(const Vec& of_f);
   [[nodiscard]] Vec undamped_fraction(const Vec& answered, const Vec& again) const;
-  [[nodiscard]] Vec effect() const;
+  [[nodiscard]] Vec effect_of_rhs_error() const;
   [[nodiscard]] std::pair<double, double> accumulation(double order) const;
 
   const Problem& problem_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/dense_newton_matrix.hpp"
 
 #include <cmath>
@@ -30,7 +31,7 @@ template <int size>
 void DenseNewtonMatrix<size>::linearise(Run& run, const StepEquations& step, In y, In f) {
   if (!evaluate_jacobian(problem_, step.t, y, matrix_)) {
     const Vec sizes =
-        step.past.cwiseAbs().cwiseMax(step.kappa.cwiseProduct(f).cwiseAbs()).cwiseProduct(rows_.mass);
+        step.known.cwiseAbs().cwiseMax(step.kappa.cwiseProduct(f).cwiseAbs()).cwiseProduct(rows_.mass);
     difference_jacobian_of_rhs(run, problem_, step.t, y, f, sizes, matrix_);
   }
   assemble(step.kappa);
@@ -76,7 +77,7 @@ void DenseNewtonMatrix<size>::solve(Vec& b) const {
 template <int size>
 void DenseNewtonMatrix<size>::state(Archive& archive) {
   archive(rows_, matrix_);
-  if (archive.reads()) factorise();
+  if (archive.is_reading()) factorise();
 }
 
 namespace {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
@@ -9,11 +10,11 @@
 
 namespace fde {
 
-// df/dy at y by one-sided differences: evaluate(y) returns f; f: its value at y. The increment of component i
-// is sqrt(eps) max(|y_i|, sizes_i); where both are 0, the largest |y_j| is used, or 1. It is
-// positive, or negative where smooth(y) is false at the shifted point.
+// df/dy at y by one-sided differences: evaluate(y) returns f; f is its value at y. The increment of component
+// i is sqrt(eps) max(|y_i|, sizes_i); where both are 0, the largest |y_j| is used, or 1. It is positive, or
+// negative where smooth(y) is false at the shifted point.
 template <class Evaluate, class Smooth>
-void differences(Evaluate evaluate, Smooth smooth, Vec y, In f, In sizes, OutMatrix result) {
+void difference_jacobian(Evaluate evaluate, Smooth smooth, Vec y, In f, In sizes, OutMatrix result) {
   const double relative_step = std::sqrt(std::numeric_limits<double>::epsilon());
   const double largest = y.lpNorm<Eigen::Infinity>();
   for (Eigen::Index i = 0; i < y.size(); ++i) {
@@ -31,12 +32,13 @@ void differences(Evaluate evaluate, Smooth smooth, Vec y, In f, In sizes, OutMat
 // the domain, where one of the two directions does.
 inline void difference_jacobian_of_rhs(Run& run, const Problem& problem, double t, In y, In f, In sizes,
                                        OutMatrix result) {
-  const auto here = sides(problem, t, y);
-  differences([&](const Vec& shifted) -> const Vec& { return run.rhs(t, shifted); },
-              [&](const Vec& shifted) {
-                return sides(problem, t, shifted) == here && problem.domain.contains(t, shifted);
-              },
-              y, f, sizes, result);
+  const auto here = switch_signs(problem, t, y);
+  difference_jacobian([&](const Vec& shifted) -> const Vec& { return run.rhs(t, shifted); },
+                      [&](const Vec& shifted) {
+                        return switch_signs(problem, t, shifted) == here &&
+                               problem.domain.contains(t, shifted);
+                      },
+                      y, f, sizes, result);
 }
 
 }  // namespace fde

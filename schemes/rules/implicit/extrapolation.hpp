@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@ namespace fde {
 //   y(t) = sum_i y_i prod_(j != i) (t - t_j) / (t_i - t_j).
 class Extrapolation {
  public:
-  explicit Extrapolation(Eigen::Index size) : values_(size, most) {}
+  explicit Extrapolation(Eigen::Index size) : values_(size, max_points) {}
 
   // Appends a point; the oldest of five is dropped.
   void push(double t, In y);
@@ -23,10 +24,10 @@ class Extrapolation {
   void state(Archive& archive);
 
  private:
-  static constexpr int most = 5;
+  static constexpr int max_points = 5;
 
-  std::array<double, most> times_{};
-  Eigen::Matrix<double, Eigen::Dynamic, most> values_;  // a column a point; the newest is newest_
+  std::array<double, max_points> times_{};
+  Eigen::Matrix<double, Eigen::Dynamic, max_points> values_;  // a column a point; the newest is newest_
   int newest_ = 0, point_count_ = 0;
 };
 

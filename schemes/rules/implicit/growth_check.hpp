@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/rules/implicit/newton_matrix.hpp"
@@ -19,13 +20,14 @@ class GrowthCheck {
 
   // Whether the step is too large. Precondition: the matrix is factorised for kappa, with the result
   // `solvable`; it is factorised for kappa again on return.
-  bool outruns(NewtonMatrix& matrix, const Vec& kappa, bool solvable);
+  bool is_step_too_large(NewtonMatrix& matrix, const Vec& kappa, bool solvable);
 
   void state(Archive& archive) { archive(largest_accepted_kappa_, accepted_sign_); }
 
  private:
-  // Whether the determinant has the same sign for this kappa and for all smaller steps.
-  [[nodiscard]] bool dominated(const Vec& kappa) const;
+  // Whether the matrix is diagonally dominant for this kappa, and so for all smaller steps: its determinant
+  // has the same sign for all of them.
+  [[nodiscard]] bool is_diagonally_dominant(const Vec& kappa) const;
 
   Vec orders_;
   Vec gershgorin_bound_;        // a_ii + sum_{j != i} |a_ij|; infinity in algebraic rows

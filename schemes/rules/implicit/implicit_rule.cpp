@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 
 #include "fdebench/schemes/history/weights/step_factors.hpp"
@@ -7,13 +8,13 @@ namespace fde {
 namespace {
 
 // The history of all rows but the algebraic ones.
-class PastOfRows {
+class HistoryOfRows {
  public:
-  PastOfRows(const Problem& problem, const std::vector<WeightTable>& tables, const Grid& grid,
-             const Options& options) {
+  HistoryOfRows(const Problem& problem, const std::vector<WeightTable>& tables, const Grid& grid,
+                const Options& options) {
     std::vector<WeightTable> remembered;
     for (std::size_t i = 0; i < tables.size(); ++i) {
-      if (algebraic(problem.components[i])) continue;
+      if (is_algebraic(problem.components[i])) continue;
       rows_.push_back(static_cast<Eigen::Index>(i));
       remembered.push_back(tables[i]);
     }
@@ -51,11 +52,12 @@ class PastOfRows {
 }  // namespace
 
 ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family) {
-  return {.tables = tables(problem, family),
-          .past =
-              [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out past) {
-                taylor.at(t, past);
-                for_each_component(past.size(), [&](Eigen::Index i) { past[i] += kappa[i] * convolved[i]; });
+  return {.tables = weight_tables(problem, family),
+          .known =
+              [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out known) {
+                taylor.at(t, known);
+                for_each_component(known.size(),
+                                   [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
               },
           .sample = [](Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }};
 }
@@ -65,36 +67,36 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
   Run run(problem, options, grid.steps);
   NewtonSolver newton(problem, options.tolerance);
   StepFactors factors(rule.tables);
-  PastOfRows history(problem, rule.tables, grid, options);
+  HistoryOfRows history(problem, rule.tables, grid, options);
   run.cost().history_bytes = history.bytes();
 
-  Vec previous = run.start(), y = previous, told, sample(y.size()), past(y.size());
+  Vec previous = run.start(), y = previous, recorded, sample(y.size()), known(y.size());
   Vec convolved = Vec::Zero(y.size());
   double t = 0.0;
   int n = 1;
-  const State state = [&](Archive& archive) {
+  const StateArchiver state = [&](Archive& archive) {
     archive.count(n, 1, grid.steps);
     archive(t, y, previous, sample, history, newton);
     if (rule.state) rule.state(archive);
   };
   rule.sample(run, t, y, previous, sample);
-  for (run.resume(state); n <= grid.steps; ++n) {
-    run.offer(state);
+  for (run.resume_from_checkpoint(state); n <= grid.steps; ++n) {
+    run.offer_checkpoint(state);
     history.push(t, sample);
     const double before = t;
     t = grid.time(n);
     history.convolve(t, convolved);
     const Vec& kappa = factors.at(grid.step(before, t));
-    rule.past(t, convolved, previous, kappa, past);
-    if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
+    rule.known(t, convolved, previous, kappa, known);
+    if (const SolveStatus ending = newton.solve(run, {t, kappa, known}, y); ending != SolveStatus::finished) {
       run.fail(ending, t);
       break;
     }
-    if (rule.told) {
-      told = y;
-      rule.told(y, told);
+    if (rule.recorded_result) {
+      recorded = y;
+      rule.recorded_result(y, recorded);
     }
-    if (!run.accept(t, rule.told ? told : y)) break;
+    if (!run.accept(t, rule.recorded_result ? recorded : y)) break;
     if (n < grid.steps) rule.sample(run, t, y, previous, sample);
     previous = y;
   }

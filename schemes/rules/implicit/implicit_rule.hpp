@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -7,26 +8,26 @@
 
 namespace fde {
 
-// An implicit rule in the common form y_n = past_n + kappa f(t_n, y_n), with kappa the step_factor of each
+// An implicit rule in the common form y_n = known_n + kappa f(t_n, y_n), with kappa the step_factor of each
 // component's table. Algebraic rows have no memory term: they read 0 = f_i(t_n, y_n), and the values that the
 // functions of the rule set for them are not used.
 struct ImplicitRule {
   std::vector<WeightTable> tables;  // of the convolution over the history
-  // past_n from that convolution, y_{n-1} and kappa.
-  std::function<void(double t, In convolved, In previous, In kappa, Out past)> past;
+  // Sets known_n, from that convolution, y_{n-1} and kappa.
+  std::function<void(double t, In convolved, In previous, In kappa, Out known)> known;
   // The sample added to the history after a step: f(t, y) or the increment of y.
   std::function<void(Run& run, double t, In y, In previous, Out sample)> sample;
   // Changes a copy of y into the recorded result of the step. Empty: y is recorded.
-  std::function<void(In y, Out told)> told{};
+  std::function<void(In y, Out recorded)> recorded_result{};
   // Saves or restores the state that these functions keep between steps. Empty: they keep none.
-  State state{};
+  StateArchiver state{};
 };
 
-// The rule of the schemes that integrate f: past_n = Taylor part + kappa * (weighted sum of f_j, j < n).
+// The rule of the schemes that integrate f: known_n = Taylor part + kappa * (weighted sum of f_j, j < n).
 ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family);
 
 // Solves the problem with the rule on the grid; each step is solved by NewtonSolver. Never throws for
-// numerical failure: see Trajectory::ending.
+// numerical failure: see Trajectory::status.
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
                           const ImplicitRule& rule);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
@@ -14,27 +15,27 @@ class JacobianReuse {
   explicit JacobianReuse(int price) : factorisation_cost_(price) {}
 
   // Whether the factors are to be recomputed.
-  [[nodiscard]] bool worn() const { return worn_; }
-  void mark_stale() { worn_ = true; }
+  [[nodiscard]] bool is_stale() const { return stale_; }
+  void mark_stale() { stale_ = true; }
   // The factors have been recomputed.
-  void renew() {
-    worn_ = false;
+  void reset() {
+    stale_ = false;
     steps_ = iterations_ = min_iterations_ = 0;
   }
   // Records the number of iterations of a step.
-  void count(long iterations) {
+  void record_step(long iterations) {
     min_iterations_ = steps_ == 0 ? iterations : std::min(min_iterations_, iterations);
     ++steps_;
     iterations_ += iterations;
-    if (iterations_ - steps_ * min_iterations_ >= factorisation_cost_) worn_ = true;
+    if (iterations_ - steps_ * min_iterations_ >= factorisation_cost_) stale_ = true;
   }
 
-  void state(Archive& archive) { archive(steps_, iterations_, min_iterations_, worn_); }
+  void state(Archive& archive) { archive(steps_, iterations_, min_iterations_, stale_); }
 
  private:
   int factorisation_cost_;
   long steps_ = 0, iterations_ = 0, min_iterations_ = 0;
-  bool worn_ = true;
+  bool stale_ = true;
 };
 
 }  // namespace fde

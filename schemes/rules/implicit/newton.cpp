@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/newton.hpp"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ bool stagnates(double now, double last) { return now >= last / 2 && now <= stagn
 
 constexpr int most_sweeps = 8;
 constexpr int most_pseudo_steps = 200;
-constexpr double most_bend = 0.25;       // largest relative nonlinearity along a pseudo-time step
-constexpr double newton_inverse = 1e-3;  // inverse of a pseudo-time step that counts as infinite
+constexpr double max_nonlinearity = 0.25;  // largest relative nonlinearity along a pseudo-time step
+constexpr double newton_inverse = 1e-3;    // inverse of a pseudo-time step that counts as infinite
 constexpr double shortest_inverse = 1e9;
 
 }  // namespace
@@ -39,14 +40,14 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
       f_(problem.size()),
       increment_(problem.size()),
       iterate_(problem.size()) {
-  if (linear(problem)) growth_check_.emplace(problem);
+  if (is_linear(problem)) growth_check_.emplace(problem);
 }
 
-Ending NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
+SolveStatus NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
   const bool solved = growth_check_ ? solve_linear(run, step, y) : solve_nonlinear(run, step, y);
-  if (step_too_large_) return Ending::step_too_large;
-  if (solved) return Ending::finished;
-  return y.allFinite() ? Ending::not_converged : Ending::non_finite;
+  if (step_too_large_) return SolveStatus::step_too_large;
+  if (solved) return SolveStatus::finished;
+  return y.allFinite() ? SolveStatus::not_converged : SolveStatus::non_finite;
 }
 
 bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
@@ -54,7 +55,7 @@ bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
   if (first || !iterate_with_kept_factors(run, step, y)) {
     if (!iterate_from_previous(run, step, y)) return false;
     // The factors are from the last iteration, which began close to y.
-    jacobian_reuse_.renew();
+    jacobian_reuse_.reset();
     determinant_sign_ = matrix_->determinant_sign();
     step_too_large_ = first && determinant_sign_ < 0 && matrix_->rows().algebraic.empty();
   }
@@ -69,10 +70,10 @@ bool NewtonSolver::iterate_with_kept_factors(Run& run, const StepEquations& step
   for_each_component(y.size(), [&](Eigen::Index i) { increment_[i] = iterate_[i] - y[i]; });
   // The first increment is judged as if an increment of this size had led to the guess.
   double last = std::max(most_doubt * relative_norm(rows, increment_, iterate_), stagnation);
-  bool anew = jacobian_reuse_.worn(), fresh = anew;  // fresh: factorised in this step
+  bool recompute = jacobian_reuse_.is_stale(), fresh = recompute;  // fresh: factorised in this step
   f_ = run.rhs(step.t, iterate_);
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
-    if (anew && !refactorise(run, step)) return false;
+    if (recompute && !refactorise(run, step)) return false;
     compute_residual(step, rows, f_, iterate_, increment_);
     matrix_->solve(increment_);
     for_each_component(y.size(), [&](Eigen::Index i) { iterate_[i] += increment_[i]; });
@@ -81,14 +82,14 @@ bool NewtonSolver::iterate_with_kept_factors(Run& run, const StepEquations& step
     const bool rounding = iteration > 1 && stagnates(now, last);
     if (!(now <= last / 2) && !rounding) return false;
     if (now <= tolerance_ || (rounding && fresh) || is_solved_to_rounding(run, step, iterate_)) {
-      jacobian_reuse_.count(iteration);
+      jacobian_reuse_.record_step(iteration);
       y = iterate_;
       return true;
     }
     const bool slow = iteration > 1 && now > slowest * last;
-    if (slow && anew && !rounding) return false;
-    anew = rounding || slow;
-    fresh = fresh || anew;
+    if (slow && recompute && !rounding) return false;
+    recompute = rounding || slow;
+    fresh = fresh || recompute;
     last = now;
   }
   return false;
@@ -97,14 +98,14 @@ bool NewtonSolver::iterate_with_kept_factors(Run& run, const StepEquations& step
 bool NewtonSolver::refactorise(Run& run, const StepEquations& step) {
   matrix_->linearise(run, step, iterate_, f_);
   matrix_->factorise();
-  jacobian_reuse_.renew();
+  jacobian_reuse_.reset();
   const int before = std::exchange(determinant_sign_, matrix_->determinant_sign());
   return before == 0 || before == determinant_sign_;
 }
 
 bool NewtonSolver::is_solved_to_rounding(Run& run, const StepEquations& step, In y) {
   f_ = run.rhs(step.t, y);
-  return matrix_->rows().algebraic.empty() && holds(step, f_, y, part_of_tolerance * tolerance_);
+  return matrix_->rows().algebraic.empty() && equations_hold(step, f_, y, part_of_tolerance * tolerance_);
 }
 
 void NewtonSolver::extrapolate_guess(const StepEquations& step, Vec& y) {
@@ -112,11 +113,11 @@ void NewtonSolver::extrapolate_guess(const StepEquations& step, Vec& y) {
   for (const auto i : matrix_->rows().algebraic) y[i] = f_[i];
   const Vec& mass = matrix_->rows().mass;
   for_each_component(
-      y.size(), [&](Eigen::Index i) { y[i] += mass[i] * (step.past[i] + step.kappa[i] * f_[i] - y[i]); });
+      y.size(), [&](Eigen::Index i) { y[i] += mass[i] * (step.known[i] + step.kappa[i] * f_[i] - y[i]); });
 }
 
 void NewtonSolver::append_to_extrapolation(const StepEquations& step, In y) {
-  for_each_component(y.size(), [&](Eigen::Index i) { f_[i] = (y[i] - step.past[i]) / step.kappa[i]; });
+  for_each_component(y.size(), [&](Eigen::Index i) { f_[i] = (y[i] - step.known[i]) / step.kappa[i]; });
   for (const auto i : matrix_->rows().algebraic) f_[i] = y[i];
   extrapolation_.push(step.t, f_);
 }
@@ -142,7 +143,7 @@ bool NewtonSolver::iterate_past_infinite_derivatives(Run& run, const StepEquatio
   if (jacobian_at(problem_, step.t, y).allFinite()) return failed();
   const Vec& mass = matrix_->rows().mass;
   for (int sweep = 0; sweep < most_sweeps && y.allFinite(); ++sweep) {
-    y += mass.cwiseProduct(step.past + step.kappa.cwiseProduct(run.rhs(step.t, y)) - y);
+    y += mass.cwiseProduct(step.known + step.kappa.cwiseProduct(run.rhs(step.t, y)) - y);
     Vec near = y;
     if (!iterate(run, step, near, few_setbacks)) continue;
     y = near;
@@ -155,7 +156,7 @@ bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
   if (factorised_for_ != step.kappa) {
     factorised_for_ = step.kappa;
     solvable_ = matrix_->factorise_linear(step.kappa);
-    step_too_large_ = growth_check_->outruns(*matrix_, step.kappa, solvable_);
+    step_too_large_ = growth_check_->is_step_too_large(*matrix_, step.kappa, solvable_);
   }
   if (!solvable_ || step_too_large_) return false;
   compute_residual(step, matrix_->rows(), run.rhs(step.t, y), y, increment_);
@@ -194,20 +195,20 @@ bool NewtonSolver::pseudo_transient_continuation(Run& run, const StepEquations& 
     matrix_->factorise();
     matrix_->solve(increment);
     ++*run.cost().newton_iterations;
-    const double bent = bend(run, step, y, increment, inverse_step);
-    if (!(bent <= most_bend)) {
+    const double bent = nonlinearity(run, step, y, increment, inverse_step);
+    if (!(bent <= max_nonlinearity)) {
       inverse_step *= 4.0;
       continue;
     }
     y += increment;
     if (inverse_step < newton_inverse) return true;
-    inverse_step *= std::max(bent / most_bend, 0.1);
+    inverse_step *= std::max(bent / max_nonlinearity, 0.1);
   }
   return false;
 }
 
-double NewtonSolver::bend(Run& run, const StepEquations& step, In y, const Vec& increment,
-                          double inverse_step) {
+double NewtonSolver::nonlinearity(Run& run, const StepEquations& step, In y, const Vec& increment,
+                                  double inverse_step) {
   const auto& rows = matrix_->rows();
   const Vec trial = y + increment;
   Vec next(y.size());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -12,30 +13,30 @@
 
 namespace fde {
 
-// Solves y_i = past_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in algebraic rows, for y, at every step of one
+// Solves y_i = known_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in algebraic rows, for y, at every step of one
 // run.
 //
 // A linear problem with matrix A is solved with one factorisation of I - kappa A as long as kappa does not
 // change. Otherwise Newton's method uses the Jacobian of the problem, or differences of rhs where it has
 // none. A step ends where the last increment is below tolerance * |y|, or has stopped shrinking below 1e-10 *
 // |y|, where rounding dominates. Without algebraic rows it also ends where every equation holds to a quarter
-// of the tolerance, relative to its terms past_i and kappa_i f_i: this test costs one evaluation of f, less
+// of the tolerance, relative to its terms known_i and kappa_i f_i: this test costs one evaluation of f, less
 // than another iteration. The ratio of successive increments is no substitute: a component that is small
 // beside the others does not show in it.
 //
-// The initial guess is y = past + kappa f, with f extrapolated from the last five steps. It is accepted where
-// the first increment is at most a tenth of its distance from the step before. The factorised matrix is
+// The initial guess is y = known + kappa f, with f extrapolated from the last five steps. It is accepted
+// where the first increment is at most a tenth of its distance from the step before. The factorised matrix is
 // reused from step to step. It is recomputed at the iterate where an increment is more than a twentieth of
 // the one before, or where reuse has become too expensive (JacobianReuse). The guess is rejected where
 // increments do not halve, and where the determinant of a new matrix differs in sign from that at the last
-// solution: two solutions that meet and vanish (as those of y = past + kappa y^2, before y is infinite)
+// solution: two solutions that meet and vanish (as those of y = known + kappa y^2, before y is infinite)
 // differ in this sign.
 //
 // After a rejected guess the iteration restarts from the y that was passed, the solution at the step before,
 // with a new matrix in each iteration. Where three increments are no smaller than those before them, as when
 // the solution near the guess has just vanished, it restarts from the result of pseudo-time steps. If these
 // fail, it continues from its last iterate. Where derivatives at the guess are not finite, as the derivative
-// of y^(1/6) at 0, it starts from y = past + kappa f(t, guess), up to eight times.
+// of y^(1/6) at 0, it starts from y = known + kappa f(t, guess), up to eight times.
 //
 // At the first step of a problem without algebraic rows, a negative determinant ends the run: the determinant
 // is positive for short enough steps, so the step is longer than one at which a solution vanishes or a
@@ -52,10 +53,10 @@ class NewtonSolver {
   // tolerance: relative, see above. The problem must outlive the solver.
   NewtonSolver(const Problem& problem, double tolerance);
 
-  // Replaces y, the solution at the step before, by the solution. The result is not Ending::finished if 350
-  // iterations do not suffice, a value is not finite, the constraints of a linear problem are dependent, or
-  // the step is too large for a growing mode.
-  Ending solve(Run& run, const StepEquations& step, Out y);
+  // Replaces y, the solution at the step before, by the solution. The result is not SolveStatus::finished if
+  // 350 iterations do not suffice, a value is not finite, the constraints of a linear problem are dependent,
+  // or the step is too large for a growing mode.
+  SolveStatus solve(Run& run, const StepEquations& step, Out y);
 
   // Replaces an error of the equations by its effect on the solution, (1 - kappa df/dy)^(-1) error. The
   // matrix is about that of the last step solved.
@@ -79,26 +80,26 @@ class NewtonSolver {
   bool refactorise(Run& run, const StepEquations& step);
   // Whether the equations hold at y up to rounding. Sets f_ to f(t, y).
   bool is_solved_to_rounding(Run& run, const StepEquations& step, In y);
-  // Sets y to past + kappa f with f extrapolated, and to extrapolated unknowns of algebraic rows; remember()
-  // adds the values at a solution y.
+  // Sets y to known + kappa f with f extrapolated, and to extrapolated unknowns of algebraic rows;
+  // append_to_extrapolation() adds the values at a solution y.
   void extrapolate_guess(const StepEquations& step, Vec& y);
   void append_to_extrapolation(const StepEquations& step, In y);
   // Newton's method from y with a new matrix in each iteration; where it fails, from the result of
-  // pseudo-time steps, or from y = past + kappa f where y has no finite derivatives.
+  // pseudo-time steps, or from y = known + kappa f where y has no finite derivatives.
   bool iterate_from_previous(Run& run, const StepEquations& step, Out y);
-  // Where the derivatives at y are not finite: Newton's method from y = past + kappa f(t, y), repeatedly. y
+  // Where the derivatives at y are not finite: Newton's method from y = known + kappa f(t, y), repeatedly. y
   // is NaN where it fails.
   bool iterate_past_infinite_derivatives(Run& run, const StepEquations& step, Out y);
   // Newton's method from y. It fails after most_setbacks increments that are no smaller than the one before.
   bool iterate(Run& run, const StepEquations& step, Out y, int most_setbacks);
   // Brings y so close to a solution that Newton's method should converge: pseudo-transient continuation, mass
-  // y' = past + kappa f(t, y) - y by linearly implicit Euler steps (Kelley & Keyes, SIAM J. Numer. Anal. 35
+  // y' = known + kappa f(t, y) - y by linearly implicit Euler steps (Kelley & Keyes, SIAM J. Numer. Anal. 35
   // (1998)). The steps grow where the equations are nearly linear along them; an infinite step is a step of
   // Newton's method.
   bool pseudo_transient_continuation(Run& run, const StepEquations& step, Out y);
   // Nonlinearity of the equations along an increment of a pseudo-time step: the next increment relative to
   // it.
-  double bend(Run& run, const StepEquations& step, In y, const Vec& increment, double inverse_step);
+  double nonlinearity(Run& run, const StepEquations& step, In y, const Vec& increment, double inverse_step);
   // Computes the matrix at y, where f_ is f, and the residual.
   void linearise(Run& run, const StepEquations& step, In y, Vec& rest);
 

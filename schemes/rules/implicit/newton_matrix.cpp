@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/newton_matrix.hpp"
 
 #include "fdebench/schemes/rules/implicit/dense_newton_matrix.hpp"
@@ -6,7 +7,7 @@
 namespace fde {
 
 std::unique_ptr<NewtonMatrix> make_newton_matrix(const Problem& problem) {
-  if (sparse(problem)) return std::make_unique<SparseNewtonMatrix>(problem);
+  if (has_sparse_jacobian(problem)) return std::make_unique<SparseNewtonMatrix>(problem);
   return make_dense_newton_matrix(problem);
 }
 

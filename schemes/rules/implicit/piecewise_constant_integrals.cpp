@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/piecewise_constant_integrals.hpp"
 
 #include <limits>

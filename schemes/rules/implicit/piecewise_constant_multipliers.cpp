@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/piecewise_constant_multipliers.hpp"
 
 #include <fmt/format.h>
@@ -13,13 +14,14 @@ namespace fde {
 namespace {
 
 // The rows that may contain multipliers: by the matrix of a linear problem, otherwise all but algebraic ones.
-std::vector<Eigen::Index> driven_rows(const Problem& problem, const std::vector<Eigen::Index>& multipliers) {
-  const auto* told = std::get_if<DenseLinearPart>(&problem.derivatives);
+std::vector<Eigen::Index> rows_with_multipliers(const Problem& problem,
+                                                const std::vector<Eigen::Index>& multipliers) {
+  const auto* linear = std::get_if<DenseLinearPart>(&problem.derivatives);
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
-    const auto in_row = [&](Eigen::Index j) { return told->matrix(i, j) != 0.0; };
-    if (told == nullptr || std::ranges::any_of(multipliers, in_row)) rows.push_back(i);
+    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
+    const auto in_row = [&](Eigen::Index j) { return linear->matrix(i, j) != 0.0; };
+    if (linear == nullptr || std::ranges::any_of(multipliers, in_row)) rows.push_back(i);
   }
   return rows;
 }
@@ -29,7 +31,7 @@ std::vector<Eigen::Index> driven_rows(const Problem& problem, const std::vector<
 //   f = c + p,  p_n = f(t_(n-1), y_(n-1), lambda_n) - c_(n-1),  c_n = f(t_n, y_n, lambda_n) - p_n,
 // c_n at t_n and p_n on the step to it. The weight of c_n is kappa, the weight of p_n is (1 + g) kappa, g the
 // order of the row: the step reads
-//   y_n = past + kappa (f(t_n, y_n, lambda_n) + g p_n).
+//   y_n = known + kappa (f(t_n, y_n, lambda_n) + g p_n).
 // Rows without multipliers have p = 0, and g = 0 leaves algebraic rows as they are.
 class StepwiseMultipliers {
  public:
@@ -39,7 +41,7 @@ class StepwiseMultipliers {
         multipliers_(multipliers),
         grid_(grid),
         taylor_(problem),
-        constants_(problem, driven_rows(problem, multipliers), grid, options),
+        constants_(problem, rows_with_multipliers(problem, multipliers), grid, options),
         orders_(problem.size()),
         continuous_(Vec::Zero(problem.size())),
         slopes_(Matrix::Zero(problem.size(), std::ssize(multipliers))),
@@ -70,12 +72,12 @@ class StepwiseMultipliers {
   }
 
   [[nodiscard]] ImplicitRule rule() {
-    return {.tables = tables(problem_, families::trapezoid),
-            .past = [this](double t, In convolved, In /*previous*/, In kappa,
-                           Out past) { begin_step(t, convolved, kappa, past); },
+    return {.tables = weight_tables(problem_, families::trapezoid),
+            .known = [this](double t, In convolved, In /*previous*/, In kappa,
+                            Out known) { begin_step(t, convolved, kappa, known); },
             .sample = [this](Run& /*run*/, double t, In y, In /*previous*/,
                              Out sample) { end_step(t, y, sample); },
-            .told = [this](In y, Out told) { extrapolate_multipliers(y, told); },
+            .recorded_result = [this](In y, Out recorded) { extrapolate_multipliers(y, recorded); },
             .state =
                 [this](Archive& archive) {
                   archive.count(step_count_, 0, grid_.steps);
@@ -86,10 +88,10 @@ class StepwiseMultipliers {
   [[nodiscard]] std::size_t bytes() const { return constants_.bytes(); }
 
  private:
-  void begin_step(double t, In convolved, In kappa, Out past) {
-    taylor_.at(t, past);
-    past += kappa.cwiseProduct(convolved);
-    constants_.add_integrals(t, grid_.step(step_count_ + 1), past);
+  void begin_step(double t, In convolved, In kappa, Out known) {
+    taylor_.at(t, known);
+    known += kappa.cwiseProduct(convolved);
+    constants_.add_integrals(t, grid_.step(step_count_ + 1), known);
     if (has_jacobian(problem_) && !std::holds_alternative<DenseLinearPart>(problem_.derivatives))
       difference_in_multipliers();
   }
@@ -129,10 +131,10 @@ class StepwiseMultipliers {
     }
   }
 
-  void extrapolate_multipliers(In y, Out told) const {
+  void extrapolate_multipliers(In y, Out recorded) const {
     if (step_count_ == 0) return;
     const double length = grid_.step(step_count_ + 1), part = length / (length + grid_.step(step_count_));
-    for (const auto j : multipliers_) told[j] += part * (y[j] - start_[j]);
+    for (const auto j : multipliers_) recorded[j] += part * (y[j] - start_[j]);
   }
 
   const Problem& problem_;
@@ -149,8 +151,8 @@ class StepwiseMultipliers {
   Vec trial_, f_;
 };
 
-std::optional<std::string> refusal_of_driven_rows(const Problem& problem,
-                                                  const std::vector<Eigen::Index>& multipliers) {
+std::optional<std::string> unsupported_multiplier_rows_reason(const Problem& problem,
+                                                              const std::vector<Eigen::Index>& multipliers) {
   const Vec start = taylor_part(problem, 0.0);
   Vec at_start(problem.size()), f(problem.size());
   problem.rhs(0.0, start, at_start);
@@ -172,7 +174,7 @@ std::optional<std::string> refusal_of_driven_rows(const Problem& problem,
 }  // namespace
 
 Trajectory solve_product_trapezoidal(const Problem& problem, const Grid& grid, const Options& options) {
-  if (std::ranges::none_of(problem.components, algebraic))
+  if (std::ranges::none_of(problem.components, is_algebraic))
     return solve_implicit(problem, grid, options, integral_rule(problem, families::trapezoid));
   std::int64_t calls = 0;
   Problem counted = problem;
@@ -206,7 +208,7 @@ std::optional<std::string> unsupported_multipliers_reason(const Problem& problem
   if (found.empty()) return std::nullopt;
   if (is_two_sided(problem))
     return fmt::format("takes multipliers in steps from the left only: component {} is one", found.front());
-  if (auto reason = refusal_of_driven_rows(problem, found)) return reason;
+  if (auto reason = unsupported_multiplier_rows_reason(problem, found)) return reason;
   const double orders = multiplier_integration_order(problem);
   if (!(orders > 1.0 + slack)) return std::nullopt;  // NaN: not known; an unsolvable step ends the run
   return fmt::format(

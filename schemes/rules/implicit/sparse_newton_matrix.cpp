@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/sparse_newton_matrix.hpp"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ bool SparseNewtonMatrix::factorise_linear(const Vec& kappa) {
 int SparseNewtonMatrix::determinant_sign() { return factors_ ? factors_->determinant_sign() : 0; }
 
 std::string_view SparseNewtonMatrix::solver() const {
-  return factors_ ? factors_->name() : std::string_view();
+  return factors_ ? factors_->active_method() : std::string_view();
 }
 
 void SparseNewtonMatrix::assemble(const SparseMatrix& derivatives, const Vec& kappa) {
@@ -79,12 +80,12 @@ void SparseNewtonMatrix::solve(Vec& b) const {
 // The method is saved: it may be that of earlier matrices, where sparse_factors would choose another one for
 // this matrix.
 void SparseNewtonMatrix::state(Archive& archive) {
-  const auto used = factors_ ? factors_->method() : std::string_view();
+  const auto used = factors_ ? factors_->chosen_method() : std::string_view();
   std::vector<char> method(used.begin(), used.end());
   archive(rows_);
-  archive.grown(matrix_);
-  archive.grown(method);
-  if (archive.reads()) {
+  archive.resizable(matrix_);
+  archive.resizable(method);
+  if (archive.is_reading()) {
     analysed_pattern_ = Pattern(matrix_);
     factors_ = method.empty() ? nullptr : sparse_factors(matrix_, {method.data(), method.size()});
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/step_equations.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 RowScales::RowScales(const Problem& problem)
     : mass(Vec::Ones(problem.size())), scale(problem.size()), weight(Vec::Ones(problem.size())) {
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (!fde::algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
+    if (!fde::is_algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
     algebraic.push_back(i);
     mass[i] = 0.0;
   }
@@ -25,14 +26,14 @@ RowScales::RowScales(const Problem& problem)
 
 void compute_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest) {
   for_each_component(rest.size(),
-                     [&](Eigen::Index i) { rest[i] = step.past[i] + step.kappa[i] * f[i] - y[i]; });
+                     [&](Eigen::Index i) { rest[i] = step.known[i] + step.kappa[i] * f[i] - y[i]; });
   for (const auto i : rows.algebraic) rest[i] = rows.scale[i] * f[i];
 }
 
-bool holds(const StepEquations& step, In f, In y, double tolerance) {
+bool equations_hold(const StepEquations& step, In f, In y, double tolerance) {
   for (Eigen::Index i = 0; i < y.size(); ++i) {
-    const double part = step.kappa[i] * f[i], terms = std::abs(step.past[i]) + std::abs(part);
-    const double rest = std::abs(step.past[i] + part - y[i]);
+    const double part = step.kappa[i] * f[i], terms = std::abs(step.known[i]) + std::abs(part);
+    const double rest = std::abs(step.known[i] + part - y[i]);
     if (!(rest <= tolerance * terms && std::isfinite(terms))) return false;
   }
   return true;

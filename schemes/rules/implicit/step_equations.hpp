@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -7,17 +8,17 @@
 
 namespace fde {
 
-// The equations of one step of an implicit rule: y_i = past_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in
-// algebraic rows. past is the part that does not depend on y: the Taylor part and the memory term. kappa is
+// The equations of one step of an implicit rule: y_i = known_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in
+// algebraic rows. known is the part that does not depend on y: the Taylor part and the memory term. kappa is
 // the weight of f(t, y).
 struct StepEquations {
   double t;
   const Vec& kappa;
-  const Vec& past;
+  const Vec& known;
 };
 
 // Scales of the rows of these equations in Newton's method: row i reads
-//   0 = mass_i (past_i - y_i) + scale_i f_i(t, y).
+//   0 = mass_i (known_i - y_i) + scale_i f_i(t, y).
 struct RowScales {
   explicit RowScales(const Problem& problem);
 
@@ -33,9 +34,9 @@ struct RowScales {
 // Sets rest to the residual of the scaled equations at y. f: f(t, y).
 void compute_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest);
 
-// Whether each equation holds to the tolerance, relative to its terms past_i and kappa_i f_i. Precondition:
+// Whether each equation holds to the tolerance, relative to its terms known_i and kappa_i f_i. Precondition:
 // no row is algebraic.
-bool holds(const StepEquations& step, In f, In y, double tolerance);
+bool equations_hold(const StepEquations& step, In f, In y, double tolerance);
 
 // The largest increment relative to |y|, both measured as described at NewtonSolver.
 double relative_norm(const RowScales& rows, In increment, In y);

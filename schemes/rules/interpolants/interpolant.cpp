@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/interpolants/interpolant.hpp"
 
 #include "fdebench/schemes/rules/implicit/newton.hpp"
@@ -12,21 +13,22 @@ Trajectory solve_with_interpolant(Interpolant& interpolant, const Problem& probl
   NewtonSolver newton(stepped.problem(), options.tolerance);
   run.cost().history_bytes = interpolant.bytes();
 
-  Vec y = run.start(), before = y, known(y.size()), newest(y.size()), kappa(y.size()), past(y.size());
+  Vec y = run.start(), before = y, known_derivative(y.size()), newest(y.size()), kappa(y.size()),
+      known(y.size());
   int n = 1;
-  const State state = [&](Archive& archive) {
+  const StateArchiver state = [&](Archive& archive) {
     archive.count(n, 1, grid.steps);
     archive(y, newton, interpolant);
   };
-  for (run.resume(state); n <= grid.steps; ++n) {
-    run.offer(state);
+  for (run.resume_from_checkpoint(state); n <= grid.steps; ++n) {
+    run.offer_checkpoint(state);
     const double t = grid.time(n);
     before = y;
     stepped.set_step(grid.time(n - 1), before, grid.step(n));
-    interpolant.derivative(n, known, newest);
+    interpolant.derivative(n, known_derivative, newest);
     kappa = newest.cwiseInverse();
-    past = before - kappa.cwiseProduct(known);
-    if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
+    known = before - kappa.cwiseProduct(known_derivative);
+    if (const SolveStatus ending = newton.solve(run, {t, kappa, known}, y); ending != SolveStatus::finished) {
       run.fail(ending, t);
       break;
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/interpolants/off_step_problem.hpp"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ Derivatives OffStepProblem::derivatives() const {
     return DenseLinearPart{offsets_.asDiagonal() * dense->matrix};
   if (const auto* part = std::get_if<SparseLinearPart>(&problem_.derivatives))
     return SparseLinearPart{offsets_.asDiagonal() * part->matrix};
-  if (sparse(problem_)) {
+  if (has_sparse_jacobian(problem_)) {
     return SparseJacobian{
         [this](double, In y, SparseMatrix& jacobian) { differentiate_sparse(y, jacobian); }};
   }

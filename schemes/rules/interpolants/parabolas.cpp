@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/interpolants/parabolas.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 // step.
 StepPlan plan_with_offset(const Grid& grid, double offset) {
   StepPlan plan = step_plan(grid);
-  if (!plan.equal) plan.shortest *= offset;
+  if (!plan.uniform) plan.min_step *= offset;
   return plan;
 }
 
@@ -23,16 +24,16 @@ const WeightFamily& lines_of(const Grid& grid) {
   return grid.uniform() ? families::l2_1_sigma : families::l1;
 }
 const WeightFamily& bends_of(const Grid& grid) {
-  return grid.uniform() ? families::l2_1_sigma_bend : families::l1_bend;
+  return grid.uniform() ? families::l2_1_sigma_second_difference : families::l1_second_difference;
 }
 
 }  // namespace
 
 BackwardParabolas::BackwardParabolas(const Problem& problem, const Grid& grid, const Options& options)
     : grid_(grid),
-      lines_(tables(problem, families::l1), step_plan(grid), options),
-      second_differences_(tables(problem, families::l1_bend), step_plan(grid), options),
-      factors_(tables(problem, families::l1)),
+      lines_(weight_tables(problem, families::l1), step_plan(grid), options),
+      second_differences_(weight_tables(problem, families::l1_second_difference), step_plan(grid), options),
+      factors_(weight_tables(problem, families::l1)),
       second_difference_ratio_(problem.size()),
       increment_(Vec::Zero(problem.size())),
       bend_(Vec::Zero(problem.size())) {

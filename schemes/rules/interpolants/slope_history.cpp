@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/interpolants/slope_history.hpp"
 
 namespace fde {
@@ -17,7 +18,7 @@ void SlopeHistory::push(double t, In sample) {
 // step otherwise.
 void SlopeHistory::derivative(double t, Out result) {
   history_->convolve(t, 0, result);
-  result.array() /= factors_.at(steps_.equal ? steps_.shortest : t - newest_).array();
+  result.array() /= factors_.at(steps_.uniform ? steps_.min_step : t - newest_).array();
 }
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/multi_term/integrated_equations.hpp"
 
 #include <fmt/format.h>
@@ -22,8 +23,8 @@ void evaluate(const Problem& problem, const std::vector<Chain>& chains, double t
     const auto& equation = problem.equations[e];
     double g = equation.force(t, y);
     if (const double factor = equation.factor(t, y); factor != 1.0)
-      g += (1.0 - factor) * chain.coefficients().dot(y.segment(chain.first(), chain.size()));
-    f.segment(chain.first(), chain.size()).setConstant(g / chain.leading().coefficient);
+      g += (1.0 - factor) * chain.coefficients().dot(y.segment(chain.first_row(), chain.size()));
+    f.segment(chain.first_row(), chain.size()).setConstant(g / chain.leading().coefficient);
   }
 }
 
@@ -32,7 +33,7 @@ void differentiate(const Problem& problem, const std::vector<Chain>& chains, dou
                    OutMatrix jacobian) {
   evaluate_jacobian(problem, t, y, jacobian);
   for (const auto& chain : chains) {
-    const auto first = chain.first(), size = chain.size();
+    const auto first = chain.first_row(), size = chain.size();
     Eigen::RowVectorXd row = jacobian.row(first + size - 1);
     row.segment(first, size) += ratios_of(chain).transpose();
     jacobian.middleRows(first, size).rowwise() = row;
@@ -41,7 +42,7 @@ void differentiate(const Problem& problem, const std::vector<Chain>& chains, dou
 
 Derivatives integrated_derivatives(const Problem& problem, const std::vector<Chain>& chains) {
   if (!has_jacobian(problem)) return NoDerivatives{};
-  if (!linear(problem)) {
+  if (!is_linear(problem)) {
     return DenseJacobian{[=, &problem](double t, In y, OutMatrix jacobian) {
       differentiate(problem, chains, t, y, jacobian);
     }};
@@ -56,7 +57,7 @@ std::vector<Component> integrated_components(const Problem& problem, const std::
   std::vector<Component> components = problem.components;
   for (const auto& chain : chains) {
     for (Eigen::Index i = 0; i < chain.size(); ++i) {
-      auto& [order, initial, side] = components[static_cast<std::size_t>(chain.first() + i)];
+      auto& [order, initial, side] = components[static_cast<std::size_t>(chain.first_row() + i)];
       order = chain.leading().order - chain.nodes()[static_cast<std::size_t>(i)];
       initial.resize(initial_count(order), 0.0);
     }
@@ -84,7 +85,7 @@ std::optional<std::string> unsupported_equations_reason(const Problem& problem) 
                      problem.size() - rows, problem.size());
 }
 
-Problem integrated(const Problem& problem) {
+Problem integrated_problem(const Problem& problem) {
   const auto chains = chains_of(problem);
   return {.components = integrated_components(problem, chains),
           .rhs = [=, &problem](double t, In y, Out f) { evaluate(problem, chains, t, y, f); },
@@ -93,13 +94,13 @@ Problem integrated(const Problem& problem) {
           .domain = problem.domain};
 }
 
-StartingPowers start_powers_of_equations(const WeightFamily& family, const Problem& problem) {
+StartingPowers starting_powers_of_equations(const WeightFamily& family, const Problem& problem) {
   std::vector<double> orders, steps;
   for (const auto& chain : chains_of(problem)) {
     for (const double node : chain.nodes()) {
       orders.push_back(chain.leading().order - node);
       steps.push_back(orders.back());
-      if (!whole(node)) steps.push_back(std::ceil(node) - node);  // D^v T, where g depends on it
+      if (!is_integer_order(node)) steps.push_back(std::ceil(node) - node);  // D^v T, where g depends on it
     }
   }
   return starting_powers(family, orders, steps);
@@ -117,7 +118,7 @@ IntegratedEquations::IntegratedEquations(const Problem& problem, const WeightFam
       sample_(sums_.rows()),
       taylor_derivatives_(problem.size()),
       taylor_integrals_(problem.size()),
-      past_(problem.size()),
+      known_(problem.size()),
       kappa_(Vec::Zero(problem.size())) {
   if (starting_powers.empty()) return;
   for (auto of_sum : tables_) {
@@ -176,13 +177,13 @@ std::optional<StartingEquations> IntegratedEquations::first_equations() {
   if (!compute_factors(1)) return std::nullopt;
   const auto steps = first_samples_.cols() - 1;
   StartingEquations equations{
-      std::vector<Matrix>(static_cast<std::size_t>(steps), Matrix(past_.size(), steps + 1)),
-      Matrix(past_.size(), steps)};
-  Matrix drives(past_.size(), steps);
+      std::vector<Matrix>(static_cast<std::size_t>(steps), Matrix(known_.size(), steps + 1)),
+      Matrix(known_.size(), steps)};
+  Matrix taylor_columns(known_.size(), steps);
   for (Eigen::Index n = 1; n <= steps; ++n) {
     update_taylor_part(grid_.time(static_cast<int>(n)));
     equations.known.col(n - 1) = taylor_derivatives_;
-    drives.col(n - 1) = taylor_integrals_;
+    taylor_columns.col(n - 1) = taylor_integrals_;
   }
   for (std::size_t e = 0; e < parts_.size(); ++e) {
     const auto& part = parts_[e];
@@ -195,8 +196,8 @@ std::optional<StartingEquations> IntegratedEquations::first_equations() {
     }
     const Eigen::PartialPivLU<Matrix> factorised(own);
     for (Eigen::Index i = 0; i < part.chain.size(); ++i) {
-      const auto row = part.chain.first() + i;
-      equations.known.row(row) -= factorised.solve(drives.row(row).transpose()).transpose();
+      const auto row = part.chain.first_row() + i;
+      equations.known.row(row) -= factorised.solve(taylor_columns.row(row).transpose()).transpose();
       const Matrix of_row = factorised.solve(weights[static_cast<std::size_t>(i)]);
       for (Eigen::Index n = 0; n < steps; ++n)
         equations.weights[static_cast<std::size_t>(n)].row(row) = of_row.row(n);
@@ -209,8 +210,8 @@ void IntegratedEquations::update_taylor_part(double t) {
   if (t == time_) return;
   time_ = t;
   for (const auto& [chain, ratios, first, starts, own] : parts_) {
-    starts.at(t, taylor_derivatives_.segment(chain.first(), chain.size()),
-              taylor_integrals_.segment(chain.first(), chain.size()));
+    starts.at(t, taylor_derivatives_.segment(chain.first_row(), chain.size()),
+              taylor_integrals_.segment(chain.first_row(), chain.size()));
   }
 }
 
@@ -219,8 +220,8 @@ void IntegratedEquations::push(double t, In y, In f) {
   for (const auto& [chain, ratios, first, starts, own] : parts_) {
     const auto rows = chain.size();
     sample_.segment(first, rows) =
-        y.segment(chain.first(), rows) - taylor_derivatives_.segment(chain.first(), rows);
-    sample_[first + rows] = f[chain.first()];
+        y.segment(chain.first_row(), rows) - taylor_derivatives_.segment(chain.first_row(), rows);
+    sample_[first + rows] = f[chain.first_row()];
   }
   history_->push(t, sample_);
   if (pushed_ == first_samples_.cols()) return;
@@ -240,14 +241,14 @@ bool IntegratedEquations::prepare_step(int n) {
   for (std::size_t e = 0; e < parts_.size(); ++e) {
     const auto& [chain, ratios, first, starts, own] = parts_[e];
     const auto rows = chain.size();
-    auto past = past_.segment(chain.first(), rows);
-    past = -taylor_integrals_.segment(chain.first(), rows);
+    auto known = known_.segment(chain.first_row(), rows);
+    known = -taylor_integrals_.segment(chain.first_row(), rows);
     for (Eigen::Index i = 0; i < rows; ++i) {
       const double factor = factors_(static_cast<Eigen::Index>(e), i);
-      if (ratios[i] != 0.0) past -= ratios[i] * factor * sums_.col(i).segment(first, rows);
-      past[i] += factor * sums_(first + rows, i);
+      if (ratios[i] != 0.0) known -= ratios[i] * factor * sums_.col(i).segment(first, rows);
+      known[i] += factor * sums_(first + rows, i);
     }
-    past = taylor_derivatives_.segment(chain.first(), rows) + past / own;
+    known = taylor_derivatives_.segment(chain.first_row(), rows) + known / own;
   }
   return true;
 }
@@ -263,7 +264,7 @@ bool IntegratedEquations::compute_factors(int n) {
     }
     own = 1.0 + factors.dot(ratios);
     if (!(own > 0.0)) return false;
-    kappa_.segment(chain.first(), rows) = factors.transpose() / own;
+    kappa_.segment(chain.first_row(), rows) = factors.transpose() / own;
   }
   return true;
 }
@@ -271,7 +272,7 @@ bool IntegratedEquations::compute_factors(int n) {
 void IntegratedEquations::state(Archive& archive) {
   archive(history_, corrections_, first_samples_, factors_, kappa_);
   archive.count(pushed_, 0, first_samples_.cols());
-  for (auto& part : parts_) archive(part.own);
+  for (auto& part : parts_) archive(part.denominator);
 }
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -30,36 +31,36 @@ std::vector<Chain> chains_of(const Problem& problem);
 // to no equation. nullopt: it is applicable.
 std::optional<std::string> unsupported_equations_reason(const Problem& problem);
 
-// The problem that each step solves, y = past + kappa f(t, y), with the rows of the given one: f is g / a in
+// The problem that each step solves, y = known + kappa f(t, y), with the rows of the given one: f is g / a in
 // all rows of an equation, and row v has the order L - v. The given problem must outlive it.
-Problem integrated(const Problem& problem);
+Problem integrated_problem(const Problem& problem);
 
-// The powers of t in D^v d and in g that start weights of this family make exact; they follow from the
+// The powers of t in D^v d and in g that starting weights of this family make exact; they follow from the
 // orders.
-StartingPowers start_powers_of_equations(const WeightFamily& family, const Problem& problem);
+StartingPowers starting_powers_of_equations(const WeightFamily& family, const Problem& problem);
 
 // The memory terms of all equations.
 class IntegratedEquations {
  public:
-  // starting_powers: powers of t in the samples that start weights make exact; empty: no start weights.
+  // starting_powers: powers of t in the samples that starting weights make exact; empty: no starting weights.
   IntegratedEquations(const Problem& problem, const WeightFamily& family, const Grid& grid,
                       const Options& options, const std::vector<double>& starting_powers = {});
 
   [[nodiscard]] std::size_t bytes() const;
 
-  // The equations of the first steps, one for each start power beyond the first. nullopt where
+  // The equations of the first steps, one for each starting power beyond the first. nullopt where
   // prepare_step(1) is false.
   [[nodiscard]] std::optional<StartingEquations> first_equations();
 
-  // Appends y and f of integrated() at t: 0, or the time of the last step.
+  // Appends y and f of integrated_problem() at t: 0, or the time of the last step.
   void push(double t, In y, In f);
 
-  // Computes past() and kappa() for the step to t_n, after the first steps. Returns false where the step is
+  // Computes known() and kappa() for the step to t_n, after the first steps. Returns false where the step is
   // too large for a growing mode: 1 + sum_k c_k/a kappa_k <= 0, which does not hold for small enough steps.
   bool prepare_step(int n);
 
-  // The rows at t_n are past + kappa f(t_n, y_n).
-  [[nodiscard]] const Vec& past() const { return past_; }
+  // The rows at t_n are known + kappa f(t_n, y_n).
+  [[nodiscard]] const Vec& known() const { return known_; }
   [[nodiscard]] const Vec& kappa() const { return kappa_; }
 
   void state(Archive& archive);
@@ -71,7 +72,7 @@ class IntegratedEquations {
     Vec ratios;                  // c_k / a
     Eigen::Index first;          // index of its first sample
     TaylorPartIntegrals starts;  // of T
-    double own = 1.0;            // 1 + sum_k c_k/a kappa_k
+    double denominator = 1.0;    // 1 + sum_k c_k/a kappa_k
   };
   static std::vector<ChainSum> chain_sums(const Problem& problem);
   [[nodiscard]] WeightTables tables(const WeightFamily& family) const;
@@ -84,13 +85,13 @@ class IntegratedEquations {
   std::vector<ChainSum> parts_;
   WeightTables tables_;  // of each sum; the order of the i-th is L - node i
   std::unique_ptr<History> history_;
-  std::vector<StartingCorrection> corrections_;  // of each sum; empty: no start weights
-  Matrix first_samples_;                         // those with start weights, one column a step
+  std::vector<StartingCorrection> corrections_;  // of each sum; empty: no starting weights
+  Matrix first_samples_;                         // those with starting weights, one column a step
   Eigen::Index pushed_ = 0;                      // number of columns set
   Matrix factors_;      // weights of the newest sample, a row an equation, a column a sum
   Matrix sums_;         // one column a sum
   double time_ = -1.0;  // time of taylor_derivatives_ and taylor_integrals_
-  Vec sample_, taylor_derivatives_, taylor_integrals_, past_, kappa_;
+  Vec sample_, taylor_derivatives_, taylor_integrals_, known_, kappa_;
 };
 
 }  // namespace fde

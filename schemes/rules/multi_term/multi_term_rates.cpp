@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/multi_term/multi_term_rates.hpp"
 
 #include <algorithm>
@@ -5,9 +6,9 @@
 #include <vector>
 
 #include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/rules/implicit/rule_rates.hpp"
 #include "fdebench/schemes/rules/multi_term/integrated_equations.hpp"
 #include "fdebench/schemes/rules/start_weights/multistep_scheme.hpp"
-#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 namespace {
@@ -29,7 +30,8 @@ bool listed(const std::vector<Eigen::Index>& rows, Eigen::Index row) {
 // The powers of D^v d, given the powers of D^v u: those of T are removed.
 Powers without_taylor(Powers powers, const Chain& chain, double node) {
   const double degrees = std::ceil(chain.leading().order);
-  std::erase_if(powers, [=](double q) { return whole(q + node) && std::round(q + node) < degrees; });
+  std::erase_if(powers,
+                [=](double q) { return is_integer_order(q + node) && std::round(q + node) < degrees; });
   return powers;
 }
 
@@ -47,8 +49,8 @@ std::vector<Eigen::Index> rows_read(const Problem& problem, const Equation& equa
       y[i] += 0.1 * std::max(1.0, std::abs(value));
       const bool moves = equation.force(t, y) != force || equation.factor(t, y) != factor;
       y[i] = value;
-      const bool term = i >= chain.first() && i < chain.first() + chain.size() &&
-                        chain.coefficients()[i - chain.first()] != 0.0;
+      const bool term = i >= chain.first_row() && i < chain.first_row() + chain.size() &&
+                        chain.coefficients()[i - chain.first_row()] != 0.0;
       if (moves || (factor != 1.0 && term)) rows.push_back(i);
     }
   }
@@ -75,7 +77,7 @@ Powers powers_of_force(const Problem& problem, const Smoothness& smoothness, con
     powers.insert(powers.end(), of_row.begin(), of_row.end());
   }
   const double leading = chain.leading().order;
-  const auto& of_unknown = powers_of(smoothness, chain.first());
+  const auto& of_unknown = powers_of(smoothness, chain.first_row());
   for (const auto& term : chain.terms()) {
     explained.push_back(-term.order);
     for (const double p : of_unknown) explained.push_back(p - term.order);
@@ -97,14 +99,14 @@ struct Contributions {
     Powers shifted;
     for (const double q : powers) shifted.push_back(q + order);
     smoothness.powers.push_back(shifted);
-    if (hidden) smoothness.hidden.push_back(row);
+    if (hidden) smoothness.unmeasured.push_back(row);
     if (jumps) smoothness.jumps.push_back(row);
   }
 };
 
 bool jumps(const Smoothness& smoothness, const Chain& chain) {
   return std::ranges::any_of(smoothness.jumps, [&](Eigen::Index row) {
-    return row >= chain.first() && row < chain.first() + chain.size();
+    return row >= chain.first_row() && row < chain.first_row() + chain.size();
   });
 }
 
@@ -121,8 +123,8 @@ Contributions of_samples(const Problem& problem, const Smoothness& smoothness) {
     const Powers of_force = powers_of_force(problem, smoothness, problem.equations[e], chain);
     for (Eigen::Index i = 0; i < chain.size(); ++i) {
       const double node = chain.nodes()[static_cast<std::size_t>(i)];
-      const auto row = chain.first() + i;
-      const bool hidden = listed(smoothness.hidden, row);
+      const auto row = chain.first_row() + i;
+      const bool hidden = listed(smoothness.unmeasured, row);
       if (hidden && !listed(read, row)) continue;  // nothing depends on it
       const Powers own = without_taylor(powers_of(smoothness, row), chain, node);
       if (!terms.empty()) all.add(leading - terms.back().order, own, hidden, false);
@@ -143,7 +145,7 @@ double multi_term_trapezoidal_rate(const Problem& problem, const Smoothness& smo
 double multi_term_multistep_rate(const WeightFamily& family, const Problem& problem,
                                  const Smoothness& smoothness, double grading, Norm norm) {
   const auto samples = of_samples(problem, smoothness);
-  return multistep_rate(family, start_powers_of_equations(family, problem), samples.problem,
+  return multistep_rate(family, starting_powers_of_equations(family, problem), samples.problem,
                         samples.smoothness, grading, norm);
 }
 
@@ -153,10 +155,10 @@ double multi_term_grunwald_letnikov_rate(const Problem& problem, const Smoothnes
   for (const auto& chain : chains_of(problem)) {
     for (Eigen::Index i = 0; i < chain.size(); ++i) {
       const double node = chain.nodes()[static_cast<std::size_t>(i)], order = chain.leading().order - node;
-      const auto row = chain.first() + i;
+      const auto row = chain.first_row() + i;
       Powers powers = without_taylor(powers_of(smoothness, row), chain, node);
       for (double& q : powers) q -= order;
-      all.add(order, powers, listed(smoothness.hidden, row), jumps(smoothness, chain));
+      all.add(order, powers, listed(smoothness.unmeasured, row), jumps(smoothness, chain));
     }
   }
   return rate(grunwald_letnikov_theory, all.problem, all.smoothness, grading, norm);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/history/weights/family.hpp"
@@ -17,8 +18,8 @@ namespace fde {
 double multi_term_trapezoidal_rate(const Problem& problem, const Smoothness& smoothness, double grading,
                                    Norm norm);
 
-// A multistep rule with start weights: as the trapezoidal rule, with the method's rate, and exact for the
-// powers q of D^v d and g that have start weights.
+// A multistep rule with starting weights: as the trapezoidal rule, with the method's rate, and exact for the
+// powers q of D^v d and g that have starting weights.
 double multi_term_multistep_rate(const WeightFamily& family, const Problem& problem,
                                  const Smoothness& smoothness, double grading, Norm norm);
 

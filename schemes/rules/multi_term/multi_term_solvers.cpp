@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/multi_term/multi_term_solvers.hpp"
 
 #include <utility>
@@ -9,12 +10,12 @@
 namespace fde {
 namespace {
 
-// The first steps of a rule with start weights, one column each.
+// The first steps of a rule with starting weights, one column each.
 Matrix first_steps_of(Run& run, IntegratedEquations& equations, const Problem& problem,
-                      const Problem& stepped, const Grid& grid, double tolerance, Ending& ending) {
+                      const Problem& stepped, const Grid& grid, double tolerance, SolveStatus& ending) {
   auto system = equations.first_equations();
   if (!system) {
-    ending = Ending::step_too_large;
+    ending = SolveStatus::step_too_large;
     return {};
   }
   const auto first_order = [&](const Grid& steps, const Options& exact) {
@@ -27,45 +28,46 @@ Matrix first_steps_of(Run& run, IntegratedEquations& equations, const Problem& p
 
 Trajectory solve_integrated_equations(const Problem& problem, const Grid& grid, const Options& options,
                                       const WeightFamily& family) {
-  std::vector<double> powers;  // none without start weights
-  if (family.multistep != nullptr) powers = start_powers_of_equations(family, problem).for_steps(grid.steps);
-  const Problem stepped = integrated(problem);
+  std::vector<double> powers;  // none without starting weights
+  if (family.multistep != nullptr)
+    powers = starting_powers_of_equations(family, problem).for_steps(grid.steps);
+  const Problem stepped = integrated_problem(problem);
   Run run(stepped, options, grid.steps);
   NewtonSolver newton(stepped, options.tolerance);
   IntegratedEquations equations(problem, family, grid, options, powers);
   run.cost().history_bytes = equations.bytes();
-  if (!powers.empty()) run.cost().start_weights = static_cast<int>(powers.size());
+  if (!powers.empty()) run.cost().starting_weights = static_cast<int>(powers.size());
 
   Matrix first;
-  Ending ending = Ending::finished;
+  SolveStatus ending = SolveStatus::finished;
   Vec y = run.start();
   double t = 0.0;
   int n = 1;
-  const State state = [&](Archive& archive) {
+  const StateArchiver state = [&](Archive& archive) {
     archive.count(n, 1, grid.steps);
     archive(t, y, newton, equations);
-    archive.grown(first);
+    archive.resizable(first);
   };
-  if (!run.resume(state) && powers.size() > 1)
+  if (!run.resume_from_checkpoint(state) && powers.size() > 1)
     first = first_steps_of(run, equations, problem, stepped, grid, options.tolerance, ending);
-  for (; n <= grid.steps && ending == Ending::finished; ++n) {
-    run.offer(state);
+  for (; n <= grid.steps && ending == SolveStatus::finished; ++n) {
+    run.offer_checkpoint(state);
     equations.push(t, y, run.rhs(t, y));
     t = grid.time(n);
     if (n <= first.cols()) {
       y = first.col(n - 1);
     } else {
-      ending = Ending::step_too_large;
-      if (equations.prepare_step(n)) ending = newton.solve(run, {t, equations.kappa(), equations.past()}, y);
+      ending = SolveStatus::step_too_large;
+      if (equations.prepare_step(n)) ending = newton.solve(run, {t, equations.kappa(), equations.known()}, y);
     }
-    if (ending == Ending::finished && !run.accept(t, y)) return run.finish();
+    if (ending == SolveStatus::finished && !run.accept(t, y)) return run.finish();
   }
-  if (ending != Ending::finished) run.fail(ending, t > 0.0 ? t : grid.time(1));
+  if (ending != SolveStatus::finished) run.fail(ending, t > 0.0 ? t : grid.time(1));
   return run.finish();
 }
 
 Trajectory predict_and_correct_equations(const Problem& problem, const Grid& grid, const Options& options) {
-  const Problem stepped = integrated(problem);
+  const Problem stepped = integrated_problem(problem);
   Run run(stepped, options, grid.steps);
   IntegratedEquations equations(problem, families::trapezoid, grid, options);
   run.cost().history_bytes = equations.bytes();
@@ -73,25 +75,25 @@ Trajectory predict_and_correct_equations(const Problem& problem, const Grid& gri
   Vec y = run.start(), f = Vec::Zero(y.size()), before = f;
   double t = 0.0;
   int n = 1;
-  const State state = [&](Archive& archive) {
+  const StateArchiver state = [&](Archive& archive) {
     archive.count(n, 1, grid.steps);
     archive(t, y, f, equations);
   };
-  for (run.resume(state); n <= grid.steps; ++n) {
-    run.offer(state);
+  for (run.resume_from_checkpoint(state); n <= grid.steps; ++n) {
+    run.offer_checkpoint(state);
     before = f;
     f = run.rhs(t, y);
     equations.push(t, y, f);
     t = grid.time(n);
     if (!equations.prepare_step(n)) {
-      run.fail(Ending::step_too_large, t);
+      run.fail(SolveStatus::step_too_large, t);
       break;
     }
     const double ratio = n == 1 ? 0.0 : grid.step(n) / grid.step(n - 1);
     if (n == 1) before = f;
-    y = equations.past() + equations.kappa().cwiseProduct(f + ratio * (f - before));
+    y = equations.known() + equations.kappa().cwiseProduct(f + ratio * (f - before));
     for (int correction = 0; correction < options.corrections; ++correction)
-      y = equations.past() + equations.kappa().cwiseProduct(run.rhs(t, y));
+      y = equations.known() + equations.kappa().cwiseProduct(run.rhs(t, y));
     if (!run.accept(t, y)) break;
   }
   return run.finish();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/multi_term/multi_term_symbols.hpp"
 
 #include <Eigen/LU>
@@ -47,14 +48,14 @@ class LinearEquations {
     for (const auto& chain : chains_of(problem)) {
       integrals_.emplace_back(chain, family, length);
       ratios_.emplace_back(chain.coefficients() / chain.leading().coefficient);
-      first_.push_back(chain.first());
+      first_.push_back(chain.first_row());
     }
   }
 
   [[nodiscard]] Eigen::Index size() const { return std::ssize(integrals_); }
 
   // D (1-zeta)^L of every equation, and (1-zeta)^L.
-  [[nodiscard]] Eigen::VectorXcd own(ComplexValue log_zeta) const {
+  [[nodiscard]] Eigen::VectorXcd denominators(ComplexValue log_zeta) const {
     Eigen::VectorXcd values = leading_powers(log_zeta);
     for (Eigen::Index e = 0; e < size(); ++e)
       values[e] += ratios(e).cast<ComplexValue>().dot(integrals(e).at(log_zeta));
@@ -66,7 +67,7 @@ class LinearEquations {
     return values;
   }
   // sum_v B_v K_v (1-zeta)^L, and sum_v B_v kappa_v.
-  [[nodiscard]] ComplexMatrix driven(ComplexValue log_zeta) const {
+  [[nodiscard]] ComplexMatrix jacobian_times_integrals(ComplexValue log_zeta) const {
     ComplexMatrix result(size(), size());
     for (Eigen::Index e = 0; e < size(); ++e) result.col(e) = block(e) * integrals(e).at(log_zeta);
     return result;
@@ -88,11 +89,11 @@ class LinearEquations {
   // The derivatives of g / a, a row an equation.
   static Matrix integrated_rows(const Problem& problem) {
     Matrix all(problem.size(), problem.size());
-    const Problem rows = integrated(problem);
+    const Problem rows = integrated_problem(problem);
     evaluate_jacobian(rows, 0.0, Vec::Zero(problem.size()), all);
     Matrix firsts(std::ssize(problem.equations), problem.size());
     for (Eigen::Index e = 0; e < firsts.rows(); ++e)
-      firsts.row(e) = all.row(problem.equations[static_cast<std::size_t>(e)].first);
+      firsts.row(e) = all.row(problem.equations[static_cast<std::size_t>(e)].first_row);
     return firsts;
   }
   [[nodiscard]] const Integrals& integrals(Eigen::Index e) const {
@@ -113,8 +114,8 @@ class LinearEquations {
 
 Symbol implicit_multi_term_symbol(const Problem& problem, const WeightFamily& family, double length) {
   return [equations = LinearEquations(problem, family, length)](ComplexValue log_zeta) {
-    ComplexMatrix s = -equations.driven(log_zeta);
-    s.diagonal() += equations.own(log_zeta);
+    ComplexMatrix s = -equations.jacobian_times_integrals(log_zeta);
+    s.diagonal() += equations.denominators(log_zeta);
     return s;
   };
 }
@@ -126,10 +127,11 @@ Symbol predicted_multi_term_symbol(const Problem& problem, double length) {
   const ComplexMatrix b = newest * equations.newest_denominators().cwiseInverse().asDiagonal();
   return [=](ComplexValue log_zeta) {
     const ComplexValue zeta = std::exp(log_zeta);
-    const Eigen::VectorXcd own = equations.own(log_zeta), powers = equations.leading_powers(log_zeta);
+    const Eigen::VectorXcd own = equations.denominators(log_zeta),
+                           powers = equations.leading_powers(log_zeta);
     // C times 1 + b, as C and b commute.
     const ComplexMatrix predicted = unit + zeta * (2.0 - zeta) * b;
-    ComplexMatrix s = newest * powers.asDiagonal() - equations.driven(log_zeta);
+    ComplexMatrix s = newest * powers.asDiagonal() - equations.jacobian_times_integrals(log_zeta);
     s.diagonal() += own;
     s *= unit + b;
     if (own.size() == 1) return ComplexMatrix(s - newest * predicted * powers.asDiagonal());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/multi_term/taylor_part_integrals.hpp"
 
 #include <algorithm>
@@ -18,10 +19,10 @@ TaylorPartIntegrals::TaylorPartIntegrals(const Chain& chain) {
         const double exponent = degree - order;
         (power(exponent, chain.size()).*of)[row] += coefficient * initial[j] / std::tgamma(exponent + 1.0);
       };
-      if (degree >= std::ceil(node)) add(node, 1.0, &Power::starts);
+      if (degree >= std::ceil(node)) add(node, 1.0, &Power::derivatives);
       for (const auto& [coefficient, order] : chain.terms()) {
         if (degree >= std::ceil(order))
-          add(order - leading + node, coefficient / chain.leading().coefficient, &Power::drives);
+          add(order - leading + node, coefficient / chain.leading().coefficient, &Power::integrals);
       }
     }
   }
@@ -37,16 +38,16 @@ TaylorPartIntegrals::Power& TaylorPartIntegrals::power(double exponent, Eigen::I
   return *powers_.insert(place, {fraction, whole, Vec::Zero(rows), Vec::Zero(rows)});
 }
 
-void TaylorPartIntegrals::at(double t, Out starts, Out drives) const {
-  starts.setZero();
-  drives.setZero();
+void TaylorPartIntegrals::at(double t, Out derivatives, Out integrals) const {
+  derivatives.setZero();
+  integrals.setZero();
   double fraction = 0.0, root = 1.0;
   for (const auto& power : powers_) {
     if (power.fraction != fraction) root = std::pow(t, fraction = power.fraction);
     double value = root;
     for (int k = 0; k < power.whole; ++k) value *= t;
-    starts += value * power.starts;
-    drives += value * power.drives;
+    derivatives += value * power.derivatives;
+    integrals += value * power.integrals;
   }
 }
 

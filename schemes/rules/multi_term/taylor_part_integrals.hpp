@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -11,16 +12,17 @@ class TaylorPartIntegrals {
  public:
   explicit TaylorPartIntegrals(const Chain& chain);
 
-  // Sets starts to D^v T and drives to sum_k c_k/a I^(L-v) D^(a_k) T at t, one entry a row of the chain.
-  void at(double t, Out starts, Out drives) const;
+  // Sets derivatives to D^v T and integrals to sum_k c_k/a I^(L-v) D^(a_k) T at t, one entry a row of the
+  // chain.
+  void at(double t, Out derivatives, Out integrals) const;
 
  private:
-  // starts and drives are sums of these coefficients times t^fraction t^whole, 0 <= fraction < 1. Powers with
-  // the same fraction are adjacent and share t^fraction.
+  // derivatives and integrals are sums of these coefficients times t^fraction t^whole, 0 <= fraction < 1.
+  // Powers with the same fraction are adjacent and share t^fraction.
   struct Power {
     double fraction;
     int whole;
-    Vec starts, drives;
+    Vec derivatives, integrals;
   };
   Power& power(double exponent, Eigen::Index rows);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/integrated_rows.hpp"
 
 #include <cmath>
@@ -25,26 +26,26 @@ IntegratedRows::IntegratedRows(const Problem& problem) : rows(problem.components
   for (const auto& equation : problem.equations) {
     const Chain chain = chain_of(problem, equation);
     for (Eigen::Index i = 0; i < chain.size(); ++i) {
-      const auto row = static_cast<std::size_t>(chain.first() + i);
+      const auto row = static_cast<std::size_t>(chain.first_row() + i);
       const double node = chain.nodes()[static_cast<std::size_t>(i)];
-      rows[row] = {drive_count(), chain.leading().order - node, derivative_of_start(chain.initial(), node)};
+      rows[row] = {unknown_count(), chain.leading().order - node, derivative_of_start(chain.initial(), node)};
       chained[row] = true;
     }
-    drives.push_back(chain.first() + chain.size() - 1);
+    rhs_indices.push_back(chain.first_row() + chain.size() - 1);
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (chained[i]) continue;
     const auto& component = problem.components[i];
-    rows[i] = {drive_count(), component.order, {}};
-    if (!algebraic(component)) rows[i].start = derivative_of_start(component.initial, 0.0);
-    drives.push_back(static_cast<Eigen::Index>(i));
+    rows[i] = {unknown_count(), component.order, {}};
+    if (!is_algebraic(component)) rows[i].taylor_terms = derivative_of_start(component.initial, 0.0);
+    rhs_indices.push_back(static_cast<Eigen::Index>(i));
   }
 }
 
-Vec IntegratedRows::start(double t) const {
+Vec IntegratedRows::taylor_part(double t) const {
   Vec value = Vec::Zero(row_count());
   for (Eigen::Index i = 0; i < row_count(); ++i) {
-    for (const auto& [coefficient, power] : rows[static_cast<std::size_t>(i)].start)
+    for (const auto& [coefficient, power] : rows[static_cast<std::size_t>(i)].taylor_terms)
       value[i] += coefficient * (power == 0.0 ? 1.0 : power == 1.0 ? t : std::pow(t, power));
   }
   return value;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
@@ -13,27 +14,27 @@ struct IntegratedRow {
   struct Power {
     double coefficient, power;
   };
-  Eigen::Index drive;  // k
+  Eigen::Index unknown;  // k
   double order;
-  std::vector<Power> start;
+  std::vector<Power> taylor_terms;
 
-  [[nodiscard]] bool algebraic() const { return order == 0.0; }
+  [[nodiscard]] bool is_algebraic() const { return order == 0.0; }
 };
 
-// All rows; drives[k] is the index of the right-hand side f_i that x_k equals. x_k is D^L u for a multi-term
-// equation, and all rows of its chain are integrals of it; otherwise x_k is D^gamma y_i. For an algebraic row
-// the equation is f_i = 0 instead.
+// All rows; rhs_indices[k] is the index of the right-hand side f_i that x_k equals. x_k is D^L u for a
+// multi-term equation, and all rows of its chain are integrals of it; otherwise x_k is D^gamma y_i. For an
+// algebraic row the equation is f_i = 0 instead.
 struct IntegratedRows {
   explicit IntegratedRows(const Problem& problem);
 
   std::vector<IntegratedRow> rows{};
-  std::vector<Eigen::Index> drives{};
+  std::vector<Eigen::Index> rhs_indices{};
 
   [[nodiscard]] Eigen::Index row_count() const { return std::ssize(rows); }
-  [[nodiscard]] Eigen::Index drive_count() const { return std::ssize(drives); }
+  [[nodiscard]] Eigen::Index unknown_count() const { return std::ssize(rhs_indices); }
 
   // The rows at t without the integrals: their Taylor parts.
-  [[nodiscard]] Vec start(double t) const;
+  [[nodiscard]] Vec taylor_part(double t) const;
 };
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/mode_count.hpp"
 
 #include <Eigen/LU>

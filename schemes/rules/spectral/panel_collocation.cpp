@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/panel_collocation.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr double part = 0.5;  // of the tolerance: a margin for errors that grow
 // do the x_k on the panels that grow from a start, and the integrals over distant blocks.
 Eigen::Index points_for(const Tolerance& accuracy) {
   constexpr double decay = 1.763, spare = 4.0;  // log(3 + sqrt 8)
-  const double error = std::clamp(std::max(accuracy.relative, accuracy.absolute), 1e-16, 1e-2);
+  const double error = std::clamp(std::max(accuracy.rtol, accuracy.atol), 1e-16, 1e-2);
   return static_cast<Eigen::Index>(std::ceil(-std::log(error) / decay) + spare);
 }
 
@@ -27,26 +28,27 @@ PanelCollocation::PanelCollocation(const Problem& problem, const Tolerance& accu
     : problem_(problem),
       solution_(std::make_shared<PanelSolution>(problem, points_for(accuracy))),
       run_(problem, options),
-      solver_(problem, solution_->driven, solution_->past.kernels(), accuracy) {}
+      solver_(problem, solution_->integrated_rows, solution_->memory.kernels(), accuracy) {}
 
 Trajectory PanelCollocation::solve() {
-  sides_ = sides(problem_, 0.0, run_.start());
+  sides_ = switch_signs(problem_, 0.0, run_.start());
   double start = 0.0;
-  for (const double jump : problem_.jumps) {
+  for (const double jump : problem_.jump_times) {
     if (jump < problem_.end) solve_between(std::exchange(start, jump), jump);
   }
   solve_between(start, problem_.end);
   run_.cost().history_bytes = solution_->bytes();
   auto path = run_.finish();
-  if (!solution_->panels.empty()) path.dense = [solution = solution_](double t) { return solution->at(t); };
+  if (!solution_->panels.empty())
+    path.dense_output = [solution = solution_](double t) { return solution->at(t); };
   return path;
 }
 
 // Solves between two jumps, in segments that end at switches.
 void PanelCollocation::solve_between(double start, double end) {
-  const Matrix nothing = Matrix::Zero(solution_->rule.size(), solution_->driven.row_count());
-  while (phase_ != RunPhase::over && start < end) {
-    phase_ = RunPhase::on;
+  const Matrix nothing = Matrix::Zero(solution_->rule.size(), solution_->integrated_rows.row_count());
+  while (phase_ != RunPhase::run_ended && start < end) {
+    phase_ = RunPhase::running;
     const double first = start > 0.0 ? std::nextafter(start, infinity) : 0.0;
     const double last = end < problem_.end ? std::nextafter(end, 0.0) : infinity;
     solution_->segments.push_back({start, end - start, first, last});
@@ -56,86 +58,90 @@ void PanelCollocation::solve_between(double start, double end) {
     last_unknowns_ = start == 0.0 ? solver_.initial_unknowns(run_) : Vec();
     Sources before;
     for (const auto& tree : solution_->trees) before.push_back(tree.get());
-    auto tree = visit({&segment, 0.0, 1.0}, nothing, before);
+    auto tree = solve_block({&segment, 0.0, 1.0}, nothing, before);
     if (tree) solution_->trees.push_back(std::move(tree));
-    if (phase_ == RunPhase::on) return;
+    if (phase_ == RunPhase::running) return;
     start = last_switch_time_;
   }
 }
 
-std::unique_ptr<MemoryBlock> PanelCollocation::visit(const TimeBlock& block, const Matrix& smooth,
-                                                     const Sources& near) {
+std::unique_ptr<MemoryBlock> PanelCollocation::solve_block(const TimeBlock& block, const Matrix& smooth,
+                                                           const Sources& near) {
   if (block.width <= width_) {
-    auto panel = attempt(block, smooth, near);
-    if (panel || phase_ != RunPhase::on) return panel;
+    auto panel = attempt_panel(block, smooth, near);
+    if (panel || phase_ != RunPhase::running) return panel;
   }
   Matrix of_half = solution_->rule.to_older_half * smooth;
   Sources near_half;
-  for (const auto* source : near) solution_->past.sort(*source, block.older(), of_half, near_half);
-  auto older = visit(block.older(), of_half, near_half);
-  if (phase_ != RunPhase::on) {
+  for (const auto* source : near)
+    solution_->memory.split_near_and_far(*source, block.older(), of_half, near_half);
+  auto older = solve_block(block.older(), of_half, near_half);
+  if (phase_ != RunPhase::running) {
     if (older) solution_->trees.push_back(std::move(older));
     return nullptr;
   }
   of_half = solution_->rule.to_newer_half * smooth;
   near_half.clear();
-  for (const auto* source : near) solution_->past.sort(*source, block.newer(), of_half, near_half);
-  solution_->past.sort(*older, block.newer(), of_half, near_half);
-  auto newer = visit(block.newer(), of_half, near_half);
+  for (const auto* source : near)
+    solution_->memory.split_near_and_far(*source, block.newer(), of_half, near_half);
+  solution_->memory.split_near_and_far(*older, block.newer(), of_half, near_half);
+  auto newer = solve_block(block.newer(), of_half, near_half);
   if (!newer) {
     solution_->trees.push_back(std::move(older));
     return nullptr;
   }
-  return joined(block, std::move(older), std::move(newer));
+  return merged(block, std::move(older), std::move(newer));
 }
 
-std::unique_ptr<MemoryBlock> PanelCollocation::joined(const TimeBlock& block,
+std::unique_ptr<MemoryBlock> PanelCollocation::merged(const TimeBlock& block,
                                                       std::unique_ptr<MemoryBlock> older,
                                                       std::unique_ptr<MemoryBlock> newer) const {
   const auto& rule = solution_->rule;
   auto whole = std::make_unique<MemoryBlock>(MemoryBlock{
       .block = block,
       .coefficients = rule.from_older * older->coefficients + rule.from_newer * newer->coefficients,
-      .units = solution_->past.kernels().units(block.length())});
+      .units = solution_->memory.kernels().units(block.length())});
   whole->older = std::move(older);
   whole->newer = std::move(newer);
   return whole;
 }
 
-std::unique_ptr<MemoryBlock> PanelCollocation::attempt(const TimeBlock& block, const Matrix& smooth,
-                                                       const Sources& near) {
+std::unique_ptr<MemoryBlock> PanelCollocation::attempt_panel(const TimeBlock& block, const Matrix& smooth,
+                                                             const Sources& near) {
   const PanelSystem task = task_on(block, smooth, near);
   PanelValues solved{guess_on(task), {}};
   if (!solver_.solve(run_, task, solved) || contains_switch(block, task, solved.rows)) {
-    auto panel = lead_over_switch(block, task);
-    if (!panel && phase_ == RunPhase::on) reject_panel(block, infinity);
+    auto panel = step_over_switch(block, task);
+    if (!panel && phase_ == RunPhase::running) reject_panel(block, infinity);
     return panel;
   }
-  const Matrix coefficients = solution_->rule.to_coefficients * solved.drives;
-  const Vec allowed = solver_.allowed(task, solved.rows);
+  const Matrix coefficients = solution_->rule.to_coefficients * solved.unknowns;
+  const Vec allowed = solver_.error_limits(task, solved.rows);
   const Vec effects = errors_by_degree(block, task, solved, coefficients, allowed);
-  double doubt = std::max(effects.tail(2).sum() / part, discontinuity_error(block, task, solved, allowed));
+  double error = std::max(effects.tail(2).sum() / part, discontinuity_error(block, task, solved, allowed));
   // The points do not resolve a mode that grows by more than this.
-  if (solver_.grows(run_, task, solved.rows, static_cast<double>(effects.size()))) doubt = infinity;
-  if (!(doubt <= 1.0) && !is_rounding_error(block, doubt)) {
-    reject_panel(block, doubt);
+  if (solver_.has_growing_mode(run_, task, solved.rows, static_cast<double>(effects.size())))
+    error = infinity;
+  if (!(error <= 1.0) && !is_rounding_error(block, error)) {
+    reject_panel(block, error);
     return nullptr;
   }
   set_next_width(block, needed_fraction(effects));
-  return take(block, task, std::move(solved));
+  return accept_panel(block, task, std::move(solved));
 }
 
-std::unique_ptr<MemoryBlock> PanelCollocation::take(const TimeBlock& block, const PanelSystem& task,
-                                                    PanelValues solved) {
+std::unique_ptr<MemoryBlock> PanelCollocation::accept_panel(const TimeBlock& block, const PanelSystem& task,
+                                                            PanelValues solved) {
   const auto& rule = solution_->rule;
-  solver_.pass(solved);
-  last_unknowns_ = solved.drives.transpose() * rule.at_end;
-  sides_ = sides(problem_, task.times[rule.size() - 1], solved.rows.transpose() * rule.at_end);
-  auto panel = std::make_unique<MemoryBlock>(MemoryBlock{.block = block,
-                                                         .coefficients = rule.to_coefficients * solved.drives,
-                                                         .units = task.units,
-                                                         .values = std::move(solved.rows)});
-  accept(*panel);
+  solver_.accept_panel(solved);
+  last_unknowns_ = solved.unknowns.transpose() * rule.at_end;
+  sides_ = switch_signs(problem_, task.times[rule.size() - 1], solved.rows.transpose() * rule.at_end);
+  auto panel =
+      std::make_unique<MemoryBlock>(MemoryBlock{.block = block,
+                                                .coefficients = rule.to_coefficients * solved.unknowns,
+                                                .units = task.units,
+                                                .values = std::move(solved.rows)});
+  record_panel(*panel);
   return panel;
 }
 
@@ -143,13 +149,14 @@ std::unique_ptr<MemoryBlock> PanelCollocation::take(const TimeBlock& block, cons
 // side of the panel before.
 bool PanelCollocation::contains_switch(const TimeBlock& panel, const PanelSystem& task,
                                        const Matrix& rows) const {
-  if (problem_.switches.empty()) return false;
+  if (problem_.switching_functions.empty()) return false;
   const Eigen::Index places = rows.rows();
   const Vec at_end = rows.transpose() * solution_->rule.at_end;
-  const auto begun = panel.from > 0.0 ? sides_ : sides(problem_, task.times[0], rows.row(0).transpose());
-  if (sides(problem_, task.times[places - 1], at_end) != begun) return true;
+  const auto begun =
+      panel.from > 0.0 ? sides_ : switch_signs(problem_, task.times[0], rows.row(0).transpose());
+  if (switch_signs(problem_, task.times[places - 1], at_end) != begun) return true;
   for (Eigen::Index j = 0; j < places; ++j) {
-    if (sides(problem_, task.times[j], rows.row(j).transpose()) != begun) return true;
+    if (switch_signs(problem_, task.times[j], rows.row(j).transpose()) != begun) return true;
   }
   return false;
 }
@@ -158,46 +165,47 @@ bool PanelCollocation::contains_switch(const TimeBlock& panel, const PanelSystem
 // it; a new segment begins after it. nullptr: the block is longer, or ends on the same side. If the run
 // returns to the switch at once, or repeatedly almost at once, the solution slides along the switch and does
 // not exist beyond: the run ends.
-std::unique_ptr<MemoryBlock> PanelCollocation::lead_over_switch(const TimeBlock& block,
+std::unique_ptr<MemoryBlock> PanelCollocation::step_over_switch(const TimeBlock& block,
                                                                 const PanelSystem& task) {
   constexpr double located = 1e-13, at_once = 1e-5;  // of the time
   constexpr int most_returns = 32;
   const double t = block.time(1.0);
-  if (problem_.switches.empty() || block.length() > located * t) return nullptr;
+  if (problem_.switching_functions.empty() || block.length() > located * t) return nullptr;
   PanelValues followed{guess_on(task), {}};
-  solver_.follow(task, followed);
-  if (sides(problem_, t, followed.rows.transpose() * solution_->rule.at_end) == sides_) return nullptr;
+  solver_.integrate(task, followed);
+  if (switch_signs(problem_, t, followed.rows.transpose() * solution_->rule.at_end) == sides_) return nullptr;
   returns_to_switch_ = t - last_switch_time_ <= at_once * t ? returns_to_switch_ + 1 : 0;
   if ((block.from == 0.0 && last_switch_time_ == block.segment->start) || returns_to_switch_ > most_returns) {
-    run_.fail(Ending::sliding, t);
-    phase_ = RunPhase::over;
+    run_.fail(SolveStatus::sliding, t);
+    phase_ = RunPhase::run_ended;
     return nullptr;
   }
-  auto panel = take(block, task, std::move(followed));
+  auto panel = accept_panel(block, task, std::move(followed));
   last_switch_time_ = t;
-  if (phase_ == RunPhase::on) phase_ = RunPhase::switched;
+  if (phase_ == RunPhase::running) phase_ = RunPhase::segment_ended;
   return panel;
 }
 
 PanelSystem PanelCollocation::task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near) {
-  PanelSystem task{.times = solution_->rule.places.unaryExpr([&](double place) {
+  PanelSystem task{.times = solution_->rule.points.unaryExpr([&](double place) {
                      return std::clamp(panel.time(place), panel.segment->first, panel.segment->last);
                    }),
-                   .units = solution_->past.kernels().units(panel.length()),
-                   .past = smooth,
-                   .size = {}};
-  for (const auto* source : near) solution_->past.add(*source, panel, task.past);
-  Matrix starts(task.past.rows(), task.past.cols());
-  for (Eigen::Index j = 0; j < starts.rows(); ++j) starts.row(j) = solution_->driven.start(task.times[j]);
-  task.size = starts.cwiseAbs().cwiseMax(task.past.cwiseAbs()).colwise().maxCoeff();
-  task.past += starts;
+                   .units = solution_->memory.kernels().units(panel.length()),
+                   .known = smooth,
+                   .term_sizes = {}};
+  for (const auto* source : near) solution_->memory.add(*source, panel, task.known);
+  Matrix starts(task.known.rows(), task.known.cols());
+  for (Eigen::Index j = 0; j < starts.rows(); ++j)
+    starts.row(j) = solution_->integrated_rows.taylor_part(task.times[j]);
+  task.term_sizes = starts.cwiseAbs().cwiseMax(task.known.cwiseAbs()).colwise().maxCoeff();
+  task.known += starts;
   return task;
 }
 
 // Initial guess: the last values of the x_k; at the start of a segment, where these are not known, f at the
 // memory term.
 Matrix PanelCollocation::guess_on(const PanelSystem& task) {
-  Matrix guess(task.past.rows(), solution_->driven.drive_count());
+  Matrix guess(task.known.rows(), solution_->integrated_rows.unknown_count());
   guess.rowwise() =
       (last_unknowns_.size() > 0 ? last_unknowns_ : solver_.unknowns_at_first_point(run_, task)).transpose();
   return guess;
@@ -208,18 +216,18 @@ Matrix PanelCollocation::guess_on(const PanelSystem& task) {
 // f makes a row decay quickly, the row is far smaller than its x_k, and the coefficients of the row itself
 // count.
 Vec PanelCollocation::errors_by_degree(const TimeBlock& panel, const PanelSystem& task,
-                                       const PanelValues& solved, const Matrix& of_drives,
+                                       const PanelValues& solved, const Matrix& of_unknowns,
                                        const Vec& allowed) {
-  const auto& driven = solution_->driven;
-  Matrix effects(of_drives.rows(), driven.row_count());
+  const auto& integrated = solution_->integrated_rows;
+  Matrix effects(of_unknowns.rows(), integrated.row_count());
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
-    const auto drive = driven.rows[static_cast<std::size_t>(i)].drive;
+    const auto unknown = integrated.rows[static_cast<std::size_t>(i)].unknown;
     const double unit = std::max(solver_.integral_of_one(task, i), velocity_error_unit(panel, i));
-    effects.col(i) = unit / allowed[i] * of_drives.col(drive).cwiseAbs();
+    effects.col(i) = unit / allowed[i] * of_unknowns.col(unknown).cwiseAbs();
   }
   const bool follows = panel.from > 0.0;  // after the initial transient
   const double in_doubt = effects.rowwise().maxCoeff().tail(2).sum();
-  if (follows && in_doubt > part && !solver_.grows(run_, task, solved.rows, 1.0)) {
+  if (follows && in_doubt > part && !solver_.has_growing_mode(run_, task, solved.rows, 1.0)) {
     const Matrix of_rows = solution_->rule.to_coefficients * solved.rows;
     for (Eigen::Index i = 0; i < allowed.size(); ++i)
       effects.col(i) = effects.col(i).cwiseMin(of_rows.col(i).cwiseAbs() / allowed[i]);
@@ -231,7 +239,7 @@ Vec PanelCollocation::errors_by_degree(const TimeBlock& panel, const PanelSystem
 // effect on the row is larger at the end than on the panel. The mean of the error is smaller than the last
 // coefficients, by a factor of the number of points.
 double PanelCollocation::velocity_error_unit(const TimeBlock& panel, Eigen::Index row) const {
-  const double order = solution_->driven.rows[static_cast<std::size_t>(row)].order;
+  const double order = solution_->integrated_rows.rows[static_cast<std::size_t>(row)].order;
   if (panel.from > 0.0 || order <= 1.0) return 0.0;
   const double until_end = problem_.end - panel.segment->start;
   return panel.length() * std::pow(until_end, order - 1.0) /
@@ -247,21 +255,21 @@ double PanelCollocation::discontinuity_error(const TimeBlock& panel, const Panel
   constexpr double least_share = 1e-3;
   if (last_unknowns_.size() == 0) return 0.0;
   const auto& rule = solution_->rule;
-  const Vec change = (solved.drives.transpose() * rule.at_start - last_unknowns_).cwiseAbs();
+  const Vec change = (solved.unknowns.transpose() * rule.at_start - last_unknowns_).cwiseAbs();
   Vec worth = Vec::Zero(allowed.size());
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
-    const auto& row = solution_->driven.rows[static_cast<std::size_t>(i)];
-    if (panel.from == 0.0 && row.algebraic()) continue;
-    const double share = row.algebraic()
+    const auto& row = solution_->integrated_rows.rows[static_cast<std::size_t>(i)];
+    if (panel.from == 0.0 && row.is_algebraic()) continue;
+    const double share = row.is_algebraic()
                              ? least_share
-                             : std::max(std::pow((1.0 + rule.places[0]) / 2.0, row.order), least_share);
-    worth[i] = share * solver_.integral_of_one(task, i) * change[row.drive] / allowed[i];
+                             : std::max(std::pow((1.0 + rule.points[0]) / 2.0, row.order), least_share);
+    worth[i] = share * solver_.integral_of_one(task, i) * change[row.unknown] / allowed[i];
   }
   const double most = worth.maxCoeff();
   if (panel.from == 0.0 || most <= 1.0) return most;
-  const Vec moved = (solved.rows.transpose() * rule.at_start - solver_.held()).cwiseAbs();
+  const Vec moved = (solved.rows.transpose() * rule.at_start - solver_.last_end_values()).cwiseAbs();
   const double of_rows = worth.cwiseMin((moved.array() / allowed.array()).matrix()).maxCoeff();
-  return of_rows > 1.0 || solver_.grows(run_, task, solved.rows, 1.0) ? most : of_rows;
+  return of_rows > 1.0 || solver_.has_growing_mode(run_, task, solved.rows, 1.0) ? most : of_rows;
 }
 
 // The fraction of the coefficients that are needed.
@@ -274,20 +282,20 @@ double PanelCollocation::needed_fraction(const Vec& effects) {
 // Whether the error is due to rounding: a longer panel had about the same error. The last coefficients
 // amplify rounding by up to the number of points: with constraints the x_k are derivatives of the constrained
 // rows.
-bool PanelCollocation::is_rounding_error(const TimeBlock& panel, double doubt) const {
+bool PanelCollocation::is_rounding_error(const TimeBlock& panel, double error) const {
   constexpr double hardly_less = 0.5;
   return panel.from > 0.0 && panel.from == last_rejected_.from &&
-         doubt > hardly_less * last_rejected_.doubt && doubt <= static_cast<double>(solution_->rule.size());
+         error > hardly_less * last_rejected_.error && error <= static_cast<double>(solution_->rule.size());
 }
 
-void PanelCollocation::reject_panel(const TimeBlock& block, double doubt) {
+void PanelCollocation::reject_panel(const TimeBlock& block, double error) {
   const bool first = block.from == 0.0;
-  const Attempt before = std::exchange(last_rejected_, {block.from, block.width, doubt});
+  const RejectedPanel before = std::exchange(last_rejected_, {block.from, block.width, error});
   double halvings = 1.0;
-  if (std::isfinite(doubt)) {
+  if (std::isfinite(error)) {
     const auto points = static_cast<double>(solution_->rule.size());
     const double rate = first ? error_rate_at_start(before) : points / 2.0;
-    halvings = std::clamp(std::floor(std::log2(doubt) / rate), 1.0, first ? 16.0 : 4.0);
+    halvings = std::clamp(std::floor(std::log2(error) / rate), 1.0, first ? 16.0 : 4.0);
   }
   width_ = block.width * std::exp2(-halvings);
   const double shortest = first ? 0x1p-900 : 0x1p-48 * block.from;
@@ -295,21 +303,21 @@ void PanelCollocation::reject_panel(const TimeBlock& block, double doubt) {
   if (!too_short && !run_.out_of_budget()) return;
   if (first && solver_.accept_unconverged_sweeps()) {  // restarts the segment
     last_switch_time_ = block.segment->start;
-    phase_ = RunPhase::switched;
+    phase_ = RunPhase::segment_ended;
     return;
   }
-  phase_ = RunPhase::over;
-  const auto unsolved = std::isfinite(doubt) ? Ending::step_too_small : Ending::not_converged;
-  const auto reason = solver_.left_domain() ? Ending::singular : unsolved;
-  run_.fail(too_short ? reason : Ending::out_of_budget, block.time(1.0));
+  phase_ = RunPhase::run_ended;
+  const auto unsolved = std::isfinite(error) ? SolveStatus::step_too_small : SolveStatus::not_converged;
+  const auto reason = solver_.left_domain() ? SolveStatus::left_domain : unsolved;
+  run_.fail(too_short ? reason : SolveStatus::out_of_budget, block.time(1.0));
 }
 
 // The power of its width with which the error of a first panel falls, from the last two attempts.
-double PanelCollocation::error_rate_at_start(const Attempt& before) const {
+double PanelCollocation::error_rate_at_start(const RejectedPanel& before) const {
   constexpr double usual = 2.0, least = 0.05, most = 4.0;
-  if (!(last_rejected_.doubt < before.doubt) || !std::isfinite(before.doubt)) return usual;
+  if (!(last_rejected_.error < before.error) || !std::isfinite(before.error)) return usual;
   return std::clamp(
-      std::log(before.doubt / last_rejected_.doubt) / std::log(before.width / last_rejected_.width), least,
+      std::log(before.error / last_rejected_.error) / std::log(before.width / last_rejected_.width), least,
       most);
 }
 
@@ -323,13 +331,13 @@ void PanelCollocation::set_next_width(const TimeBlock& panel, double needed_frac
   }
 }
 
-void PanelCollocation::accept(const MemoryBlock& panel) {
+void PanelCollocation::record_panel(const MemoryBlock& panel) {
   solution_->panels.push_back(&panel);
   const double t = panel.block.time(1.0);
   const auto pieces = static_cast<int>(solution_->rule.size());
   if (!run_.accept(
           t, solution_->at(t), [&](double between) { return solution_->at(between); }, pieces))
-    phase_ = RunPhase::over;
+    phase_ = RunPhase::run_ended;
 }
 
 }  // namespace fde

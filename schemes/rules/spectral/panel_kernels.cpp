@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/panel_kernels.hpp"
 
 #include <algorithm>
@@ -7,8 +8,8 @@
 
 namespace fde {
 
-PanelKernels::PanelKernels(const PanelRule& rule, const IntegratedRows& driven) : rule_(rule) {
-  for (const auto& row : driven.rows) {
+PanelKernels::PanelKernels(const PanelRule& rule, const IntegratedRows& integrated_rows) : rule_(rule) {
+  for (const auto& row : integrated_rows.rows) {
     if (row.order == 0.0) {
       order_of_.push_back(-1);
       continue;
@@ -17,9 +18,9 @@ PanelKernels::PanelKernels(const PanelRule& rule, const IntegratedRows& driven) 
     order_of_.push_back(found - orders_.begin());
     if (found == orders_.end()) orders_.push_back(row.order);
   }
-  const Vec beyond = rule.places.array() - 1.0;
+  const Vec beyond = rule.points.array() - 1.0;
   for (const double order : orders_)
-    own_.emplace_back(kernel_moments(order, beyond, rule.size()) * rule.to_coefficients);
+    own_integrals_.emplace_back(kernel_moments(order, beyond, rule.size()) * rule.to_coefficients);
 }
 
 Vec PanelKernels::units(double width) const {
@@ -29,14 +30,14 @@ Vec PanelKernels::units(double width) const {
   return units;
 }
 
-const std::vector<Matrix>& PanelKernels::of(const RelativePosition& lie) {
-  auto found = cache_.find(lie);
-  if (found == cache_.end()) found = cache_.emplace(lie, make(lie)).first;
+const std::vector<Matrix>& PanelKernels::integrals_on(const RelativePosition& position) {
+  auto found = cache_.find(position);
+  if (found == cache_.end()) found = cache_.emplace(position, compute_integrals(position)).first;
   return found->second;
 }
 
-std::vector<Matrix> PanelKernels::make(const RelativePosition& lie) const {
-  const Vec beyond = (2.0 * lie.gap + 1.0 + rule_.places.array()) / lie.width;
+std::vector<Matrix> PanelKernels::compute_integrals(const RelativePosition& position) const {
+  const Vec beyond = (2.0 * position.gap + 1.0 + rule_.points.array()) / position.width;
   std::vector<Matrix> kernels;
   for (const double order : orders_) kernels.push_back(kernel_moments(order, beyond, rule_.size()));
   return kernels;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <compare>
@@ -22,7 +23,7 @@ struct RelativePosition {
 class PanelKernels {
  public:
   // The rule must outlive this object.
-  PanelKernels(const PanelRule& rule, const IntegratedRows& driven);
+  PanelKernels(const PanelRule& rule, const IntegratedRows& integrated_rows);
 
   // The distinct orders of the rows, without 0; and the index of the order of a row among them, -1 for order
   // 0.
@@ -35,13 +36,15 @@ class PanelKernels {
   [[nodiscard]] Vec units(double width) const;
 
   // The integrals at the points of the panel itself, from values there.
-  [[nodiscard]] const Matrix& own(Eigen::Index order) const { return own_[static_cast<std::size_t>(order)]; }
+  [[nodiscard]] const Matrix& own_integrals(Eigen::Index order) const {
+    return own_integrals_[static_cast<std::size_t>(order)];
+  }
 
   // The integrals at the points of a later panel, from Legendre coefficients, one matrix an order. The
   // reference is valid as long as this object exists.
-  const std::vector<Matrix>& of(const RelativePosition& lie);
+  const std::vector<Matrix>& integrals_on(const RelativePosition& position);
   // The same, not cached.
-  [[nodiscard]] std::vector<Matrix> make(const RelativePosition& lie) const;
+  [[nodiscard]] std::vector<Matrix> compute_integrals(const RelativePosition& position) const;
 
   [[nodiscard]] std::size_t bytes() const;
 
@@ -49,7 +52,7 @@ class PanelKernels {
   const PanelRule& rule_;
   std::vector<double> orders_;
   std::vector<Eigen::Index> order_of_;
-  std::vector<Matrix> own_;
+  std::vector<Matrix> own_integrals_;
   std::map<RelativePosition, std::vector<Matrix>> cache_;
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/panel_rule.hpp"
 
 #include <Eigen/LU>
@@ -27,7 +28,7 @@ auto legendre(const Points& points, Eigen::Index count) {
 }
 
 // The zeros of P_n, increasing; boost returns those that are not negative.
-Vec gauss_places(Eigen::Index count) {
+Vec gauss_points(Eigen::Index count) {
   const auto zeros = boost::math::legendre_p_zeros<double>(static_cast<int>(count));
   Vec places(count);
   for (std::size_t i = 0; i < zeros.size(); ++i) {
@@ -39,12 +40,12 @@ Vec gauss_places(Eigen::Index count) {
 }
 
 // The zeros of P_n - P_(n-1), increasing: one between any two of P_n, and 1.
-Vec radau_places(Eigen::Index count) {
+Vec radau_points(Eigen::Index count) {
   const auto degree = static_cast<int>(count);
   const auto radau = [degree](double x) {
     return boost::math::legendre_p(degree, x) - boost::math::legendre_p(degree - 1, x);
   };
-  const Vec between = gauss_places(count);
+  const Vec between = gauss_points(count);
   Vec places = Vec::Ones(count);
   for (Eigen::Index i = 0; i + 1 < count; ++i) {
     std::uintmax_t evaluations = 100;
@@ -67,19 +68,19 @@ Vec gauss_weights(const Vec& places) {
 
 Matrix legendre_polynomials(const Vec& points, Eigen::Index count) { return legendre(points, count); }
 
-PanelRule::PanelRule(Eigen::Index points) : places(radau_places(points)) {
-  const auto at = [points](const Wide& x) { return legendre(Wide(x).col(0).eval(), points); };
+PanelRule::PanelRule(Eigen::Index count) : points(radau_points(count)) {
+  const auto at = [count](const Wide& x) { return legendre(Wide(x).col(0).eval(), count); };
   const auto older = [](const Wide& x) { return Wide((x.array() - 1) / 2); };
   const auto newer = [](const Wide& x) { return Wide((x.array() + 1) / 2); };
-  const Wide x = places.cast<long double>();
+  const Wide x = points.cast<long double>();
   const Wide coefficients = at(x).inverse();
   to_coefficients = coefficients.cast<double>();
   at_end = coefficients.colwise().sum().transpose().cast<double>();
   at_start = (at(Wide::Constant(1, 1, -1)) * coefficients).transpose().cast<double>();
   to_older_half = (at(older(x)) * coefficients).cast<double>();
   to_newer_half = (at(newer(x)) * coefficients).cast<double>();
-  const Vec norms = Vec::LinSpaced(points, 0.5, static_cast<double>(points) - 0.5);  // 1 / int P_l^2
-  const Vec gauss = gauss_places(points);
+  const Vec norms = Vec::LinSpaced(count, 0.5, static_cast<double>(count) - 0.5);  // 1 / int P_l^2
+  const Vec gauss = gauss_points(count);
   const Wide inner = gauss.cast<long double>();
   const Wide weighted = gauss_weights(gauss).cast<long double>().asDiagonal() * at(inner);
   const Wide half_norms = (norms / 2).cast<long double>().asDiagonal();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/problem/vectors.hpp"
@@ -17,17 +18,17 @@ Matrix legendre_polynomials(const Vec& points, Eigen::Index count);
 // panel. Algebraic rows hold at the end too, so the next panel begins without a defect that multipliers would
 // correct.
 struct PanelRule {
-  explicit PanelRule(Eigen::Index points);
+  explicit PanelRule(Eigen::Index count);
 
-  [[nodiscard]] Eigen::Index size() const { return places.size(); }
+  [[nodiscard]] Eigen::Index size() const { return points.size(); }
 
-  Vec places;              // increasing
+  Vec points;              // increasing
   Matrix to_coefficients;  // from values; exact for polynomials of degree size() - 1
   Vec at_start, at_end;    // weights of the values in the polynomial's value at -1 and at 1
-  Matrix to_older_half,
-      to_newer_half;  // values at the points of each half from values at the points of a block
-  Matrix from_older,
-      from_newer;  // coefficients of the least-squares fit on a block: sum of the contributions of its halves
+  // Values at the points of each half from values at the points of a block.
+  Matrix to_older_half, to_newer_half;
+  // Coefficients of the least-squares fit on a block: the sum of the contributions of its halves.
+  Matrix from_older, from_newer;
 };
 
 // The rule with this number of points, computed once. Thread-safe; the reference is valid until the program

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/panel_solution.hpp"
 
 #include <algorithm>
@@ -17,15 +18,15 @@ Vec PanelSolution::at(double t) const {
 }
 
 Vec PanelSolution::from_integrals(const MemoryBlock& panel, double t) const {
-  Vec rows = driven.start(t);
+  Vec rows = integrated_rows.taylor_part(t);
   for (const auto& tree : trees) {
-    if (tree->block.segment->start < panel.block.segment->start) past.add_at(*tree, t, rows);
+    if (tree->block.segment->start < panel.block.segment->start) memory.add_at(*tree, t, rows);
   }
-  past.add_at(panel, t, rows);
+  memory.add_at(panel, t, rows);
   const double place = panel.block.place(t);
   for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    if (past.kernels().order_of(i) >= 0) continue;
-    const auto drive = driven.rows[static_cast<std::size_t>(i)].drive;
+    if (memory.kernels().order_of(i) >= 0) continue;
+    const auto drive = integrated_rows.rows[static_cast<std::size_t>(i)].unknown;
     rows[i] =
         legendre_polynomials(Vec::Constant(1, place), rule.size()).row(0).dot(panel.coefficients.col(drive));
   }
@@ -34,8 +35,8 @@ Vec PanelSolution::from_integrals(const MemoryBlock& panel, double t) const {
 
 std::size_t PanelSolution::bytes() const {
   // A binary tree has one inner block less than panels.
-  const auto numbers = 2 * driven.drive_count() + driven.row_count();
-  return past.bytes() + sizeof(double) * panels.size() * static_cast<std::size_t>(rule.size() * numbers);
+  const auto numbers = 2 * integrated_rows.unknown_count() + integrated_rows.row_count();
+  return memory.bytes() + sizeof(double) * panels.size() * static_cast<std::size_t>(rule.size() * numbers);
 }
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <deque>
@@ -10,16 +11,16 @@ namespace fde {
 class PanelSolution {
  public:
   PanelSolution(const Problem& problem, Eigen::Index points)
-      : rule(panel_rule(points)), driven(problem), past(rule, driven) {}
+      : rule(panel_rule(points)), integrated_rows(problem), memory(rule, integrated_rows) {}
   PanelSolution(const PanelSolution&) = delete;
   PanelSolution& operator=(const PanelSolution&) = delete;
 
   const PanelRule& rule;
-  const IntegratedRows driven;
-  MemorySum past;
+  const IntegratedRows integrated_rows;
+  MemorySum memory;
   std::deque<Segment> segments{};
-  std::vector<std::unique_ptr<MemoryBlock>>
-      trees{};                               // one a segment, or its parts if the segment ended early
+  // One tree a segment, or its parts if the segment ended early.
+  std::vector<std::unique_ptr<MemoryBlock>> trees{};
   std::vector<const MemoryBlock*> panels{};  // in the order of time
 
   // The rows at t. Precondition: the panels cover t. On the first panel of a segment, where the rows are not

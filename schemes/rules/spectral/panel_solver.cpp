@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/panel_solver.hpp"
 
 #include <algorithm>
@@ -16,35 +17,35 @@ constexpr int most_iterations = 20, most_sweeps = 5;
 
 }  // namespace
 
-PanelSolver::PanelSolver(const Problem& problem, const IntegratedRows& driven, const PanelKernels& kernels,
-                         const Tolerance& accuracy)
+PanelSolver::PanelSolver(const Problem& problem, const IntegratedRows& integrated_rows,
+                         const PanelKernels& kernels, const Tolerance& accuracy)
     : problem_(problem),
-      driven_(driven),
+      integrated_rows_(integrated_rows),
       kernels_(kernels),
       allowed_(accuracy),
-      mass_(Vec::Ones(driven.drive_count())),
-      held_(taylor_part(problem, 0.0)),
-      sensitivities_(Matrix::Zero(driven.drive_count(), driven.row_count())),
+      mass_(Vec::Ones(integrated_rows.unknown_count())),
+      last_end_values_(taylor_part(problem, 0.0)),
+      sensitivities_(Matrix::Zero(integrated_rows.unknown_count(), integrated_rows.row_count())),
       jacobian_(problem.size(), problem.size()),
       y_(problem.size()) {
-  for (const auto& row : driven.rows) {
-    if (row.algebraic()) mass_[row.drive] = 0.0;
+  for (const auto& row : integrated_rows.rows) {
+    if (row.is_algebraic()) mass_[row.unknown] = 0.0;
   }
 }
 
 double PanelSolver::integral_of_one(const PanelSystem& task, Eigen::Index row) const {
   const auto order = kernels_.order_of(row);
   if (order < 0) return 1.0;
-  return task.units[order] / std::tgamma(driven_.rows[static_cast<std::size_t>(row)].order + 1.0);
+  return task.units[order] / std::tgamma(integrated_rows_.rows[static_cast<std::size_t>(row)].order + 1.0);
 }
 
 Vec PanelSolver::with_multiplier_limits(const PanelSystem& task, Vec limits) const {
   for (Eigen::Index a = 0; a < limits.size(); ++a) {
-    if (!driven_.rows[static_cast<std::size_t>(a)].algebraic()) continue;
+    if (!integrated_rows_.rows[static_cast<std::size_t>(a)].is_algebraic()) continue;
     double unfelt = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < limits.size(); ++i) {
-      const auto& row = driven_.rows[static_cast<std::size_t>(i)];
-      const double slope = row.algebraic() ? 0.0 : sensitivities_(row.drive, a);
+      const auto& row = integrated_rows_.rows[static_cast<std::size_t>(i)];
+      const double slope = row.is_algebraic() ? 0.0 : sensitivities_(row.unknown, a);
       if (slope > 0.0) unfelt = std::min(unfelt, limits[i] / (integral_of_one(task, i) * slope));
     }
     if (std::isfinite(unfelt)) limits[a] = std::max(limits[a], unfelt);
@@ -52,66 +53,67 @@ Vec PanelSolver::with_multiplier_limits(const PanelSystem& task, Vec limits) con
   return limits;
 }
 
-Vec PanelSolver::allowed(const PanelSystem& task, const Matrix& rows) const {
+Vec PanelSolver::error_limits(const PanelSystem& task, const Matrix& rows) const {
   const Matrix sizes = rows.cwiseAbs();
-  return with_multiplier_limits(task, allowed_.of(sizes.colwise().minCoeff().transpose(),
-                                                  sizes.colwise().maxCoeff().transpose(), task.size));
+  return with_multiplier_limits(
+      task, allowed_.on_step(sizes.colwise().minCoeff().transpose(), sizes.colwise().maxCoeff().transpose(),
+                             task.term_sizes));
 }
 
-void PanelSolver::pass(const PanelValues& solved) {
-  allowed_.pass(solved.rows.cwiseAbs().colwise().maxCoeff().transpose());
-  held_ = solved.rows.bottomRows<1>().transpose();
+void PanelSolver::accept_panel(const PanelValues& solved) {
+  allowed_.accept_step(solved.rows.cwiseAbs().colwise().maxCoeff().transpose());
+  last_end_values_ = solved.rows.bottomRows<1>().transpose();
 }
 
 // The error limit of Newton's method: a small part of the error limit of a row and of the row itself, as
 // other rows may be far more sensitive to it than its own limit allows for.
-Vec PanelSolver::left_over(const PanelSystem& task, const Matrix& rows) const {
+Vec PanelSolver::newton_limits(const PanelSystem& task, const Matrix& rows) const {
   constexpr double of_allowed = 0.01, of_row = 1e-6;
   const Vec largest = rows.cwiseAbs().colwise().maxCoeff();
-  return with_multiplier_limits(
-      task,
-      (of_allowed * allowed(task, rows)).cwiseMin(of_row * largest).cwiseMax(2.0 * rounding * task.size));
+  return with_multiplier_limits(task, (of_allowed * error_limits(task, rows))
+                                          .cwiseMin(of_row * largest)
+                                          .cwiseMax(2.0 * rounding * task.term_sizes));
 }
 
-void PanelSolver::follow(const PanelSystem& task, PanelValues& values) {
-  values.rows = task.past;
-  const Matrix drives = values.drives;
-  values.drives.setZero();
-  move(task, drives, values.drives, values.rows);
+void PanelSolver::integrate(const PanelSystem& task, PanelValues& values) {
+  values.rows = task.known;
+  const Matrix unknowns = values.unknowns;
+  values.unknowns.setZero();
+  apply_increment(task, unknowns, values.unknowns, values.rows);
 }
 
 bool PanelSolver::solve(Run& run, const PanelSystem& task, PanelValues& values) {
-  auto& [drives, rows] = values;
-  follow(task, values);
-  bool anew = true;
+  auto& [unknowns, rows] = values;
+  integrate(task, values);
+  bool recompute = true;
   int sweeps = 0;
   double last = 0.0;
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
     if (!evaluate(run, task, rows)) return false;
-    residual_ -= drives * mass_.asDiagonal();
-    if (anew && !linearise(run, task, rows)) {
+    residual_ -= unknowns * mass_.asDiagonal();
+    if (recompute && !linearise(run, task, rows)) {
       // A derivative may be infinite at the initial values. A fixed-point sweep moves the rows away from
       // there. It has converged where no row changes by more than rounding; a larger change may still change
       // other rows by far more.
       if (++sweeps > most_sweeps || mass_.minCoeff() == 0.0) return false;
-      move(task, residual_, drives, rows);
-      if (!rows.allFinite() || relative_increment(left_over(task, rows)) > 1.0) continue;
-      if (accepts_unconverged_sweeps_ || relative_increment(rounding * task.size) <= 1.0) return true;
+      apply_increment(task, residual_, unknowns, rows);
+      if (!rows.allFinite() || relative_increment(newton_limits(task, rows)) > 1.0) continue;
+      if (accepts_unconverged_sweeps_ || relative_increment(rounding * task.term_sizes) <= 1.0) return true;
       had_unconverged_sweep_ = true;
       continue;
     }
-    const Matrix increment = factors_.solve(residual_.reshaped()).reshaped(drives.rows(), drives.cols());
+    const Matrix increment = factors_.solve(residual_.reshaped()).reshaped(unknowns.rows(), unknowns.cols());
     ++*run.cost().newton_iterations;
-    move(task, increment, drives, rows);
+    apply_increment(task, increment, unknowns, rows);
     if (!rows.allFinite()) return false;
-    const Vec limit = left_over(task, rows);
+    const Vec limit = newton_limits(task, rows);
     const double now = relative_increment(limit);
     const double contraction = last > 0.0 ? now / last : 1.0;
-    if (linear(problem_) ? !loses_digits(limit) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0)
+    if (is_linear(problem_) ? !loses_digits(limit) || iteration > 1 : now * std::min(contraction, 1.0) <= 1.0)
       return true;
     if (now <= 1.0 && contraction > 0.5) return true;  // converged up to rounding
     if (iteration > 2 && contraction > 2.0) return false;
-    anew = contraction > 0.05;
+    recompute = contraction > 0.05;
     last = now;
   }
   return false;
@@ -134,27 +136,27 @@ bool PanelSolver::loses_digits(const Vec& limit) const {
   return (lost.array() > limit.array()).any();
 }
 
-Vec PanelSolver::drives_of(Run& run, double t) {
+Vec PanelSolver::unknowns_from_rhs(Run& run, double t) {
   const Vec& f = run.rhs(t, y_);
-  return Vec::NullaryExpr(driven_.drive_count(), [&](Eigen::Index k) {
-    const auto row = driven_.drives[static_cast<std::size_t>(k)];
+  return Vec::NullaryExpr(integrated_rows_.unknown_count(), [&](Eigen::Index k) {
+    const auto row = integrated_rows_.rhs_indices[static_cast<std::size_t>(k)];
     return mass_[k] == 0.0 ? y_[row] : f[row];
   });
 }
 
 Vec PanelSolver::initial_unknowns(Run& run) {
   y_ = run.start();
-  const Vec drives = drives_of(run, 0.0);
-  return drives.allFinite() ? drives : Vec();
+  const Vec unknowns = unknowns_from_rhs(run, 0.0);
+  return unknowns.allFinite() ? unknowns : Vec();
 }
 
 Vec PanelSolver::unknowns_at_first_point(Run& run, const PanelSystem& task) {
-  y_ = task.past.row(0);
+  y_ = task.known.row(0);
   for (Eigen::Index i = 0; i < y_.size(); ++i) {
-    if (driven_.rows[static_cast<std::size_t>(i)].algebraic()) y_[i] = held_[i];
+    if (integrated_rows_.rows[static_cast<std::size_t>(i)].is_algebraic()) y_[i] = last_end_values_[i];
   }
-  const Vec drives = drives_of(run, task.times[0]);
-  return drives.array().isFinite().select(drives, 0.0);
+  const Vec unknowns = unknowns_from_rhs(run, task.times[0]);
+  return unknowns.array().isFinite().select(unknowns, 0.0);
 }
 
 // Computes jacobian_ at y_.
@@ -164,7 +166,7 @@ void PanelSolver::differentiate(Run& run, double t, In sizes) {
   difference_jacobian_of_rhs(run, problem_, t, y_, f_, sizes, jacobian_);
 }
 
-bool PanelSolver::grows(Run& run, const PanelSystem& task, const Matrix& rows, double folds) {
+bool PanelSolver::has_growing_mode(Run& run, const PanelSystem& task, const Matrix& rows, double folds) {
   const double rate = folds / (task.times[rows.rows() - 1] - task.times[0]);
   if (rate >= growth_rate_bound_) return false;
   const Vec orders = Vec::NullaryExpr(problem_.size(), [&](Eigen::Index i) {
@@ -172,75 +174,78 @@ bool PanelSolver::grows(Run& run, const PanelSystem& task, const Matrix& rows, d
   });
   const Eigen::Index middle = rows.rows() / 2;
   y_ = rows.row(middle);
-  differentiate(run, task.times[middle], task.size);
+  differentiate(run, task.times[middle], task.term_sizes);
   if (!jacobian_.allFinite() || grows_faster(jacobian_, orders, rate)) return true;
-  if (linear(problem_)) growth_rate_bound_ = rate;
+  if (is_linear(problem_)) growth_rate_bound_ = rate;
   return false;
 }
 
 bool PanelSolver::evaluate(Run& run, const PanelSystem& task, const Matrix& rows) {
-  residual_.resize(rows.rows(), driven_.drive_count());
+  residual_.resize(rows.rows(), integrated_rows_.unknown_count());
   for (Eigen::Index j = 0; j < rows.rows(); ++j) {
     y_ = rows.row(j);
     left_domain_ = !problem_.domain.contains(task.times[j], y_);
     if (left_domain_) return false;
     const Vec& f = run.rhs(task.times[j], y_);
     for (Eigen::Index k = 0; k < residual_.cols(); ++k)
-      residual_(j, k) = f[driven_.drives[static_cast<std::size_t>(k)]];
+      residual_(j, k) = f[integrated_rows_.rhs_indices[static_cast<std::size_t>(k)]];
   }
   return residual_.allFinite();
 }
 
 // Updates sensitivities_ with jacobian_.
-void PanelSolver::feel() {
+void PanelSolver::update_sensitivities() {
   for (Eigen::Index k = 0; k < sensitivities_.rows(); ++k) {
-    const auto slopes = jacobian_.row(driven_.drives[static_cast<std::size_t>(k)]).cwiseAbs();
+    const auto slopes = jacobian_.row(integrated_rows_.rhs_indices[static_cast<std::size_t>(k)]).cwiseAbs();
     sensitivities_.row(k) = sensitivities_.row(k).cwiseMax(slopes);
   }
 }
 
 bool PanelSolver::linearise(Run& run, const PanelSystem& task, const Matrix& rows) {
-  if (linear(problem_) && factored_units_.size() == task.units.size() && factored_units_ == task.units)
+  if (is_linear(problem_) && factored_units_.size() == task.units.size() && factored_units_ == task.units)
     return true;
-  const Eigen::Index places = rows.rows(), drives = driven_.drive_count();
-  matrix_.setZero(places * drives, places * drives);
+  const Eigen::Index points = rows.rows(), unknowns = integrated_rows_.unknown_count();
+  matrix_.setZero(points * unknowns, points * unknowns);
   sensitivities_.setZero();
-  for (Eigen::Index k = 0; k < drives; ++k)
-    matrix_.diagonal().segment(k * places, places).setConstant(mass_[k]);
-  for (Eigen::Index j = 0; j < places; ++j) {
+  for (Eigen::Index k = 0; k < unknowns; ++k)
+    matrix_.diagonal().segment(k * points, points).setConstant(mass_[k]);
+  for (Eigen::Index j = 0; j < points; ++j) {
     y_ = rows.row(j);
-    differentiate(run, task.times[j], task.size);
-    feel();
-    for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {
+    differentiate(run, task.times[j], task.term_sizes);
+    update_sensitivities();
+    for (Eigen::Index i = 0; i < integrated_rows_.row_count(); ++i) {
       const Eigen::Index order = kernels_.order_of(i),
-                         drive = driven_.rows[static_cast<std::size_t>(i)].drive;
-      for (Eigen::Index k = 0; k < drives; ++k) {
-        const double slope = jacobian_(driven_.drives[static_cast<std::size_t>(k)], i);
+                         drive = integrated_rows_.rows[static_cast<std::size_t>(i)].unknown;
+      for (Eigen::Index k = 0; k < unknowns; ++k) {
+        const double slope = jacobian_(integrated_rows_.rhs_indices[static_cast<std::size_t>(k)], i);
         if (slope == 0.0) continue;
-        auto line = matrix_.row(k * places + j).segment(drive * places, places);
+        auto line = matrix_.row(k * points + j).segment(drive * points, points);
         if (order < 0) {
           line[j] -= slope;
         } else {
-          line -= slope * task.units[order] * kernels_.own(order).row(j);
+          line -= slope * task.units[order] * kernels_.own_integrals(order).row(j);
         }
       }
     }
   }
   if (!matrix_.allFinite()) return false;
   factors_.compute(matrix_);
-  if (linear(problem_)) factored_units_ = task.units;
+  if (is_linear(problem_)) factored_units_ = task.units;
   return true;
 }
 
-void PanelSolver::move(const PanelSystem& task, const Matrix& increment, Matrix& drives, Matrix& rows) {
-  drives += increment;
+void PanelSolver::apply_increment(const PanelSystem& task, const Matrix& increment, Matrix& unknowns,
+                                  Matrix& rows) {
+  unknowns += increment;
   row_increments_.resizeLike(rows);
-  for (Eigen::Index i = 0; i < driven_.row_count(); ++i) {
-    const Eigen::Index order = kernels_.order_of(i), drive = driven_.rows[static_cast<std::size_t>(i)].drive;
+  for (Eigen::Index i = 0; i < integrated_rows_.row_count(); ++i) {
+    const Eigen::Index order = kernels_.order_of(i),
+                       drive = integrated_rows_.rows[static_cast<std::size_t>(i)].unknown;
     if (order < 0) {
       row_increments_.col(i) = increment.col(drive);
     } else {
-      row_increments_.col(i).noalias() = kernels_.own(order) * (task.units[order] * increment.col(drive));
+      row_increments_.col(i).noalias() =
+          kernels_.own_integrals(order) * (task.units[order] * increment.col(drive));
     }
   }
   rows += row_increments_;

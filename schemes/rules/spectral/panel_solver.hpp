@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/LU>
@@ -12,15 +13,15 @@ namespace fde {
 
 // The equations of a panel: at every point x_k = f, or 0 = f for an algebraic row (see IntegratedRows), with
 // the rows
-//   y_i = past_i + I^(order_i) x_(drive of i).
+//   y_i = known_i + I^(order_i) x_k,   k the unknown of row i.
 struct PanelSystem {
-  Vec times;    // of the points
-  Vec units;    // PanelKernels::units of its length
-  Matrix past;  // one row a point, one column a row of the problem
-  Vec size;     // of the largest term in the sum of each row: rounding is relative to it
+  Vec times;       // of the points
+  Vec units;       // PanelKernels::units of its length
+  Matrix known;    // one row a point, one column a row of the problem
+  Vec term_sizes;  // of the largest term in the sum of each row: rounding is relative to it
 };
 struct PanelValues {
-  Matrix drives, rows;  // one row a point
+  Matrix unknowns, rows;  // one row a point
 };
 
 // Newton's method for all points at once, each with its own Jacobian. The rows are updated by increments
@@ -29,10 +30,10 @@ struct PanelValues {
 class PanelSolver {
  public:
   // Problem, rows and kernels must outlive this object.
-  PanelSolver(const Problem& problem, const IntegratedRows& driven, const PanelKernels& kernels,
+  PanelSolver(const Problem& problem, const IntegratedRows& integrated_rows, const PanelKernels& kernels,
               const Tolerance& accuracy);
 
-  // Solves from a guess of values.drives; the error left is small beside the tolerance. Returns false if it
+  // Solves from a guess of values.unknowns; the error left is small beside the tolerance. Returns false if it
   // does not converge or leaves the domain.
   bool solve(Run& run, const PanelSystem& task, PanelValues& values);
 
@@ -41,8 +42,8 @@ class PanelSolver {
   // there were none, or if they are accepted already.
   bool accept_unconverged_sweeps();
 
-  // Computes values.rows from values.drives.
-  void follow(const PanelSystem& task, PanelValues& values);
+  // Computes values.rows from values.unknowns.
+  void integrate(const PanelSystem& task, PanelValues& values);
 
   // Whether the last solve that failed left the domain.
   [[nodiscard]] bool left_domain() const { return left_domain_; }
@@ -58,42 +59,42 @@ class PanelSolver {
 
   // Whether the problem, linearised at the middle point, has a mode that grows by more than e^folds on the
   // panel. A growing mode that is not resolved is wrong however small it is.
-  bool grows(Run& run, const PanelSystem& task, const Matrix& rows, double folds);
+  bool has_growing_mode(Run& run, const PanelSystem& task, const Matrix& rows, double folds);
 
   // The error limit of each row. In an algebraic row it is at least the error that changes no other row by
   // more than its limit: at an early time t a multiplier can be found up to 1/t of that only.
-  [[nodiscard]] Vec allowed(const PanelSystem& task, const Matrix& rows) const;
+  [[nodiscard]] Vec error_limits(const PanelSystem& task, const Matrix& rows) const;
 
   // The rows at the end of the last accepted panel.
-  [[nodiscard]] const Vec& held() const { return held_; }
+  [[nodiscard]] const Vec& last_end_values() const { return last_end_values_; }
 
   // Records an accepted panel.
-  void pass(const PanelValues& solved);
+  void accept_panel(const PanelValues& solved);
 
  private:
   [[nodiscard]] Vec with_multiplier_limits(const PanelSystem& task, Vec limits) const;
-  [[nodiscard]] Vec left_over(const PanelSystem& task, const Matrix& rows) const;
-  Vec drives_of(Run& run, double t);  // at y_
-  void feel();
+  [[nodiscard]] Vec newton_limits(const PanelSystem& task, const Matrix& rows) const;
+  Vec unknowns_from_rhs(Run& run, double t);  // at y_
+  void update_sensitivities();
   void differentiate(Run& run, double t, In sizes);
   bool evaluate(Run& run, const PanelSystem& task, const Matrix& rows);
   bool linearise(Run& run, const PanelSystem& task, const Matrix& rows);
-  void move(const PanelSystem& task, const Matrix& increment, Matrix& drives, Matrix& rows);
+  void apply_increment(const PanelSystem& task, const Matrix& increment, Matrix& unknowns, Matrix& rows);
   [[nodiscard]] double relative_increment(const Vec& limit) const;
   [[nodiscard]] bool loses_digits(const Vec& limit) const;
 
   bool had_unconverged_sweep_ = false, accepts_unconverged_sweeps_ = false;
   const Problem& problem_;
-  const IntegratedRows& driven_;
+  const IntegratedRows& integrated_rows_;
   const PanelKernels& kernels_;
   ErrorTolerance allowed_;
   Vec mass_;              // 1, and 0 for an algebraic row
-  Vec held_;              // the rows at the end of the last accepted panel
-  Matrix sensitivities_;  // the largest |df_k/dy_i| on the panel, one row a drive k, one column a row i
+  Vec last_end_values_;   // the rows at the end of the last accepted panel
+  Matrix sensitivities_;  // the largest |df_k/dy_i| on the panel, one row an unknown k, one column a row i
   Eigen::PartialPivLU<Matrix> factors_;
   Vec factored_units_;  // of a linear problem: those of factors_
-  double growth_rate_bound_ =
-      std::numeric_limits<double>::infinity();  // of a linear problem: no mode grows faster
+  // Of a linear problem: no mode grows faster than e^(growth_rate_bound_ t).
+  double growth_rate_bound_ = std::numeric_limits<double>::infinity();
   Matrix residual_, row_increments_, jacobian_, matrix_;
   Vec y_, f_;
   bool left_domain_ = false;

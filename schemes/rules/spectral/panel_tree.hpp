@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <limits>
@@ -29,7 +30,7 @@ struct TimeBlock {
     return 2.0 * ((t - segment->start) / segment->length - from) / width - 1.0;
   }
   // The time since its start, exact in the first block of a segment.
-  [[nodiscard]] double since(double t) const { return (t - segment->start) - segment->length * from; }
+  [[nodiscard]] double elapsed(double t) const { return (t - segment->start) - segment->length * from; }
   [[nodiscard]] double length() const { return segment->length * width; }
   [[nodiscard]] TimeBlock older() const { return {segment, from, width / 2.0}; }
   [[nodiscard]] TimeBlock newer() const { return {segment, from + width / 2.0, width / 2.0}; }
@@ -45,7 +46,7 @@ struct MemoryBlock {
   Matrix values{};                                // the rows at the points of a panel
   std::unique_ptr<MemoryBlock> older{}, newer{};  // both halves, or none: a panel
 
-  [[nodiscard]] bool panel() const { return !older; }
+  [[nodiscard]] bool is_panel() const { return !older; }
 };
 
 // The memory term: fractional integrals over earlier blocks at the points of a later block, by the fast
@@ -55,7 +56,7 @@ struct MemoryBlock {
 // panels cost O(N).
 class MemorySum {
  public:
-  MemorySum(const PanelRule& rule, const IntegratedRows& driven);
+  MemorySum(const PanelRule& rule, const IntegratedRows& integrated_rows);
 
   [[nodiscard]] const PanelKernels& kernels() const { return kernels_; }
   [[nodiscard]] std::size_t bytes() const { return kernels_.bytes(); }
@@ -64,7 +65,7 @@ class MemorySum {
 
   // Adds to `smooth` the contributions of a source that are smooth on the block, and to `near` the source, or
   // its parts, with other contributions. smooth: one row a point, one column a row of the problem.
-  void sort(const MemoryBlock& source, const TimeBlock& block, Matrix& smooth, Sources& near);
+  void split_near_and_far(const MemoryBlock& source, const TimeBlock& block, Matrix& smooth, Sources& near);
 
   // Adds to sums all contributions of a source at the points of a panel, in the same shape.
   void add(const MemoryBlock& source, const TimeBlock& panel, Matrix& sums);
@@ -73,10 +74,10 @@ class MemorySum {
   void add_at(const MemoryBlock& source, double t, Out sums) const;
 
  private:
-  void add_whole(const MemoryBlock& source, const TimeBlock& block, const RelativePosition& lie,
+  void add_whole(const MemoryBlock& source, const TimeBlock& block, const RelativePosition& position,
                  Matrix& sums);
 
-  const IntegratedRows& driven_;
+  const IntegratedRows& integrated_rows_;
   PanelKernels kernels_;
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/start_weights/multistep_scheme.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
                            const Options& options) {
   const auto powers = starting_powers(family, problem).for_steps(grid.steps);
   const auto first_steps = static_cast<int>(powers.size()) - 1;
-  const auto of_rows = tables(problem, family);
+  const auto of_rows = weight_tables(problem, family);
   const Vec kappa = StepFactors(of_rows).at(grid.step());
   StartingCorrection correction(of_rows, powers, grid.steps);
   const auto history = make_history(options.history, {of_rows}, step_plan(grid), options.tolerance);
@@ -39,33 +40,33 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   NewtonSolver newton(problem, options.tolerance);
   Run run(problem, options, grid.steps);
   run.cost().history_bytes = history->bytes() + correction.bytes();
-  run.cost().start_weights = first_steps + 1;
+  run.cost().starting_weights = first_steps + 1;
 
   Matrix first;
-  Vec y = run.start(), past(y.size()), convolved(y.size());
+  Vec y = run.start(), known(y.size()), convolved(y.size());
   Matrix starts = Matrix::Zero(y.size(), first_steps + 1);  // f_0 ... f_(s-1)
   double t = 0.0;
   int n = 1;
-  const State state = [&](Archive& archive) {
+  const StateArchiver state = [&](Archive& archive) {
     archive.count(n, 1, grid.steps);
     archive(t, y, starts, *history, correction, newton);
-    archive.grown(first);
+    archive.resizable(first);
   };
-  if (!run.resume(state) && first_steps > 0) {
-    Ending ending{};
+  if (!run.resume_from_checkpoint(state) && first_steps > 0) {
+    SolveStatus ending{};
     const auto first_order = [&](const Grid& steps, const Options& exact) {
       return solve_implicit(problem, steps, exact, integral_rule(problem, families::grunwald_letnikov));
     };
     auto equations = first_equations(problem, grid, kappa, correction, first_steps);
     first = StartingProcedure(problem, grid, std::move(equations), first_order)
                 .solve(run, options.tolerance, ending);
-    if (ending != Ending::finished) {
+    if (ending != SolveStatus::finished) {
       run.fail(ending, grid.time(1));
       return run.finish();
     }
   }
   for (; n <= grid.steps; ++n) {
-    run.offer(state);
+    run.offer_checkpoint(state);
     const Vec& f = run.rhs(t, y);
     history->push(t, f);
     if (n <= first_steps + 1) starts.col(n - 1) = f;
@@ -76,9 +77,10 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
     } else {
       history->convolve(t, 0, convolved);
       correction.add(n, convolved);
-      taylor.at(t, past);
-      for_each_component(past.size(), [&](Eigen::Index i) { past[i] += kappa[i] * convolved[i]; });
-      if (const Ending ending = newton.solve(run, {t, kappa, past}, y); ending != Ending::finished) {
+      taylor.at(t, known);
+      for_each_component(known.size(), [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
+      if (const SolveStatus ending = newton.solve(run, {t, kappa, known}, y);
+          ending != SolveStatus::finished) {
         run.fail(ending, t);
         break;
       }
@@ -119,7 +121,7 @@ Scheme multistep_scheme(std::string_view id, std::string_view title, std::string
   return {.id = id,
           .title = title,
           .source = source,
-          .needs = {.uniform_grid = true, .implicit = true, .checkpoints = true},
+          .capabilities = {.uniform_grid = true, .implicit = true, .checkpoints = true},
           .expected_rate =
               [&family](const Problem& problem, const Smoothness& smoothness, double grading, Norm norm) {
                 return multistep_rate(family, starting_powers(family, problem), problem, smoothness, grading,
@@ -128,7 +130,7 @@ Scheme multistep_scheme(std::string_view id, std::string_view title, std::string
           .solve = on_grid([&family](const Problem& problem, const Grid& grid, const Options& options) {
             return solve_multistep(family, problem, grid, options);
           }),
-          .refuses = [&family](const Problem& problem) -> std::optional<std::string> {
+          .unsupported_problem_reason = [&family](const Problem& problem) -> std::optional<std::string> {
             for (std::size_t i = 0; i < problem.components.size(); ++i) {
               const double order = problem.components[i].order;
               if (family.step_factor(order) > 0.0) continue;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/start_weights/number_series.hpp"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -9,7 +10,7 @@ namespace fde {
 
 // The multiprecision numbers in which starting weights are computed, with power series and matrices of them.
 using Number = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<start_weight_digits, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::mpfr_float_backend<starting_weight_digits, boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>;
 using NumberVector = std::vector<Number>;
 using NumberMatrix = std::vector<NumberVector>;

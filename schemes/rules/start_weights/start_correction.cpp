@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/start_weights/start_correction.hpp"
 
 #include <algorithm>
@@ -25,18 +26,18 @@ StartingCorrection::StartingCorrection(const std::vector<WeightTable>& tables,
     auto found = std::ranges::find(tables_, table);
     if (found == tables_.end()) {
       found = tables_.insert(found, table);
-      of_orders_.push_back(start_weights(table, powers, steps));
+      of_orders_.push_back(starting_weights(table, powers, steps));
     }
     row_.push_back(static_cast<std::size_t>(found - tables_.begin()));
   }
-  near_ = static_cast<int>(of_orders_.front()->first.rows());
+  near_ = static_cast<int>(of_orders_.front()->tabulated.rows());
   sums_.setZero(block, std::ssize(tables));
 }
 
 Matrix StartingCorrection::weights(int n) const {
-  Matrix all(std::ssize(row_), of_orders_.front()->first.cols());
+  Matrix all(std::ssize(row_), of_orders_.front()->tabulated.cols());
   for (Eigen::Index i = 0; i < all.rows(); ++i) {
-    all.row(i) = of_row(i).first.row(n - 1);
+    all.row(i) = of_row(i).tabulated.row(n - 1);
     all.row(i).head(n) += first_weights(tables_[row_[static_cast<std::size_t>(i)]], n).reverse().transpose();
     all(i, n) += 1.0;
   }
@@ -47,15 +48,15 @@ void StartingCorrection::start(const Matrix& f) { f_ = f.transpose(); }
 
 void StartingCorrection::add(int n, Out sums) {
   const int first = (n - 1) / block * block + 1;
-  if (first != first_) fill(first);
+  if (first != first_) compute_block(first);
   sums += sums_.row(n - first).transpose();
 }
 
-void StartingCorrection::fill(int n) {
+void StartingCorrection::compute_block(int n) {
   first_ = n;
   if (n <= near_) {
     for (Eigen::Index i = 0; i < sums_.cols(); ++i)
-      sums_.col(i) = of_row(i).first.middleRows(n - 1, block) * f_.col(i);
+      sums_.col(i) = of_row(i).tabulated.middleRows(n - 1, block) * f_.col(i);
     return;
   }
   std::size_t piece = 0;
@@ -94,14 +95,14 @@ void StartingCorrection::load_piece(std::size_t piece) {
 std::size_t StartingCorrection::bytes() const {
   auto doubles = f_.size() + smooth_.size() + alternating_.size() + sums_.size();
   for (const auto& weights : of_orders_) {
-    doubles += weights->first.size();
+    doubles += weights->tabulated.size();
     for (const auto& piece : weights->pieces) doubles += piece.smooth.size() + piece.alternating.size();
   }
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }
 
 void StartingCorrection::state(Archive& archive) {
-  archive.grown(f_);
+  archive.resizable(f_);
   first_ = 0;
   begin_ = 0.0;
 }

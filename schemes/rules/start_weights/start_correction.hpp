@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/rules/start_weights/start_weights.hpp"
@@ -29,7 +30,7 @@ class StartingCorrection {
  private:
   static constexpr int block = 32;
   using Block = Eigen::Array<double, block, 1>;
-  void fill(int n);
+  void compute_block(int n);
   void load_piece(std::size_t piece);
   [[nodiscard]] const StartingWeights& of_row(Eigen::Index i) const {
     return *of_orders_[row_[static_cast<std::size_t>(i)]];

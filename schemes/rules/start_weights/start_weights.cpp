@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/start_weights/start_weights.hpp"
 
 #include <cmath>
@@ -48,7 +49,7 @@ using Key = std::tuple<const WeightFamily*, double, std::vector<double>>;
 
 // A cache for runs with the same orders. It is cleared when it is full, as in a search over many orders.
 template <class Value>
-class Kept {
+class Cache {
  public:
   std::optional<Value> get(const Key& key) {
     const std::lock_guard lock(mutex_);
@@ -69,21 +70,21 @@ class Kept {
 
 }  // namespace
 
-std::shared_ptr<const StartingWeights> start_weights(const WeightTable& table,
-                                                     const std::vector<double>& powers, int steps) {
-  static Kept<std::shared_ptr<const StartingWeights>> kept;
+std::shared_ptr<const StartingWeights> starting_weights(const WeightTable& table,
+                                                        const std::vector<double>& powers, int steps) {
+  static Cache<std::shared_ptr<const StartingWeights>> kept;
   const Key key{table.family, table.order, powers};
   const auto known = kept.get(key);
   auto made = std::make_shared<StartingWeights>();
   if (known) {
-    if ((*known)->pieces.size() >= pieces_for(steps, (*known)->first.rows())) return *known;
+    if ((*known)->pieces.size() >= pieces_for(steps, (*known)->tabulated.rows())) return *known;
     *made = **known;
   } else {
-    made->moments = std::make_shared<const Moments>(table, powers, chebyshev_points());
-    made->first = made->moments->tabulated_weights();
+    made->equations = std::make_shared<const StartingWeightEquations>(table, powers, chebyshev_points());
+    made->tabulated = made->equations->tabulated_weights();
   }
-  while (made->pieces.size() < pieces_for(steps, made->first.rows())) {
-    auto piece = made->moments->asymptotic_weights(made->pieces.size());
+  while (made->pieces.size() < pieces_for(steps, made->tabulated.rows())) {
+    auto piece = made->equations->asymptotic_weights(made->pieces.size());
     piece.smooth = coefficients(piece.smooth);
     if (piece.alternating.size() > 0) piece.alternating = coefficients(piece.alternating);
     made->pieces.push_back(std::move(piece));
@@ -93,10 +94,10 @@ std::shared_ptr<const StartingWeights> start_weights(const WeightTable& table,
 }
 
 UsablePowers usable_powers(const WeightTable& table, const std::vector<double>& powers) {
-  static Kept<UsablePowers> kept;
+  static Cache<UsablePowers> kept;
   const Key key{table.family, table.order, powers};
   if (const auto known = kept.get(key)) return *known;
-  const auto usable = Moments::usable(table, powers, max_growth);
+  const auto usable = StartingWeightEquations::usable(table, powers, max_growth);
   kept.put(key, usable);
   return usable;
 }

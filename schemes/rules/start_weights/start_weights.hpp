@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -8,7 +9,7 @@
 
 namespace fde {
 
-class Moments;
+class StartingWeightEquations;
 
 // Starting weights of a fractional linear multistep method of order g: at every step n >= 1 the weights
 // W(n, j) of f_0 ... f_(s-1) that make the rule exact for the s functions f = t^p,
@@ -26,16 +27,16 @@ struct StartingWeights {
     Matrix smooth, alternating;
   };
 
-  Matrix first;                            // W(n, j) in row n-1, for n up to K
-  std::vector<ChebyshevPiece> pieces;      // up to the requested number of steps
-  std::shared_ptr<const Moments> moments;  // computes further pieces
+  Matrix tabulated;                                          // W(n, j) in row n-1, for n up to K
+  std::vector<ChebyshevPiece> pieces;                        // up to the requested number of steps
+  std::shared_ptr<const StartingWeightEquations> equations;  // computes further pieces
 };
 
 // The starting weights for these powers of f and n up to `steps`. Preconditions: table.family->multistep is
 // set; powers[0] = 0, powers increase. The result is cached by rule, order and powers, because the
 // computation takes milliseconds. Thread-safe.
-std::shared_ptr<const StartingWeights> start_weights(const WeightTable& table,
-                                                     const std::vector<double>& powers, int steps);
+std::shared_ptr<const StartingWeights> starting_weights(const WeightTable& table,
+                                                        const std::vector<double>& powers, int steps);
 
 // count: how many of these powers, from the first on, can be used such that the starting weights amplify the
 // rounding of f_0 ... f_(s-1) by at most max_growth. growth: this amplification, the maximum over the first
@@ -48,6 +49,6 @@ struct UsablePowers {
 UsablePowers usable_powers(const WeightTable& table, const std::vector<double>& powers);
 
 // Decimal digits in which starting weights are computed.
-inline constexpr int start_weight_digits = 70;
+inline constexpr int starting_weight_digits = 70;
 
 }  // namespace fde

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/start_weights/starting_powers.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ std::vector<double> StartingPowers::for_steps(int steps) const {
 StartingPowers starting_powers(const WeightFamily& family, const Problem& problem) {
   std::vector<double> orders;
   for (const auto& component : problem.components) {
-    if (!algebraic(component)) orders.push_back(component.order);
+    if (!is_algebraic(component)) orders.push_back(component.order);
   }
   return starting_powers(family, orders, orders);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/start_weights/starting_procedure.hpp"
 
 #include <Eigen/LU>
@@ -17,26 +18,27 @@ StartingProcedure::StartingProcedure(const Problem& problem, const Grid& grid, S
       equations_(std::move(equations)),
       first_order_(std::move(first_order)) {}
 
-Matrix StartingProcedure::solve(Run& run, double tolerance, Ending& ending) const {
-  Vec guess = equations_.known.reshaped(), past = guess;
+Matrix StartingProcedure::solve(Run& run, double tolerance, SolveStatus& ending) const {
+  Vec guess = equations_.known.reshaped(), known = guess;
   const Vec f = run.rhs(0.0, run.start());
-  for (Eigen::Index n = 1; n <= steps(); ++n) step(past, n) += of(n).col(0).cwiseProduct(f);
+  for (Eigen::Index n = 1; n <= steps(); ++n) step(known, n) += of(n).col(0).cwiseProduct(f);
   ending = take_first_order_steps(run, tolerance, guess);
-  if (ending != Ending::finished) return {};
+  if (ending != SolveStatus::finished) return {};
   const Problem block = as_single_step_problem(guess);
   Vec y = guess;
-  if (linear(problem_)) {
-    ending = solve_linear(past, y) ? Ending::finished : Ending::not_converged;
+  if (is_linear(problem_)) {
+    ending = solve_linear(known, y) ? SolveStatus::finished : SolveStatus::not_converged;
     *run.cost().rhs_calls += steps();
     *run.cost().newton_iterations += steps();
   } else {
     Run once(block, {});
-    ending = NewtonSolver(block, tolerance).solve(once, {0.0, Vec::Ones(block.size()), past}, y);
+    ending = NewtonSolver(block, tolerance).solve(once, {0.0, Vec::Ones(block.size()), known}, y);
     *run.cost().rhs_calls += steps() * *once.cost().rhs_calls;
     *run.cost().newton_iterations += steps() * *once.cost().newton_iterations;
-    if (ending == Ending::finished && !is_near_guess(y, guess, run.start())) ending = Ending::not_converged;
+    if (ending == SolveStatus::finished && !is_near_guess(y, guess, run.start()))
+      ending = SolveStatus::not_converged;
   }
-  return ending == Ending::finished ? Matrix(y.reshaped(size_, steps())) : Matrix();
+  return ending == SolveStatus::finished ? Matrix(y.reshaped(size_, steps())) : Matrix();
 }
 
 bool StartingProcedure::is_near_guess(In y, In guess, In start) const {
@@ -56,21 +58,21 @@ bool StartingProcedure::is_near_guess(In y, In guess, In start) const {
   return largest_apart <= largest_moved;
 }
 
-Ending StartingProcedure::take_first_order_steps(Run& run, double tolerance, Vec& guess) const {
-  const auto count = static_cast<int>(linear(problem_) ? 1 : steps());
+SolveStatus StartingProcedure::take_first_order_steps(Run& run, double tolerance, Vec& guess) const {
+  const auto count = static_cast<int>(is_linear(problem_) ? 1 : steps());
   const auto path = first_order_({.end = time(count), .steps = count}, {.tolerance = tolerance});
   *run.cost().rhs_calls += *path.cost.rhs_calls;
-  if (linear(problem_)) return path.ending;
+  if (is_linear(problem_)) return path.status;
   *run.cost().newton_iterations += *path.cost.newton_iterations;
-  if (path.ending == Ending::finished) guess = path.y.rightCols(count).reshaped();
-  return path.ending;
+  if (path.status == SolveStatus::finished) guess = path.y.rightCols(count).reshaped();
+  return path.status;
 }
 
-bool StartingProcedure::solve_linear(const Vec& past, Vec& y) const {
+bool StartingProcedure::solve_linear(const Vec& known, Vec& y) const {
   Vec rest(y.size());
   evaluate(y, rest);
-  rest += past - y;
-  if (sparse(problem_)) {
+  rest += known - y;
+  if (has_sparse_jacobian(problem_)) {
     SparseMatrix matrix(y.size(), y.size()), identity(y.size(), y.size());
     differentiate_sparse(y, matrix);
     identity.setIdentity();
@@ -93,7 +95,7 @@ Problem StartingProcedure::as_single_step_problem(const Vec& guess) const {
     for (Eigen::Index i = 0; i < size_; ++i) block.components.push_back({1.0, {guess[(n - 1) * size_ + i]}});
   }
   block.rhs = [this](double, In y, Out f) { evaluate(y, f); };
-  if (sparse(problem_)) {
+  if (has_sparse_jacobian(problem_)) {
     block.derivatives =
         SparseJacobian{[this](double, In y, SparseMatrix& jacobian) { differentiate_sparse(y, jacobian); }};
   } else if (has_jacobian(problem_)) {

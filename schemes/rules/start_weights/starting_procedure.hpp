@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -29,8 +30,8 @@ class StartingProcedure {
                     FirstOrder first_order);
 
   // y_1 ... y_(s-1), one column a step. Adds the rhs calls and iterations to run.cost(), each iteration once
-  // a step. On failure the result is empty and `ending` is the reason, otherwise Ending::finished.
-  Matrix solve(Run& run, double tolerance, Ending& ending) const;
+  // a step. On failure the result is empty and `ending` is the reason, otherwise SolveStatus::finished.
+  Matrix solve(Run& run, double tolerance, SolveStatus& ending) const;
 
  private:
   [[nodiscard]] double time(Eigen::Index n) const { return grid_.time(static_cast<int>(n)); }
@@ -44,7 +45,7 @@ class StartingProcedure {
   }
   // Takes the steps of the first-order rule and writes them to `guess`. For a linear problem it takes only
   // the first step, to detect a step that is too large for a growing mode.
-  Ending take_first_order_steps(Run& run, double tolerance, Vec& guess) const;
+  SolveStatus take_first_order_steps(Run& run, double tolerance, Vec& guess) const;
   // Whether the distance of y from the guess is at most that of the guess from y(0), relative to the size of
   // each component.
   [[nodiscard]] bool is_near_guess(In y, In guess, In start) const;
@@ -52,7 +53,7 @@ class StartingProcedure {
   void evaluate(In y, Out f) const;
   void differentiate(In y, OutMatrix jacobian) const;
   void differentiate_sparse(In y, SparseMatrix& jacobian) const;
-  bool solve_linear(const Vec& past, Vec& y) const;
+  bool solve_linear(const Vec& known, Vec& y) const;
 
   const Problem& problem_;
   const Grid& grid_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/start_weights/starting_weight_equations.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ NumberMatrix inverse_of_first(const NumberMatrix& whole_powers, std::size_t coun
 
 }  // namespace
 
-struct Moments::Numbers {
+struct StartingWeightEquations::Numbers {
   Number g, kappa;
   std::size_t near;
   std::vector<double> exponents;
@@ -120,7 +121,7 @@ struct Moments::Numbers {
   }
 };
 
-Matrix Moments::tabulated_weights() const {
+Matrix StartingWeightEquations::tabulated_weights() const {
   NumberMatrix moments;
   for (std::size_t p = 0; p < numbers_->exponents.size(); ++p) moments.push_back(numbers_->near_moments(p));
   Matrix weights(numbers_->near, moments.size());
@@ -164,7 +165,7 @@ NumberVector inverse_powers_of(const Number& x) {
 //   -kappa e_p(n) = n^(p+g) sum_k method[p][k] n^(-k) + n^(g-1) sum_k start[p][k] n^(-k).
 // At zeta = -exp(-t) A_p has (2^(1+p+k) - 1) zeta(-p-k) in place of zeta(-p-k), and omega starts like t^g:
 //   (-1)^n n^(-g-1) sum_k alternating[p][k] n^(-k).
-struct Moments::Expansions {
+struct StartingWeightEquations::Expansions {
   NumberMatrix method, start, alternating;
 
   explicit Expansions(const Numbers& all) {
@@ -212,7 +213,7 @@ struct Moments::Expansions {
 };
 
 // x^p for all powers p, x^g and x^(-k) at one x; for a product x from the powers of its factors.
-struct Moments::PowersAt {
+struct StartingWeightEquations::PowersAt {
   NumberVector of_powers, inverse;
   Number of_order;
 
@@ -227,17 +228,17 @@ struct Moments::PowersAt {
   }
 };
 
-Moments::Moments(const WeightTable& table, const std::vector<double>& powers,
-                 const std::vector<double>& points)
+StartingWeightEquations::StartingWeightEquations(const WeightTable& table, const std::vector<double>& powers,
+                                                 const std::vector<double>& points)
     : numbers_(std::make_unique<Numbers>(table, powers, near_steps(*table.family->multistep))) {
   numbers_->factors = inverse_of_first(numbers_->powers, powers.size());
   expansions_ = std::make_unique<Expansions>(*numbers_);
   for (const double point : points) points_.emplace_back(Number(point), *numbers_);
 }
 
-Moments::~Moments() = default;
+StartingWeightEquations::~StartingWeightEquations() = default;
 
-StartingWeights::ChebyshevPiece Moments::asymptotic_weights(std::size_t piece) const {
+StartingWeights::ChebyshevPiece StartingWeightEquations::asymptotic_weights(std::size_t piece) const {
   const auto& all = *numbers_;
   StartingWeights::ChebyshevPiece made{Matrix(std::ssize(points_), std::ssize(all.exponents)), Matrix()};
   if (all.alternates()) made.alternating.resizeLike(made.smooth);
@@ -261,7 +262,8 @@ StartingWeights::ChebyshevPiece Moments::asymptotic_weights(std::size_t piece) c
   return made;
 }
 
-UsablePowers Moments::usable(const WeightTable& table, const std::vector<double>& powers, double most) {
+UsablePowers StartingWeightEquations::usable(const WeightTable& table, const std::vector<double>& powers,
+                                             double most) {
   const auto first_steps = std::max<std::size_t>(24, powers.size());
   const Numbers numbers(table, powers, first_steps);
   NumberMatrix moments;

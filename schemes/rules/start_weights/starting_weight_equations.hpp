@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -7,18 +8,19 @@
 
 namespace fde {
 
-// Solves the equations of the starting weights in multiprecision (number_series.hpp). This
-// header does not include the multiprecision headers.
-class Moments {
+// Solves the equations of the starting weights in multiprecision (number_series.hpp). This header does not
+// include the multiprecision headers.
+class StartingWeightEquations {
  public:
   // asymptotic_weights evaluates at these points, 1 <= point <= 2. Precondition: table.family->multistep is
   // set.
-  Moments(const WeightTable& table, const std::vector<double>& powers, const std::vector<double>& points);
-  ~Moments();
-  Moments(const Moments&) = delete;
-  Moments& operator=(const Moments&) = delete;
-  Moments(Moments&&) = delete;
-  Moments& operator=(Moments&&) = delete;
+  StartingWeightEquations(const WeightTable& table, const std::vector<double>& powers,
+                          const std::vector<double>& points);
+  ~StartingWeightEquations();
+  StartingWeightEquations(const StartingWeightEquations&) = delete;
+  StartingWeightEquations& operator=(const StartingWeightEquations&) = delete;
+  StartingWeightEquations(StartingWeightEquations&&) = delete;
+  StartingWeightEquations& operator=(StartingWeightEquations&&) = delete;
 
   // W(n, j) for n = 1 ... K, one row a step, one column a j, from the defining sums. From K on the asymptotic
   // expansions are accurate to rounding: the contributions of all other singularities of the generating

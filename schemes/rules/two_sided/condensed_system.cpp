@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/two_sided/condensed_system.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ CondensedSystem::CondensedSystem(const Linearisation& linearisation)
 
 GridFunction CondensedSystem::solution(const Residual& residual) const {
   Rows y = Rows::Zero(residual.rows.rows(), residual.rows.cols());
-  Vec unknown = Vec::Zero(equations_.unknown());
+  Vec unknown = Vec::Zero(equations_.unknown_count());
   linearisation_.forward_backward_sweep(residual.rows, y);
   const Vec b = unknowns(y, -residual.conditions - linearisation_.conditions(y));
   if (b.size() > 0) {
@@ -35,7 +36,7 @@ GridFunction CondensedSystem::solution(const Residual& residual) const {
 
 Vec CondensedSystem::applied(const Vec& z) const {
   Rows y = right_part(z), given = Rows::Zero(y.rows(), y.cols());
-  equations_.add_unknown(z.tail(equations_.unknown()) / scale_, given);
+  equations_.add_unknown(z.tail(equations_.unknown_count()) / scale_, given);
   linearisation_.forward_backward_sweep(given, y);
   Vec result = unknowns(y, linearisation_.conditions(y));
   result.head(right_value_count_) = z.head(right_value_count_) - result.head(right_value_count_);
@@ -61,7 +62,7 @@ Rows CondensedSystem::right_part(const Vec& z) const {
 }
 
 std::size_t CondensedSystem::bytes() const {
-  const auto length = right_value_count_ + equations_.unknown();
+  const auto length = right_value_count_ + equations_.unknown_count();
   return length > 0 ? sizeof(double) * static_cast<std::size_t>(length * max_krylov_vectors(length)) : 0;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/two_sided/global_equations.hpp"
 
 #include <cmath>
@@ -22,21 +23,21 @@ GlobalEquations GlobalEquations::with_steps(int steps) const {
   return {problem_, {grid_.end, steps, grid_.grading}, options_, family_};
 }
 
-GridFunction GlobalEquations::start() const {
+GridFunction GlobalEquations::initial_guess() const {
   GridFunction guess{.y = Rows(problem_.size(), grid_.steps + 1), .unknown = Vec::Zero(unknown_.count())};
   const TaylorPart taylor(problem_);
   Vec value(problem_.size());
   for (const auto* side : {&left_, &right_}) {
     for (Eigen::Index m = 0; m < guess.y.cols(); ++m) {
       taylor.at(side->time_from_side(m), value);
-      for (const auto i : side->rows()) guess.y(i, side->place(m)) = value[i];
+      for (const auto i : side->rows()) guess.y(i, side->grid_index(m)) = value[i];
     }
   }
   return guess;
 }
 
 Residual GlobalEquations::residual(Run& run, const GridFunction& guess) const {
-  Residual result{.rows = start().y, .conditions = Vec(unknown_.count()), .f = Rows(guess.y)};
+  Residual result{.rows = initial_guess().y, .conditions = Vec(unknown_.count()), .f = Rows(guess.y)};
   for (Eigen::Index n = 0; n < guess.y.cols(); ++n)
     result.f.col(n) = run.rhs(grid_.time(static_cast<int>(n)), guess.y.col(n));
   add_unknown(guess.unknown, result.rows);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/rules/two_sided/side_rule.hpp"
@@ -32,7 +33,7 @@ class GlobalEquations {
   [[nodiscard]] GlobalEquations with_steps(int steps) const;
 
   // The initial guess: the Taylor part, with 0 for unknown initial values.
-  [[nodiscard]] GridFunction start() const;
+  [[nodiscard]] GridFunction initial_guess() const;
   Residual residual(Run& run, const GridFunction& guess) const;
 
   // Adds to y the terms of the unknown initial values in the Taylor part.
@@ -42,7 +43,7 @@ class GlobalEquations {
   [[nodiscard]] const Grid& grid() const { return grid_; }
   [[nodiscard]] const SideRule& left() const { return left_; }
   [[nodiscard]] const SideRule& right() const { return right_; }
-  [[nodiscard]] Eigen::Index unknown() const { return unknown_.count(); }
+  [[nodiscard]] Eigen::Index unknown_count() const { return unknown_.count(); }
 
  private:
   const Problem& problem_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/two_sided/global_newton.hpp"
 
 #include <cmath>
@@ -72,8 +73,8 @@ class Newton {
 
 }  // namespace
 
-NewtonResult newton(const GlobalEquations& equations, NewtonIncrements& increments, Run& run,
-                    double tolerance, GridFunction start) {
+NewtonResult solve_by_newton(const GlobalEquations& equations, NewtonIncrements& increments, Run& run,
+                             double tolerance, GridFunction start) {
   Newton method(equations, increments, run, std::move(start));
   const bool converged = method.converges(tolerance);
   return std::move(method).end(converged);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/rules/two_sided/newton_increments.hpp"
@@ -13,7 +14,7 @@ struct NewtonResult {
 
 // Newton's method with step halving at all times at once, from a start. It has converged where the last
 // increment is below tolerance * |y|, or has stopped shrinking below 1e-10 * |y|.
-NewtonResult newton(const GlobalEquations& equations, NewtonIncrements& increments, Run& run,
-                    double tolerance, GridFunction start);
+NewtonResult solve_by_newton(const GlobalEquations& equations, NewtonIncrements& increments, Run& run,
+                             double tolerance, GridFunction start);
 
 }  // namespace fde

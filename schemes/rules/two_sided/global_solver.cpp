@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
 
 #include <algorithm>
@@ -33,14 +34,14 @@ std::vector<GridFunction> coarse_solutions(const GlobalEquations& equations, Run
   NewtonIncrements increments(equations, NewtonIncrements::First::two_grid);
   std::vector<GridFunction> found;
   const auto add_from = [&](GridFunction start) {
-    NewtonResult end = newton(equations, increments, run, search_tolerance, std::move(start));
+    NewtonResult end = solve_by_newton(equations, increments, run, search_tolerance, std::move(start));
     const auto known = [&](const GridFunction& solution) { return alike(solution, end.guess); };
     if (end.converged && std::ranges::none_of(found, known)) found.push_back(std::move(end.guess));
   };
-  add_from(equations.start());
+  add_from(equations.initial_guess());
   for (const auto& other : initial_guesses(equations.problem(), starts)) {
     if (run.out_of_budget()) break;
-    GridFunction start = equations.start();
+    GridFunction start = equations.initial_guess();
     for (int n = 0; n <= equations.grid().steps; ++n) start.y.col(n) = other.at(equations.grid().time(n));
     add_from(std::move(start));
   }
@@ -57,7 +58,7 @@ std::vector<NewtonResult> solutions(const GlobalEquations& equations, NewtonIncr
   std::vector<NewtonResult> found;
   for (auto& solution : coarse_solutions(coarse, run)) {
     solution.y = interpolate_linearly(coarse.grid(), solution.y, equations.grid());
-    NewtonResult end = newton(equations, increments, run, options.tolerance, std::move(solution));
+    NewtonResult end = solve_by_newton(equations, increments, run, options.tolerance, std::move(solution));
     if (end.converged) found.push_back(std::move(end));
     if (!found.empty() && !options.all_solutions) break;
   }
@@ -72,9 +73,10 @@ Trajectory solve_globally(const Problem& problem, const Grid& grid, const Option
   const GlobalEquations equations(problem, grid, options, family);
   NewtonIncrements increments(equations);
   const bool all = options.all_solutions && is_two_sided(problem);
-  NewtonResult end = newton(equations, increments, run, options.tolerance, equations.start());
+  NewtonResult end =
+      solve_by_newton(equations, increments, run, options.tolerance, equations.initial_guess());
   std::vector<NewtonResult> found;
-  if (all || (!end.converged && is_two_sided(problem) && !linear(problem)))
+  if (all || (!end.converged && is_two_sided(problem) && !is_linear(problem)))
     found = solutions(equations, increments, run, options);
   if (!found.empty()) end = std::move(found.front());
   const auto values = 8 * end.guess.y.size();  // guesses, residuals and increments
@@ -84,7 +86,7 @@ Trajectory solve_globally(const Problem& problem, const Grid& grid, const Option
     // The initial value is recorded, as in every run that fails at its first step.
     if (is_two_sided(problem)) run.accept(0.0, run.start());
     if (run.out_of_budget()) {
-      run.fail(Ending::out_of_budget, grid.time(1));
+      run.fail(SolveStatus::out_of_budget, grid.time(1));
     } else {
       run.fail_without_convergence(end.residual);
     }
@@ -99,7 +101,7 @@ Trajectory solve_globally(const Problem& problem, const Grid& grid, const Option
   for (std::size_t k = 1; k < found.size(); ++k) {
     Run other(problem, unheard, grid.steps);
     for (int n = 0; n <= grid.steps && other.accept(grid.time(n), found[k].guess.y.col(n)); ++n) continue;
-    path.others.push_back(other.finish());
+    path.other_solutions.push_back(other.finish());
   }
   return path;
 }

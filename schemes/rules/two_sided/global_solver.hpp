@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/stepping/run.hpp"
@@ -11,10 +12,10 @@ namespace fde {
 // converge from it, a nonlinear problem is solved on 64 steps from each of initial_guesses(). The result is
 // the smallest of these solutions, in the mean square over time and components, from which Newton's method
 // converges on the whole grid. With Options::all_solutions this search is always made, and the further
-// solutions are Trajectory::others.
+// solutions are Trajectory::other_solutions.
 //
 // Newton's method has converged where the last increment is below tolerance * |y|, or has stopped shrinking
-// below 1e-10 * |y|. Otherwise the ending is not_converged, with Trajectory::residual. The memory is a few
+// below 1e-10 * |y|. Otherwise the status is not_converged, with Trajectory::residual. The memory is a few
 // values a component and time, the Jacobians, and 20 to 200 vectors, a quarter of a gigabyte where these
 // bounds allow it (Cost::history_bytes).
 Trajectory solve_globally(const Problem& problem, const Grid& grid, const Options& options,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/two_sided/linearisation.hpp"
 
 #include <algorithm>
@@ -9,8 +10,8 @@ void Linearisation::update(Run& run, const GridFunction& guess, const Residual& 
   const auto& problem = equations_.problem();
   const auto size = problem.size();
   if (residual.conditions.size() > 0) differentiate_conditions(guess, residual.conditions);
-  if (linear(problem) && jacobians_.size() > 0) return;
-  jacobians_.resize(size * size, linear(problem) ? 1 : guess.y.cols());
+  if (is_linear(problem) && jacobians_.size() > 0) return;
+  jacobians_.resize(size * size, is_linear(problem) ? 1 : guess.y.cols());
   const Vec sizes = guess.y.cwiseAbs().rowwise().maxCoeff();
   for (Eigen::Index n = 0; n < jacobians_.cols(); ++n) {
     const double t = equations_.grid().time(static_cast<int>(n));
@@ -38,11 +39,11 @@ void Linearisation::differentiate_conditions(const GridFunction& guess, const Ve
     return result;
   };
   const auto everywhere = [](const Vec&) { return true; };
-  differences(from_start, everywhere, start, conditions, sizes, by_start_);
-  differences(from_end, everywhere, end, conditions, sizes, by_end_);
+  difference_jacobian(from_start, everywhere, start, conditions, sizes, by_start_);
+  difference_jacobian(from_end, everywhere, end, conditions, sizes, by_end_);
 }
 
-Linearisation::LeftHandSides Linearisation::applied(const GridFunction& x) const {
+Linearisation::LeftHandSides Linearisation::left_hand_sides(const GridFunction& x) const {
   Rows f(x.y.rows(), x.y.cols());
   for (Eigen::Index n = 0; n < f.cols(); ++n) f.col(n).noalias() = -jacobian(n) * x.y.col(n);
   Rows added = Rows::Zero(f.rows(), f.cols());
@@ -66,7 +67,7 @@ Rows Linearisation::block_diagonal_solution(const Rows& given) const {
 }
 
 Vec Linearisation::conditions(const Rows& y) const {
-  if (equations_.unknown() == 0) return {};
+  if (equations_.unknown_count() == 0) return {};
   return by_start_ * y.col(0) + by_end_ * y.rightCols<1>();
 }
 

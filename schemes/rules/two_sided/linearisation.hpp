@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/schemes/rules/two_sided/global_equations.hpp"
@@ -22,7 +23,7 @@ class Linearisation {
     Rows rows;
     Vec conditions;
   };
-  [[nodiscard]] LeftHandSides applied(const GridFunction& x) const;
+  [[nodiscard]] LeftHandSides left_hand_sides(const GridFunction& x) const;
 
   // Replaces y by the solution of y = given + K J y, one side after the other: first the left rows, with the
   // right rows of the y that is passed, then the right rows.

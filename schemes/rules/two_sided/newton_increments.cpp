@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/two_sided/newton_increments.hpp"
 
 #include <cmath>
@@ -22,13 +23,13 @@ GridFunction NewtonIncrements::at(Run& run, const GridFunction& guess, const Res
   linearisation_.update(run, guess, residual);
   if (!two_grid_) {
     GridFunction increment = condensed_.solution(residual);
-    if (missed(increment, residual) <= solved) return increment;
+    if (relative_residual(increment, residual) <= solved) return increment;
     two_grid_ = std::make_unique<TwoGridSolver>(equations_, coarse_steps_);
   }
   while (true) {
     two_grid_->update(run, guess);
     GridFunction increment = two_grid_->solution(linearisation_, residual);
-    if (missed(increment, residual) <= solved || coarse_steps_ >= most_coarse_steps ||
+    if (relative_residual(increment, residual) <= solved || coarse_steps_ >= most_coarse_steps ||
         coarse_steps_ >= equations_.grid().steps)
       return increment;
     coarse_steps_ *= 2;
@@ -36,8 +37,8 @@ GridFunction NewtonIncrements::at(Run& run, const GridFunction& guess, const Res
   }
 }
 
-double NewtonIncrements::missed(const GridFunction& increment, const Residual& residual) const {
-  const auto done = linearisation_.applied(increment);
+double NewtonIncrements::relative_residual(const GridFunction& increment, const Residual& residual) const {
+  const auto done = linearisation_.left_hand_sides(increment);
   const Residual left{
       .rows = residual.rows - done.rows, .conditions = residual.conditions + done.conditions, .f = {}};
   const double of = residual.norm();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -7,8 +8,8 @@
 
 namespace fde {
 
-// Newton's increments at all times at once: by Condensed as long as its increments solve the equations, from
-// then on by TwoGridSolver.
+// Newton's increments at all times at once: by CondensedSystem as long as its increments solve the equations,
+// from then on by TwoGridSolver.
 class NewtonIncrements {
  public:
   enum class First { condensed, two_grid };
@@ -23,13 +24,13 @@ class NewtonIncrements {
 
  private:
   // The relative residual of the linear equations, |r - left-hand side| / |r|.
-  [[nodiscard]] double missed(const GridFunction& increment, const Residual& residual) const;
+  [[nodiscard]] double relative_residual(const GridFunction& increment, const Residual& residual) const;
 
   const GlobalEquations& equations_;
   Linearisation linearisation_;
   CondensedSystem condensed_;
   int coarse_steps_;
-  std::unique_ptr<TwoGridSolver> two_grid_;  // nullptr: Condensed is used
+  std::unique_ptr<TwoGridSolver> two_grid_;  // nullptr: CondensedSystem is used
 };
 
 }  // namespace fde

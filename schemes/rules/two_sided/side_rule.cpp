@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/two_sided/side_rule.hpp"
 
 #include <Eigen/LU>
@@ -25,7 +26,7 @@ SideRule::SideRule(const Problem& problem, Side side, const WeightFamily& family
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
     if (component.side != side) continue;
-    if (fde::algebraic(component)) {
+    if (fde::is_algebraic(component)) {
       algebraic.push_back(i);
     } else {
       rows_.push_back(i);
@@ -47,7 +48,7 @@ SideRule::SideRule(const Problem& problem, Side side, const WeightFamily& family
 
 // Calls step(m, sum, f) for every own time m, with sum the weighted sum of all f before m; step sets f at m.
 template <typename Step>
-void SideRule::march(Step step) const {
+void SideRule::for_each_own_time(Step step) const {
   if (empty()) return;
   const auto history = differential_count_ > 0 ? history_prototype_->copy() : nullptr;
   Vec sum = Vec::Zero(kappa_.rows()), f(kappa_.rows());
@@ -63,8 +64,8 @@ void SideRule::march(Step step) const {
 }
 
 void SideRule::integrate(const Rows& f, Rows& value) const {
-  march([&](Eigen::Index m, const Vec& sum, Vec& here) {
-    const auto n = place(m);
+  for_each_own_time([&](Eigen::Index m, const Vec& sum, Vec& here) {
+    const auto n = grid_index(m);
     here = f.col(n)(rows_);
     value.col(n)(rows_) = mass(m).cwiseProduct(value.col(n)(rows_)) + kappa(m).cwiseProduct(sum + here);
   });
@@ -72,8 +73,8 @@ void SideRule::integrate(const Rows& f, Rows& value) const {
 
 void SideRule::solve(const Rows& given, const Matrix& jacobians, const Matrix& inverses, Rows& y) const {
   Vec whole(y.rows()), own(kappa_.rows());
-  march([&](Eigen::Index m, const Vec& sum, Vec& f) {
-    const auto n = place(m);
+  for_each_own_time([&](Eigen::Index m, const Vec& sum, Vec& f) {
+    const auto n = grid_index(m);
     const auto jacobian = square(jacobians, n, static_cast<std::size_t>(y.rows()));
     auto here = y.col(n);
     here(rows_).setZero();
@@ -87,7 +88,7 @@ void SideRule::solve(const Rows& given, const Matrix& jacobians, const Matrix& i
 
 void SideRule::solve_block_diagonal(const Rows& given, const Matrix& inverses, Rows& y) const {
   for (Eigen::Index m = 0; m <= steps_; ++m) {
-    const auto n = place(m);
+    const auto n = grid_index(m);
     y.col(n)(rows_) = square(inverses, m, rows_.size()) * given.col(n)(rows_);
   }
 }
@@ -97,7 +98,7 @@ Matrix SideRule::inverses(const Matrix& jacobians) const {
   Matrix result(size * size, jacobians.cols() == 1 ? kappa_.cols() : steps_ + 1);
   const auto whole = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(jacobians.rows()))));
   for (Eigen::Index m = 0; m < result.cols(); ++m) {
-    const Matrix own = square(jacobians, place(m), whole)(rows_, rows_);
+    const Matrix own = square(jacobians, grid_index(m), whole)(rows_, rows_);
     const Matrix system = Matrix(mass(m).asDiagonal()) - kappa(m).asDiagonal() * own;
     Eigen::Map<Matrix>(result.col(m).data(), size, size) = system.inverse();
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -25,7 +26,7 @@ class SideRule {
   [[nodiscard]] bool empty() const { return rows_.empty(); }
 
   // The index in the grid of the m-th own time.
-  [[nodiscard]] Eigen::Index place(Eigen::Index m) const { return right_ ? steps_ - m : m; }
+  [[nodiscard]] Eigen::Index grid_index(Eigen::Index m) const { return right_ ? steps_ - m : m; }
   // The m-th own time, measured from the start of the rows.
   [[nodiscard]] double time_from_side(Eigen::Index m) const { return grid_.time(static_cast<int>(m)); }
 
@@ -48,7 +49,7 @@ class SideRule {
 
  private:
   template <typename Step>
-  void march(Step step) const;
+  void for_each_own_time(Step step) const;
 
   [[nodiscard]] auto mass(Eigen::Index m) const { return mass_.col(m > 0 ? 1 : 0); }
   [[nodiscard]] auto kappa(Eigen::Index m) const { return kappa_.col(std::min(m, kappa_.cols() - 1)); }
@@ -60,7 +61,7 @@ class SideRule {
   Eigen::Index differential_count_ = 0;  // how many have one
   Matrix mass_;                          // at the start, later
   Matrix kappa_;                         // one column an own time, 0 at the start; on uniform grids two
-  std::unique_ptr<History> history_prototype_;  // copied for each march
+  std::unique_ptr<History> history_prototype_;  // copied for each pass over the own times
 };
 
 }  // namespace fde

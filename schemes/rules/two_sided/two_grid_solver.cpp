@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/two_sided/two_grid_solver.hpp"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ DenseLinearisation::DenseLinearisation(const GlobalEquations& equations)
     : rows_(equations.problem().size()),
       times_(equations.grid().steps + 1),
       weights_(static_cast<std::size_t>(rows_), Matrix(times_, times_)),
-      unknown_columns_(size(), equations.unknown()) {
+      unknown_columns_(size(), equations.unknown_count()) {
   const auto integrated = [&](const Rows& f, Rows value) {
     equations.left().integrate(f, value);
     equations.right().integrate(f, value);
@@ -47,9 +48,9 @@ DenseLinearisation::DenseLinearisation(const GlobalEquations& equations)
     for (Eigen::Index i = 0; i < rows_; ++i)
       weights_[static_cast<std::size_t>(i)].col(n) = column.row(i).transpose();
   }
-  for (Eigen::Index k = 0; k < equations.unknown(); ++k) {
+  for (Eigen::Index k = 0; k < equations.unknown_count(); ++k) {
     Rows added = none;
-    equations.add_unknown(Vec::Unit(equations.unknown(), k), added);
+    equations.add_unknown(Vec::Unit(equations.unknown_count(), k), added);
     unknown_columns_.col(k) = -mass_.cwiseProduct(added).reshaped();
   }
 }
@@ -100,7 +101,7 @@ GridFunction TwoGridSolver::preconditioned(const Linearisation& fine,
                                            const Linearisation::LeftHandSides& right) const {
   GridFunction x{.y = fine.block_diagonal_solution(right.rows),
                  .unknown = Vec::Zero(right.conditions.size())};
-  const auto done = fine.applied(x);
+  const auto done = fine.left_hand_sides(x);
   const auto correction = dense_.solution(
       {interpolate_linearly(equations_.grid(), right.rows - done.rows, coarse_equations_.grid()),
        right.conditions - done.conditions});
@@ -113,7 +114,7 @@ GridFunction TwoGridSolver::solution(const Linearisation& fine, const Residual& 
   const Packing packing{residual.rows.rows(), residual.rows.cols(), residual.conditions.size()};
   const Vec b = packing.packed(residual.rows, -residual.conditions);
   const auto apply = [&](const Vec& z) -> Vec {
-    const auto sides = fine.applied(preconditioned(fine, packing.unpacked(z)));
+    const auto sides = fine.left_hand_sides(preconditioned(fine, packing.unpacked(z)));
     return packing.packed(sides.rows, sides.conditions);
   };
   return preconditioned(fine,
@@ -121,9 +122,9 @@ GridFunction TwoGridSolver::solution(const Linearisation& fine, const Residual& 
 }
 
 std::size_t TwoGridSolver::bytes() const {
-  const auto fine = equations_.problem().size() * (equations_.grid().steps + 1) + equations_.unknown();
+  const auto fine = equations_.problem().size() * (equations_.grid().steps + 1) + equations_.unknown_count();
   const auto coarse =
-      equations_.problem().size() * (coarse_equations_.grid().steps + 1) + equations_.unknown();
+      equations_.problem().size() * (coarse_equations_.grid().steps + 1) + equations_.unknown_count();
   return coarse_.bytes() +
          sizeof(double) * static_cast<std::size_t>(fine * max_krylov_vectors(fine) + coarse * coarse);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/LU>
@@ -29,7 +30,7 @@ class DenseLinearisation {
 // Newton's linear equations of all times at once by GMRES with a preconditioner of two grids (K. E. Atkinson,
 // The Numerical Solution of Integral Equations of the Second Kind, 1997, section 6.3): first the local
 // solution, then a correction for its residual, solved on a grid of 64 to 256 steps by elimination and
-// interpolated linearly. Unlike Condensed it is not impaired by solutions that grow.
+// interpolated linearly. Unlike CondensedSystem it is not impaired by solutions that grow.
 class TwoGridSolver {
  public:
   // The equations must outlive this object.

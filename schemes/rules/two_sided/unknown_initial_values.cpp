@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/two_sided/unknown_initial_values.hpp"
 
 namespace fde {
@@ -7,7 +8,7 @@ UnknownInitialValues::UnknownInitialValues(const Problem& problem) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
     const auto needed = initial_count(component.order);
     for (std::size_t k = component.initial.size(); k < needed; ++k)
-      unknowns_.push_back({i, component.side, k, algebraic(component)});
+      unknowns_.push_back({i, component.side, k, is_algebraic(component)});
   }
 }
 

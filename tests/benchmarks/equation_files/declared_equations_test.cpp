@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The equations that scenes declare as text, parsed like a file, give the same problem as the code.
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@
 #include "fdebench/schemes/stepping/scheme.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 FormulaText formula(const std::string& text) { return {.text = text}; }
@@ -35,9 +36,9 @@ std::string of_parameters(const SceneFactory& maker, const std::string& formula)
 // Replaces a derived parameter by its formula, also an initial value that has the name of its unknown.
 std::string without_derived(const SceneFactory& maker, std::string formula) {
   for (const auto& parameter : maker.parameters) {
-    if (!parameter.derived.empty()) {
+    if (!parameter.default_formula.empty()) {
       formula = std::regex_replace(formula, std::regex("\\b" + parameter.name + "\\b"),
-                                   "(" + parameter.derived + ")");
+                                   "(" + parameter.default_formula + ")");
     }
   }
   return formula;
@@ -72,7 +73,7 @@ bool has_algebraic_rows(const SceneFactory& maker) {
 
 EquationText to_text(const SceneFactory& maker, double end) {
   EquationText text{
-      .file = maker.id, .title = maker.title, .end = formula(fde::to_text(ParameterValue(end)))};
+      .file = maker.id, .title = maker.title, .end = formula(fde::bench::to_text(ParameterValue(end)))};
   for (const auto& parameter : maker.parameters) {
     if (const auto* value = std::get_if<double>(&parameter.value))
       text.parameters.push_back({of_parameters(maker, parameter.name), *value});
@@ -107,18 +108,18 @@ TEST_P(DeclaredEquations, AreThoseOfTheProblem) {
   const SceneFactory& maker = *GetParam();
   Scene code = make_scene(maker);
   EquationText text = to_text(maker, code.problem.end);
-  for (const double jump : code.problem.jumps)
-    text.jumps.push_back(formula(fde::to_text(ParameterValue(jump))));
+  for (const double jump : code.problem.jump_times)
+    text.jumps.push_back(formula(fde::bench::to_text(ParameterValue(jump))));
   keep_initial_values(text, Parameters(maker.id, maker.parameters, {}));
   const Scene written = make_scene(equation_scene(text));
   const bool constrained = has_algebraic_rows(maker);
   const auto* scheme = find_scheme(constrained ? "radau_exponentials" : "spectral_collocation");
   const double error = constrained ? 1e-8 : 1e-10;
   const Tolerance accuracy{error, error};
-  const Options options{.at = {code.problem.end / 4, code.problem.end}};
+  const Options options{.output_times = {code.problem.end / 4, code.problem.end}};
   const auto a = scheme->solve(written.problem, accuracy, options),
              b = find_scheme("spectral_collocation")->solve(code.problem, Tolerance{1e-10, 1e-10}, options);
-  ASSERT_EQ(a.ending, b.ending);
+  ASSERT_EQ(a.status, b.status);
   const auto theirs = columns_of(written.outputs, a), ours = columns_of(code.outputs, b);
   for (const auto& equation : maker.equations) {
     const auto of_code = std::ranges::find(code.outputs.names, equation.unknown);
@@ -133,7 +134,7 @@ TEST_P(DeclaredEquations, AreThoseOfTheProblem) {
 
 std::vector<const SceneFactory*> with_equations() {
   std::vector<const SceneFactory*> makers;
-  for (const SceneFactory& maker : scenes()) {
+  for (const SceneFactory& maker : built_in_scenes()) {
     if (!maker.equations.empty()) makers.push_back(&maker);
   }
   return makers;
@@ -143,4 +144,4 @@ INSTANTIATE_TEST_SUITE_P(OfEveryScene, DeclaredEquations, testing::ValuesIn(with
                          [](const auto& test) { return test.param->id; });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

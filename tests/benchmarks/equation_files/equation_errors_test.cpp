@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Invalid equation files: one line with file, line and column.
 
 #include <gmock/gmock.h>
@@ -10,7 +11,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::EndsWith;
@@ -159,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
         InvalidFile{unknown("order = 0.5", "'D(D(x, 1), 0.5)'", "[1]"), "line 4, column 10",
                     "D of D: must be of an unknown"},
         InvalidFile{unknown("order = 0.5", "'" + brackets(201) + "'", "[1]"), "line 4, column 209",
-                    "brackets, signs and powers stand more than 200 deep"},
+                    "brackets, signs and powers are nested more than 200 deep"},
         InvalidFile{unknown("order = 0.5", "\"\\u002dx + yy\"", "[1]"), "line 4, column 7",
                     "byte 6 of the text: yy: no such name here"},
         InvalidFile{unknown("order = 0.5", "\"D(x, 0.3)\"", "[1]"), "line 4, column 8",
@@ -239,4 +240,4 @@ TEST(EquationFiles, BeginOnTheirConstraintsOrWhereAMultiplierTakesThem) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

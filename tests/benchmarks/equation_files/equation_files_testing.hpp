@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -6,7 +7,7 @@
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 inline SceneFactory maker_of(std::string_view text) {
   return equation_scene(parse_equation_text("test.toml", text));
@@ -28,4 +29,4 @@ inline Scene scene_of_example(const std::string& name, const ParameterValues& va
   return make_scene(equation_scene(read_equation_text(example(name))), values);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes of equation files on the command line, in results, in recommendations and on the page.
 
 #include <gmock/gmock.h>
@@ -12,7 +13,7 @@
 #include "support/command_line_result.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -149,4 +150,4 @@ TEST_F(EquationFileCommand, IsRefusedWithAChecksumThatIsNone) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Equation files of scenes that are also compiled in: the same columns with every scheme.
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 #include "fdebench/schemes/stepping/rates.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct BuiltInCounterpart {
@@ -27,14 +28,14 @@ TEST_P(TwinScenes, HaveTheSameColumns) {
   Scene file = scene_of_example(twin.id + ".toml"), code = scene_of(twin.id);
   file.problem.end = code.problem.end = twin.until;
   const Grid grid{twin.until, 256};
-  ASSERT_EQ(refusal(*scheme, file.problem, grid).has_value(),
-            refusal(*scheme, code.problem, grid).has_value());
-  if (refusal(*scheme, code.problem, grid)) return;
+  ASSERT_EQ(unsupported_reason(*scheme, file.problem, grid).has_value(),
+            unsupported_reason(*scheme, code.problem, grid).has_value());
+  if (unsupported_reason(*scheme, code.problem, grid)) return;
   const auto from_file = scheme->solve(file.problem, grid, {}),
              of_code = scheme->solve(code.problem, grid, {});
-  ASSERT_EQ(from_file.ending, of_code.ending);
+  ASSERT_EQ(from_file.status, of_code.status);
   const auto a = columns_of(file.outputs, from_file), b = columns_of(code.outputs, of_code);
-  const double allowed = rounding(*scheme, 1e-12);
+  const double allowed = rounding_allowance(*scheme, 1e-12);
   int compared = 0;
   for (std::size_t i = 0; i < file.outputs.names.size(); ++i) {
     const auto found = std::ranges::find(code.outputs.names, file.outputs.names[i]);
@@ -60,7 +61,7 @@ TEST(EquationFile, ExpectsTheRatesOfItsTwin) {
     const Scene file = scene_of_example(id + ".toml"), code = scene_of(id);
     for (const auto* scheme : grid_schemes()) {
       for (const double grading : {1.0, 2.0}) {
-        if (refusal(*scheme, code.problem, Grid{1.0, 64, grading})) continue;
+        if (unsupported_reason(*scheme, code.problem, Grid{1.0, 64, grading})) continue;
         for (const Norm norm : {Norm::end, Norm::maximum}) {
           EXPECT_EQ(theoretical_rate(*scheme, file.problem, file.smoothness, grading, norm),
                     theoretical_rate(*scheme, code.problem, code.smoothness, grading, norm))
@@ -104,7 +105,7 @@ class LinearRightHandSide : public testing::TestWithParam<Linearity> {};
 
 TEST_P(LinearRightHandSide, IsRecognised) {
   const auto& [rhs, expected] = GetParam();
-  EXPECT_EQ(linear(scene_of_text(relaxation_file(rhs)).problem), expected) << rhs;
+  EXPECT_EQ(is_linear(scene_of_text(relaxation_file(rhs)).problem), expected) << rhs;
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, LinearRightHandSide,
@@ -142,14 +143,14 @@ TEST(EquationFile, TakesAlgebraicRows) {
   const Scene scene = scene_of_text(
       "end = 1\n[unknown.x]\norder = 0.5\nrhs = \"-z\"\ninitial = [1]\n"
       "[unknown.z]\norder = 0\nrhs = \"z - 2*x\"\ninitial = [2]\n");
-  EXPECT_TRUE(algebraic(scene.problem.components[1]));
+  EXPECT_TRUE(is_algebraic(scene.problem.components[1]));
   // z = 2 x, D^0.5 x = -2 x: x = E_0.5(-2 sqrt(t)) = e^(4t) erfc(2 sqrt(t)).
   const auto known = scene.reference.at(0.25);
   EXPECT_NEAR(known.value[0], std::exp(1.0) * std::erfc(1.0), 1e-15);
   EXPECT_NEAR(known.value[1], 2.0 * std::exp(1.0) * std::erfc(1.0), 1e-15);
-  const auto path = solve("product_trapezoidal", scene.problem, 1024, {.at = {1.0}});
+  const auto path = solve("product_trapezoidal", scene.problem, 1024, {.output_times = {1.0}});
   EXPECT_NEAR(path.y(1, 0), scene.reference.at(1.0).value[1], 1e-4);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

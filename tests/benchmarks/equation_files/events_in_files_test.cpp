@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Events of equation files: zeros that `solve` locates and that may end it.
 
 #include <gmock/gmock.h>
@@ -10,7 +11,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -106,4 +107,4 @@ TEST(EventsOfAFile, AreRefusedInOneLine) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Exact references of equation files: [exact], and linear equations.
 
 #include <gmock/gmock.h>
@@ -11,7 +12,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::StartsWith;
@@ -129,7 +130,7 @@ TEST(ComputedReference, KnowsDeclaredJumps) {
       "end = 2\n[unknown.y]\norder = 0.6\nrhs = \"(1 - sign(t - 1))/2\"\ninitial = [0]\n[[jump]]\nat = "
       "1\n");
   ASSERT_FALSE(scene.reference.at);
-  const Reference reference = reference_of(scene);
+  const reference::Reference reference = reference_of(scene);
   for (const double t : {0.5, 1.5, 2.0}) {
     const double since = std::max(0.0, t - 1.0);
     const auto [value, bound] = reference.at(t);
@@ -139,4 +140,4 @@ TEST(ComputedReference, KnowsDeclaredJumps) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Formulas: their values, and their errors with positions.
 
 #include "fdebench/benchmarks/equation_files/formula.hpp"
@@ -13,32 +14,32 @@
 #include "fdebench/benchmarks/equation_files/expressions.hpp"
 #include "fdebench/benchmarks/equation_files/program.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-FormulaNames names_of(ExpressionPool& all) {
-  return {.of = [&all](std::string_view name) -> std::optional<Expression> {
-            if (name == "t") return all.variable(0);
-            if (name == "x") return all.variable(1);
-            if (name == "y") return all.variable(2);
+FormulaNames names_of(ExpressionPool& pool) {
+  return {.resolve = [&pool](std::string_view name) -> std::optional<Expression> {
+            if (name == "t") return pool.variable(0);
+            if (name == "x") return pool.variable(1);
+            if (name == "y") return pool.variable(2);
             return std::nullopt;
           },
-          .known = {"t", "x", "y"}};
+          .accepted_names = {"t", "x", "y"}};
 }
 
 // The value at t = 0.7, x = 0.3, y = -1.2.
 double value_of(const std::string& text) {
-  ExpressionPool all(NumberStorage::folded);
-  const auto formula = read_formula(text, names_of(all), all);
-  return Program(all, {formula}, 2)(0.7, (Vec(2) << 0.3, -1.2).finished());
+  ExpressionPool pool(NumberStorage::values);
+  const auto formula = read_formula(text, names_of(pool), pool);
+  return Program(pool, {formula}, 2)(0.7, (Vec(2) << 0.3, -1.2).finished());
 }
 
-struct Known {
+struct KnownCase {
   std::string text;
   double value;
 };
 
-class Formula : public testing::TestWithParam<Known> {};
+class Formula : public testing::TestWithParam<KnownCase> {};
 
 TEST_P(Formula, HasItsValue) {
   const auto& [text, value] = GetParam();
@@ -48,38 +49,40 @@ TEST_P(Formula, HasItsValue) {
 // mpmath, 30 digits.
 INSTANTIATE_TEST_SUITE_P(
     Values, Formula,
-    testing::Values(Known{"1 + 2*3", 7.0}, Known{"(1 + 2)*3", 9.0}, Known{"2^3^2", 512.0},
-                    Known{"-2^2", -4.0}, Known{"2^-1", 0.5}, Known{"8/4/2", 1.0}, Known{"1 - 2 - 3", -4.0},
-                    Known{"- - 3", 3.0}, Known{"1e-3", 0.001}, Known{".5", 0.5}, Known{"2.", 2.0},
-                    Known{"x^3", 0.027}, Known{"x^0", 1.0}, Known{"x^-2", 11.111111111111111},
-                    Known{"x^0.5", 0.54772255750516611}, Known{"x^y", 4.2408654551313070},
-                    Known{"sin(x)", 0.29552020666133958}, Known{"cos(x)", 0.95533648912560602},
-                    Known{"tan(x)", 0.30933624960962326}, Known{"asin(x)", 0.30469265401539751},
-                    Known{"acos(x)", 1.2661036727794991}, Known{"atan(x)", 0.29145679447786709},
-                    Known{"atan2(x, y)", 2.8966139904629289}, Known{"sinh(x)", 0.30452029344714261},
-                    Known{"cosh(x)", 1.0453385141288605}, Known{"tanh(x)", 0.29131261245159090},
-                    Known{"exp(y)", 0.30119421191220209}, Known{"log(x)", -1.2039728043259359},
-                    Known{"sqrt(t)", 0.83666002653407555}, Known{"abs(y)", 1.2}, Known{"sign(y)", -1.0},
-                    Known{"step(y)", 0.0}, Known{"step(x - x)", 0.5}, Known{"min(x, y)", -1.2},
-                    Known{"max(x, y)", 0.3}, Known{"pi", 3.1415926535897932},
-                    Known{"gamma(2.5)", 1.3293403881791370},
+    testing::Values(KnownCase{"1 + 2*3", 7.0}, KnownCase{"(1 + 2)*3", 9.0}, KnownCase{"2^3^2", 512.0},
+                    KnownCase{"-2^2", -4.0}, KnownCase{"2^-1", 0.5}, KnownCase{"8/4/2", 1.0},
+                    KnownCase{"1 - 2 - 3", -4.0}, KnownCase{"- - 3", 3.0}, KnownCase{"1e-3", 0.001},
+                    KnownCase{".5", 0.5}, KnownCase{"2.", 2.0}, KnownCase{"x^3", 0.027},
+                    KnownCase{"x^0", 1.0}, KnownCase{"x^-2", 11.111111111111111},
+                    KnownCase{"x^0.5", 0.54772255750516611}, KnownCase{"x^y", 4.2408654551313070},
+                    KnownCase{"sin(x)", 0.29552020666133958}, KnownCase{"cos(x)", 0.95533648912560602},
+                    KnownCase{"tan(x)", 0.30933624960962326}, KnownCase{"asin(x)", 0.30469265401539751},
+                    KnownCase{"acos(x)", 1.2661036727794991}, KnownCase{"atan(x)", 0.29145679447786709},
+                    KnownCase{"atan2(x, y)", 2.8966139904629289}, KnownCase{"sinh(x)", 0.30452029344714261},
+                    KnownCase{"cosh(x)", 1.0453385141288605}, KnownCase{"tanh(x)", 0.29131261245159090},
+                    KnownCase{"exp(y)", 0.30119421191220209}, KnownCase{"log(x)", -1.2039728043259359},
+                    KnownCase{"sqrt(t)", 0.83666002653407555}, KnownCase{"abs(y)", 1.2},
+                    KnownCase{"sign(y)", -1.0}, KnownCase{"step(y)", 0.0}, KnownCase{"step(x - x)", 0.5},
+                    KnownCase{"min(x, y)", -1.2}, KnownCase{"max(x, y)", 0.3},
+                    KnownCase{"pi", 3.1415926535897932}, KnownCase{"gamma(2.5)", 1.3293403881791370},
                     // E_0.5(-1) = e erfc(1)
-                    Known{"mittag_leffler(0.5, 1, -1)", 0.42758357615580701}, Known{" x *\ty\n", -0.36}));
+                    KnownCase{"mittag_leffler(0.5, 1, -1)", 0.42758357615580701},
+                    KnownCase{" x *\ty\n", -0.36}));
 
 class Derivative : public testing::TestWithParam<std::string> {};
 
 TEST_P(Derivative, IsThatOfTheDifferences) {
-  ExpressionPool all(NumberStorage::folded);
-  const auto formula = read_formula(GetParam(), names_of(all), all);
+  ExpressionPool pool(NumberStorage::values);
+  const auto formula = read_formula(GetParam(), names_of(pool), pool);
   const Vec y = (Vec(2) << 0.3, -1.2).finished();
   for (int variable = 1; variable <= 2; ++variable) {
     const double h = 0x1p-17;
     Vec above = y, below = y;
     above[variable - 1] += h;
     below[variable - 1] -= h;
-    const Program program(all, {formula}, 2);
+    const Program program(pool, {formula}, 2);
     const double difference = (program(0.7, above) - program(0.7, below)) / (2.0 * h);
-    const auto exact = Program(all, {all.derivative(formula, variable)}, 2)(0.7, y);
+    const auto exact = Program(pool, {pool.derivative(formula, variable)}, 2)(0.7, y);
     EXPECT_NEAR(exact, difference, 2e-9 * std::max(1.0, std::abs(difference)))
         << GetParam() << " " << variable;
   }
@@ -94,9 +97,9 @@ INSTANTIATE_TEST_SUITE_P(OfEveryOperation, Derivative,
                                          "mittag_leffler(0.7, 1.3, x*y)"));
 
 TEST(ExpressionPool, AreMadeOnce) {
-  ExpressionPool all(NumberStorage::folded);
-  const auto names = names_of(all);
-  EXPECT_EQ(read_formula("sin(x)*y", names, all), read_formula("(sin( x ))*y", names, all));
+  ExpressionPool pool(NumberStorage::values);
+  const auto names = names_of(pool);
+  EXPECT_EQ(read_formula("sin(x)*y", names, pool), read_formula("(sin( x ))*y", names, pool));
 }
 
 // (((x + x)^2)^2)^2 ...: expanded, it would have 2^(2^60) as its coefficient.
@@ -116,13 +119,13 @@ class FormulaFaults : public testing::TestWithParam<Fault> {};
 
 TEST_P(FormulaFaults, SayWhatAndWhere) {
   const auto& [text, what, place] = GetParam();
-  ExpressionPool all(NumberStorage::folded);
+  ExpressionPool pool(NumberStorage::values);
   try {
-    read_formula(text, names_of(all), all);
+    read_formula(text, names_of(pool), pool);
     FAIL() << text;
   } catch (const FormulaError& fault) {
     EXPECT_EQ(std::string(fault.what()).find(what), 0U) << fault.what();
-    EXPECT_EQ(fault.place, place) << text;
+    EXPECT_EQ(fault.byte_offset, place) << text;
   }
 }
 
@@ -142,20 +145,20 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"atan2(x)", "')': must be ',', atan2 taking 2 arguments", 7},
                     Fault{"sin(x, y)", "',': must be ')', sin taking 1 argument", 5},
                     Fault{"1 + 1e400", "1e400: overflows double", 4},
-                    Fault{"D(x, 0.5)", "D: no derivative may stand here", 0},
+                    Fault{"D(x, 0.5)", "D: a derivative is not allowed here", 0},
                     Fault{"x \xc3\xa4", "'\xc3\xa4': must be an operation or the end", 2}));
 
 TEST(FormulaFaults, OfDeepBracketsEndsAtOnce) {
   for (const std::string& text :
        {std::string(9'000, '('), std::string(19'000, '-'), std::string(100'000, '(')}) {
-    ExpressionPool all(NumberStorage::folded);
-    EXPECT_THROW(read_formula(text, names_of(all), all), FormulaError);
+    ExpressionPool pool(NumberStorage::values);
+    EXPECT_THROW(read_formula(text, names_of(pool), pool), FormulaError);
   }
   std::string powers = "x";
   for (int i = 0; i < 5'000; ++i) powers += "^x";
-  ExpressionPool all(NumberStorage::folded);
-  EXPECT_THROW(read_formula(powers, names_of(all), all), FormulaError);
+  ExpressionPool pool(NumberStorage::values);
+  EXPECT_THROW(read_formula(powers, names_of(pool), pool), FormulaError);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

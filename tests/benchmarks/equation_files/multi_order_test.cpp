@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The system of three orders in docs/examples, whose right-hand side contains 0^(1/6) at t = 0.
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include "benchmarks/equation_files/equation_files_testing.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 TEST(MultiOrder, HasTheExactSolutionOfItsFile) {
@@ -40,8 +41,8 @@ class MultiOrderConvergence : public testing::TestWithParam<const Scheme*> {};
 TEST_P(MultiOrderConvergence, IsThatOfAtLeastHalfTheSteps) {
   const Scene scene = scene_of_example("multi_order.toml");
   const auto error = [&](int steps) {
-    const auto path = solve(GetParam()->id, scene.problem, steps, {.at = {1.0}});
-    EXPECT_EQ(path.ending, Ending::finished) << describe(scene.problem, path);
+    const auto path = solve(GetParam()->id, scene.problem, steps, {.output_times = {1.0}});
+    EXPECT_EQ(path.status, SolveStatus::finished) << describe(scene.problem, path);
     return (path.y.col(0) - (Vec(3) << 2.0, 1.5, 1.3).finished()).cwiseAbs().maxCoeff();
   };
   const double coarse = error(512), fine = error(2048);
@@ -61,8 +62,8 @@ TEST(MultiOrder, IsSolvedToTheAccuracyAsked) {
                                                           {"radau_exponentials", 1e-9}};
   for (const auto& [id, accuracy] : asked) {
     const auto path =
-        find_scheme(id)->solve(scene.problem, Tolerance{accuracy, accuracy}, {.at = {0.1, 1.0}});
-    ASSERT_EQ(path.ending, Ending::finished) << id << accuracy;
+        find_scheme(id)->solve(scene.problem, Tolerance{accuracy, accuracy}, {.output_times = {0.1, 1.0}});
+    ASSERT_EQ(path.status, SolveStatus::finished) << id << accuracy;
     for (Eigen::Index c = 0; c < path.y.cols(); ++c) {
       const Vec exact = scene.reference.at(path.time(c)).value, error = (path.y.col(c) - exact).cwiseAbs();
       EXPECT_LE((error.array() / (1.0 + exact.array())).maxCoeff(), 10.0 * accuracy) << path.time(c);
@@ -75,4 +76,4 @@ TEST(MultiOrder, HasNoStartPowers) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

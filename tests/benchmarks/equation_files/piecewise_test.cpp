@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Equations with jumps and kinks: functions of the unknowns make them nonlinear, functions of t give jumps at
 // known times. The reference of an equation file is checked against schemes.
 
@@ -14,7 +15,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::DoubleEq;
@@ -24,20 +25,20 @@ using testing::HasSubstr;
 std::vector<double> jumps_of(const std::string& rhs, double end) {
   Scene scene = scene_of_text(relaxation_file(rhs));
   set_end(scene, end);
-  return scene.problem.jumps;
+  return scene.problem.jump_times;
 }
 
 // The derivatives of all of these are constant wherever they exist.
 TEST(Piecewise, FunctionsOfUnknownsAreNotLinear) {
   for (const auto* rhs : {"1 + step(x - 1)", "-sign(x)", "-x - sign(2*x - t)", "step(step(x))"})
-    EXPECT_FALSE(linear(scene_of_text(relaxation_file(rhs)).problem)) << rhs;
+    EXPECT_FALSE(is_linear(scene_of_text(relaxation_file(rhs)).problem)) << rhs;
   for (const auto* rhs : {"abs(x)", "min(x, 1)", "max(x, t) - x"})
-    EXPECT_FALSE(linear(scene_of_text(relaxation_file(rhs)).problem)) << rhs;
+    EXPECT_FALSE(is_linear(scene_of_text(relaxation_file(rhs)).problem)) << rhs;
 }
 
 TEST(Piecewise, LoadsLeaveAnEquationLinear) {
   for (const auto* rhs : {"step(t - 0.5) - x", "min(t, 1) - 2*x", "abs(sin(t)) + x", "sign(cos(t)) - x"})
-    EXPECT_TRUE(linear(scene_of_text(relaxation_file(rhs)).problem)) << rhs;
+    EXPECT_TRUE(is_linear(scene_of_text(relaxation_file(rhs)).problem)) << rhs;
 }
 
 TEST(JumpsInTime, AreFoundWhereSignsAndStepsChange) {
@@ -65,7 +66,7 @@ TEST(JumpsInTime, AreThoseUpToTheEnd) {
 TEST(JumpsInTime, ThatAFileDeclaresAreTheSame) {
   const std::string file = relaxation_file("step(t - 0.5)*cos(x) - x");
   const Scene declared = scene_of_text(file + "[[jump]]\nat = 0.5\n");
-  EXPECT_THAT(declared.problem.jumps, ElementsAre(0.5));
+  EXPECT_THAT(declared.problem.jump_times, ElementsAre(0.5));
   const double found = reference_of(scene_of_text(file)).at(1.0).value[0];
   EXPECT_EQ(found, reference_of(declared).at(1.0).value[0]);
 }
@@ -79,7 +80,7 @@ TEST(KnownSolutions, AreNotThoseOfASwitchThatStaysAtItsStart) {
   const double exact = 2.0 * std::sqrt(2.0 / std::numbers::pi) +
                        2.0 * std::sqrt((2.0 - std::numbers::pi / 4.0) / std::numbers::pi);
   try {
-    const ReferenceValue known = reference_of(scene).at(2.0);
+    const reference::ReferenceValue known = reference_of(scene).at(2.0);
     EXPECT_LE(std::abs(known.value[0] - exact), known.bound[0]);
   } catch (const std::runtime_error& none) {
     EXPECT_THAT(none.what(), HasSubstr("t = "));
@@ -100,4 +101,4 @@ TEST(KnownSolutions, AreNotBelievedAgainstTwoSchemes) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // External programs in a sweep. The scene `power` with p = 2 has the solution t^2.
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::ElementsAre;
@@ -204,7 +205,7 @@ TEST_F(ExternalRuns, LeaveTheOtherRunsAlone) {
   ASSERT_EQ(run(program("kill -KILL $$"), {"--scheme", "l1", "--external", square("", "good")}).code, 0);
   std::vector<std::string> finished;
   for (const Record& row : rows()) {
-    if (row.ending && row.ending->kind == Ending::finished) finished.push_back(row.key.scheme);
+    if (row.ending && row.ending->kind == SolveStatus::finished) finished.push_back(row.key.scheme);
   }
   EXPECT_THAT(finished, ElementsAre("l1", "good"));
 }
@@ -240,4 +241,4 @@ TEST_F(ExternalRuns, HaveNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

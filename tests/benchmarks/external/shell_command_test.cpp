@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shell commands as processes: how they end, and that no child process is left.
 
 #include "fdebench/benchmarks/external/shell_command.hpp"
@@ -18,10 +19,10 @@
 #include "fdebench/benchmarks/external/temporary_file.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-using How = CommandResult::How;
+using Status = CommandResult::Status;
 
 std::string to_text(const std::filesystem::path& file) {
   std::ostringstream text;
@@ -58,14 +59,14 @@ class ShellCommands : public testing::Test {
 
 TEST_F(ShellCommands, TakeTheArgumentUnchangedAsTheirLastWord) {
   const auto end = run("printf '%s|' one");
-  EXPECT_EQ(end.how, How::exited);
+  EXPECT_EQ(end.status, Status::exited);
   EXPECT_EQ(end.code, 0);
   EXPECT_EQ(to_text(out_.path()), R"(one|a 'b' "c" $d\|)");
 }
 
 TEST_F(ShellCommands, TellTheirExitCodeAndTheirTime) {
   const auto end = run("sh -c 'sleep 0.2; echo no >&2; exit 3'");
-  EXPECT_EQ(end.how, How::exited);
+  EXPECT_EQ(end.status, Status::exited);
   EXPECT_EQ(end.code, 3);
   EXPECT_GE(end.seconds, 0.2);
   EXPECT_EQ(to_text(err_.path()), "no\n");
@@ -76,16 +77,16 @@ TEST_F(ShellCommands, TellTheirExitCodeAndTheirTime) {
 TEST_F(ShellCommands, TellTheSignalThatKilledThem) {
   for (const auto* command : {"kill -SEGV $$ #", "sh -c 'kill -SEGV $$'; exit $? #"}) {
     const auto end = run(command);
-    EXPECT_EQ(end.how, How::killed) << command;
+    EXPECT_EQ(end.status, Status::killed) << command;
     EXPECT_EQ(end.code, SIGSEGV) << command;
   }
 }
 
-TEST_F(ShellCommands, HaveNothingToRead) { EXPECT_EQ(run("cat #").how, How::exited); }
+TEST_F(ShellCommands, HaveNothingToRead) { EXPECT_EQ(run("cat #").status, Status::exited); }
 
 TEST_F(ShellCommands, EndWithAllTheyStartedWhenTheirTimeIsOver) {
   const auto end = run("trap '' TERM INT; sleep 100 & echo $! > " + pid_ + "; sleep 100 #", 0.3);
-  EXPECT_EQ(end.how, How::out_of_time);
+  EXPECT_EQ(end.status, Status::out_of_time);
   EXPECT_GE(end.seconds, 0.3);
   EXPECT_LT(end.seconds, 10.0);
   expect_gone(pid_);
@@ -93,15 +94,15 @@ TEST_F(ShellCommands, EndWithAllTheyStartedWhenTheirTimeIsOver) {
 
 TEST_F(ShellCommands, LeaveNoProcessBehind) {
   const auto end = run("sleep 100 & echo $! > " + pid_ + " #");
-  EXPECT_EQ(end.how, How::exited);
+  EXPECT_EQ(end.status, Status::exited);
   EXPECT_LT(end.seconds, 10.0);
   expect_gone(pid_);
 }
 
 TEST_F(ShellCommands, EndWhenTheyWriteTooMuch) {
-  EXPECT_EQ(run("yes #").how, How::too_much_output);
-  EXPECT_EQ(run("yes >&2 #").how, How::too_much_output);
+  EXPECT_EQ(run("yes #").status, Status::too_much_output);
+  EXPECT_EQ(run("yes >&2 #").status, Status::too_much_output);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

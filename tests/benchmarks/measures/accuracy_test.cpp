@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/accuracy.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // One column of ten times, 1 everywhere.
@@ -79,10 +80,10 @@ TEST_P(OtherUnits, ChangeNothingButRounding) {
   const Problem other = rescaled_problem(unit, scene.problem);
   for (const auto& scheme : schemes()) {
     const Grid grid{scene.problem.end, steps};
-    if (refusal(scheme, scene.problem, grid)) continue;
+    if (unsupported_reason(scheme, scene.problem, grid)) continue;
     const auto path = scheme.solve(scene.problem, grid, {}), again = scheme.solve(other, grid, {});
-    EXPECT_EQ(path.ending, again.ending) << scheme.id;
-    if (path.ending != Ending::finished || !(path.y.cwiseAbs().maxCoeff() < 1e6)) continue;  // blows up
+    EXPECT_EQ(path.status, again.status) << scheme.id;
+    if (path.status != SolveStatus::finished || !(path.y.cwiseAbs().maxCoeff() < 1e6)) continue;  // blows up
     const double size = path.y.cwiseAbs().maxCoeff();
     EXPECT_LT((path.y - unit * again.y).cwiseAbs().maxCoeff(), 1e-9 * size) << scheme.id;
   }
@@ -90,7 +91,7 @@ TEST_P(OtherUnits, ChangeNothingButRounding) {
 
 std::vector<const SceneFactory*> makers() {
   std::vector<const SceneFactory*> all;
-  for (const auto& maker : scenes()) all.push_back(&maker);
+  for (const auto& maker : built_in_scenes()) all.push_back(&maker);
   return all;
 }
 INSTANTIATE_TEST_SUITE_P(, OtherUnits, testing::ValuesIn(makers()),
@@ -124,4 +125,4 @@ TEST(Examination, MeasuresWhatRoundingDoes) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

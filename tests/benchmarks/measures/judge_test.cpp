@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // judge() needs no scheme: the measures of a run follow from its times, its values and the reference.
 
 #include "fdebench/benchmarks/measures/judge.hpp"
@@ -13,7 +14,7 @@
 #include "fdebench/benchmarks/reference_data/data_table.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::optional<double> value(const Assessment& judgement, std::string_view id) {
@@ -40,7 +41,7 @@ TEST(Judge, TakesWhatAnotherProgramWrote) {
   MemoizedReference reference(scene);
   const auto judged = judge_columns(times, columns, reference);
   EXPECT_EQ(judged.ending, RunOutcome{});
-  EXPECT_EQ(judged.until, 2.0);
+  EXPECT_EQ(judged.end_time, 2.0);
   EXPECT_NEAR(*value(judged, "error_end"), 0.02, 1e-15);
   EXPECT_NEAR(*value(judged, "error_maximum"), 0.02, 1e-15);
   EXPECT_NEAR(*value(judged, "mescd"), -std::log10(0.02 / 5.0), 1e-12);
@@ -66,7 +67,7 @@ TEST(Judge, SaysFromWhenOnTheAccuracyIsLost) {
   const std::vector<double> times{0.0, 0.5, 1.0};
   const Rows columns{{0.0, 0.25, 3.0}};
   const auto judged = judge_columns(times, columns, reference);
-  EXPECT_EQ(judged.ending, (RunOutcome{Ending::accuracy_lost, "at t = 1"}));
+  EXPECT_EQ(judged.ending, (RunOutcome{Verdict::accuracy_lost, "at t = 1"}));
   const Grid grid{.end = 1.0, .steps = 2};
   EXPECT_EQ(judge_columns(times, columns, reference, {.grid = grid}).ending.detail, "at step 2, t = 1");
 }
@@ -86,7 +87,7 @@ TEST(Judge, OfARunThatStoppedHasNoMeasures) {
   const Scene scene = scene_of("brusselator");
   MemoizedReference reference(scene);
   const auto judged = judge(scene, solve("adams_pc", scene.problem, 256), reference);
-  EXPECT_EQ(judged.ending.kind, Ending::non_finite);
+  EXPECT_EQ(judged.ending.kind, SolveStatus::non_finite);
   EXPECT_EQ(judged.ending.detail.find("at step 94, t = "), 0U);
   EXPECT_TRUE(judged.measured.empty());
 }
@@ -96,24 +97,24 @@ TEST(Judge, ANumberThatIsNotFiniteIsNoMeasure) {
   MemoizedReference reference(scene);
   const double infinity = std::numeric_limits<double>::infinity();
   const auto judged = judge(scene, solve("l1", scene.problem, 8), reference, {.energy_residual = infinity});
-  EXPECT_EQ(judged.ending, (RunOutcome{Ending::non_finite, "in energy_residual"}));
+  EXPECT_EQ(judged.ending, (RunOutcome{SolveStatus::non_finite, "in energy_residual"}));
   EXPECT_TRUE(judged.measured.empty());
 }
 
 TEST(Endings, HaveNamesThatAreReadBack) {
-  for (int i = 0; i <= static_cast<int>(Ending::refused); ++i) {
-    const auto ending = static_cast<Ending>(i);
-    EXPECT_EQ(ending_named(name(ending)), ending);
-  }
-  EXPECT_EQ(ending_named("done"), std::nullopt);
+  for (int i = 0; i <= static_cast<int>(SolveStatus::refused); ++i)
+    EXPECT_EQ(outcome_named(name(static_cast<SolveStatus>(i))), static_cast<SolveStatus>(i));
+  for (int i = 0; i <= static_cast<int>(Verdict::program_failed); ++i)
+    EXPECT_EQ(outcome_named(name(static_cast<Verdict>(i))), static_cast<Verdict>(i));
+  EXPECT_EQ(outcome_named("done"), std::nullopt);
 }
 
 TEST(Endings, AreSentences) {
   EXPECT_EQ(sentence({}), "finished");
-  EXPECT_EQ(sentence({Ending::non_finite, "at step 3, t = 0.5"}), "not finite at step 3, t = 0.5");
-  EXPECT_EQ(sentence({Ending::refused, "needs a uniform grid"}), "refused: needs a uniform grid");
-  EXPECT_EQ(sentence({Ending::overflow, "at t = 2"}), "the solution overflows at t = 2");
+  EXPECT_EQ(sentence({SolveStatus::non_finite, "at step 3, t = 0.5"}), "not finite at step 3, t = 0.5");
+  EXPECT_EQ(sentence({SolveStatus::refused, "needs a uniform grid"}), "refused: needs a uniform grid");
+  EXPECT_EQ(sentence({Verdict::overflow, "at t = 2"}), "the solution overflows at t = 2");
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/measures.hpp"
 
 #include <gsl/gsl_errno.h>
@@ -22,7 +23,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 double time_measure(std::string_view id, const std::vector<double>& seconds) {
@@ -58,7 +59,7 @@ TEST(RelativeErrors, TakeAZeroForAThousandthOfTheSizeNearby) {
 }
 
 // |y - 0| is 1, 2, 4 and |y - y(0)| is 0, 1, 3; t = 0 is left out.
-TEST(TrivialError, IsThatOfZeroOrOfTheInitialValue) {
+TEST(ConstantSolutionError, IsThatOfZeroOrOfTheInitialValue) {
   const Rows reference = (Rows(1, 3) << 1.0, 2.0, 4.0).finished(), one = Rows::Ones(1, 3);
   EXPECT_EQ(constant_solution_error(Norm::end, {0.0, 1.0, 2.0}, reference, one), 3.0);
   EXPECT_EQ(constant_solution_error(Norm::maximum, {0.0, 1.0, 2.0}, reference, one), 3.0);
@@ -68,7 +69,7 @@ TEST(TrivialError, IsThatOfZeroOrOfTheInitialValue) {
 TEST(ErrorKinds, HaveAMeasureAndAWordEach) {
   std::set<std::string_view> ids;
   for (const auto* measure : measures()) ids.insert(measure->id);
-  for (const ErrorKind& kind : error_kinds()) {
+  for (const ErrorKind& kind : error_kinds) {
     EXPECT_TRUE(ids.contains(error_measure(kind))) << error_measure(kind);
     EXPECT_TRUE(ids.contains(baseline_measure(kind))) << baseline_measure(kind);
     EXPECT_EQ(parse_norm(name(kind.norm)), kind.norm);
@@ -120,7 +121,7 @@ bool meet_powers_of_ten(const std::vector<double>& times, double start, double l
 // at 1.25 the rounding of the time limits the distance.
 TEST(WatchedTimes, OfAProblemLieCloserTowardsItsStartAndItsJumps) {
   const Problem problem{
-      .components = {{0.5, {1.0}}, {0.0, {0.0}}, {1.5, {0.0, 0.0}}}, .end = 2.0, .jumps = {1.25, 2.0}};
+      .components = {{0.5, {1.0}}, {0.0, {0.0}}, {1.5, {0.0, 0.0}}}, .end = 2.0, .jump_times = {1.25, 2.0}};
   const auto times = comparison_times(problem, 8);
   EXPECT_TRUE(std::ranges::is_sorted(times, std::less_equal<>())) << "none is there twice";
   for (int i = 0; i <= 8; ++i) EXPECT_TRUE(std::ranges::binary_search(times, 0.25 * i)) << i;
@@ -244,7 +245,7 @@ TEST_P(WholeOrders, TheReferenceIsGslsRungeKuttaSolution) {
 TEST_P(WholeOrders, EverySchemeTendsToGslsSolution) {
   const Vec exact = integrate_by_gsl(scene().problem);
   for (const auto* scheme : grid_schemes()) {
-    if (refusal(*scheme, scene().problem, Grid{5.0, 4000})) continue;
+    if (unsupported_reason(*scheme, scene().problem, Grid{5.0, 4000})) continue;
     const auto error = [&](int steps) {
       return (solve(scheme->id, scene().problem, steps).y.rightCols(1) - exact).cwiseAbs().maxCoeff();
     };
@@ -268,9 +269,9 @@ INSTANTIATE_TEST_SUITE_P(, WholeOrders, testing::Values("pendulum", "extensible_
 TEST(GslQuadrature, OfThePendulumsVelocityIsItsFractionalDerivative) {
   const double beta = 0.5, t = 3.0;
   const auto scene = scene_of("pendulum");
-  const Reference reference = reference_of(scene);
+  const reference::Reference reference = reference_of(scene);
   struct Data {
-    const Reference& reference;
+    const reference::Reference& reference;
   } data{reference};
   gsl_function velocity{[](double s, void* d) { return static_cast<Data*>(d)->reference.at(s).value[2]; },
                         &data};
@@ -286,4 +287,4 @@ TEST(GslQuadrature, OfThePendulumsVelocityIsItsFractionalDerivative) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // 1 < alpha < 2 in the plane and on the line: every C0 is admissible, and the discretisations of the
 // formulations differ.
 
@@ -9,7 +10,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 ParameterValues plane(double alpha, const ParameterValue& constant, const std::string& formulation) {
@@ -23,15 +24,15 @@ ParameterValues plane(double alpha, const ParameterValue& constant, const std::s
 }
 
 // q1, q2, lambda at t = 1, from Laplace transforms inverted in 30 digits (Talbot contour, mpmath).
-struct Known {
+struct KnownCase {
   double alpha;
   ParameterValue constant;
   double q1, q2, lambda;
 };
 const std::array known{
-    Known{1.5, 0.0, 1.1656754129312, -0.00411994594170824, 0.9139166466279092},
-    Known{1.2, 0.0, 1.15534932079803, -0.0074892761163345, 0.92576384210619801},
-    Known{1.5, std::string("a1*v1+a2*v2"), 1.29199062340401, 0.0514508608173795, 1.0883401285245232},
+    KnownCase{1.5, 0.0, 1.1656754129312, -0.00411994594170824, 0.9139166466279092},
+    KnownCase{1.2, 0.0, 1.15534932079803, -0.0074892761163345, 0.92576384210619801},
+    KnownCase{1.5, std::string("a1*v1+a2*v2"), 1.29199062340401, 0.0514508608173795, 1.0883401285245232},
 };
 
 TEST(AboveOrderOne, TheReferenceTakesEveryConstant) {
@@ -47,7 +48,7 @@ TEST(AboveOrderOne, TheReferenceTakesEveryConstant) {
 
 // f = a.v + b.w = C0 holds from the start, with w(0) along a.
 TEST(AboveOrderOne, BothFormsApproachItForEveryConstant) {
-  for (const Known& at : known) {
+  for (const KnownCase& at : known) {
     for (const auto* formulation : {"integrated", "multiplier"}) {
       Scene scene = scene_of("fractional_constraint_2d", plane(at.alpha, at.constant, formulation));
       scene.problem.end = 1.0;
@@ -120,4 +121,4 @@ TEST(AtOrderOne, TheConstraintIsThatOfTheVelocityAlone) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 // Linear systems with rows of order 0: motions under the fractional constraint f = a.v + b.D^alpha q = C0
 // (Tarasov & Zaslavsky 2006, eq. 42 and 55-66), compared with formulations without a multiplier.
 
 #include "benchmarks/mechanics/constrained_motion_testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr auto name_of = [](const auto& test) { return std::string(test.param.name); };
@@ -15,14 +16,15 @@ class BelowOne : public testing::TestWithParam<Motion> {};
 TEST_P(BelowOne, IsTheIntegratedForm) {
   const auto precision = test_precision();
   const Motion& m = GetParam();
-  const Reference multiplier = linear_reference(with_multiplier(m, OutputChoice::positions_and_memory)),
-                  integrated = linear_reference(integrated_form(m));
+  const reference::Reference multiplier = reference::linear_reference(
+                                 with_multiplier(m, OutputChoice::positions_and_memory)),
+                             integrated = reference::linear_reference(integrated_form(m));
   for (const double t : {0.03125, 1.0, 7.0}) {
     const auto values = digits_at(multiplier, t), exact = digits_at(integrated, t);
-    const ReferenceValue in_double = multiplier.at(t), other = integrated.at(t);
+    const reference::ReferenceValue in_double = multiplier.at(t), other = integrated.at(t);
     for (std::size_t i = 0; i < 2; ++i) {
-      expect_equal(values[i], exact[i], fmt::format("q{} at {}", i, t), BigReal(1));
-      expect_equal(values[2 + i], exact[4 + i], fmt::format("w{} at {}", i, t), BigReal(1));
+      expect_equal(values[i], exact[i], fmt::format("q{} at {}", i, t), reference::BigReal(1));
+      expect_equal(values[2 + i], exact[4 + i], fmt::format("w{} at {}", i, t), reference::BigReal(1));
       const auto k = static_cast<Eigen::Index>(i);
       EXPECT_NEAR(in_double.value[k], other.value[k], 1e-14);
       EXPECT_NEAR(in_double.value[2 + k], other.value[4 + k], 1e-14);
@@ -33,15 +35,21 @@ TEST_P(BelowOne, IsTheIntegratedForm) {
 TEST_P(BelowOne, KeepsTheConstraint) {
   const auto precision = test_precision();
   const Motion& m = GetParam();
-  const Reference solution = linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory));
-  BigReal start(0);
-  for (std::size_t i = 0; i < 2; ++i) start += decimal<BigReal>(m.a[i]) * decimal<BigReal>(m.v0[i]);
+  const reference::Reference solution =
+      reference::linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory));
+  reference::BigReal start(0);
+  for (std::size_t i = 0; i < 2; ++i) {
+    start += reference::from_shortest_decimal<reference::BigReal>(m.a[i]) *
+             reference::from_shortest_decimal<reference::BigReal>(m.v0[i]);
+  }
   for (const double t : {1e-6, 0.5, 20.0}) {
     const auto y = digits_at(solution, t);
-    BigReal f(0);
-    for (std::size_t i = 0; i < 2; ++i)
-      f += decimal<BigReal>(m.a[i]) * y[i] + decimal<BigReal>(m.b[i]) * y[2 + i];
-    expect_equal(f, start, fmt::format("f at {}", t), BigReal(1));
+    reference::BigReal f(0);
+    for (std::size_t i = 0; i < 2; ++i) {
+      f += reference::from_shortest_decimal<reference::BigReal>(m.a[i]) * y[i] +
+           reference::from_shortest_decimal<reference::BigReal>(m.b[i]) * y[2 + i];
+    }
+    expect_equal(f, start, fmt::format("f at {}", t), reference::BigReal(1));
   }
 }
 
@@ -65,20 +73,23 @@ class FractionalOscillator : public testing::TestWithParam<Oscillator> {};
 TEST_P(FractionalOscillator, IsTheMeanOfTheCoordinates) {
   const auto precision = test_precision();
   const auto& [name, alpha, above, below, damping_order] = GetParam();
-  const Reference system = linear_reference(with_multiplier_above_one({.alpha = alpha,
-                                                                       .k = {0.5, -0.5},
-                                                                       .g = {0.0, 0.0},
-                                                                       .a = {2.0, 2.0},
-                                                                       .b = {0.0, 1.6},
-                                                                       .q0 = {1.2, -0.4},
-                                                                       .v0 = {0.3, -0.3}},
-                                                                      above, below));
-  const Reference oscillator = linear_reference(
+  const reference::Reference system =
+      reference::linear_reference(with_multiplier_above_one({.alpha = alpha,
+                                                             .k = {0.5, -0.5},
+                                                             .g = {0.0, 0.0},
+                                                             .a = {2.0, 2.0},
+                                                             .b = {0.0, 1.6},
+                                                             .q0 = {1.2, -0.4},
+                                                             .v0 = {0.3, -0.3}},
+                                                            above, below));
+  const reference::Reference oscillator = reference::linear_reference(
       {.terms = {{1.0, 2.0}, {2.5, damping_order}, {0.5, 0.0}}, .initial = {0.4, 0.0}}, {0.0, 1.0});
   for (const double t : {0.125, 2.0, 9.0}) {
     const auto q = digits_at(system, t), x = digits_at(oscillator, t);
-    expect_equal(BigReal((q[0] + q[1]) / 2), x[0], fmt::format("x at {}", t), BigReal(1));
-    expect_equal(BigReal((q[2] + q[3]) / 2), x[1], fmt::format("x' at {}", t), BigReal(1));
+    expect_equal(reference::BigReal((q[0] + q[1]) / 2), x[0], fmt::format("x at {}", t),
+                 reference::BigReal(1));
+    expect_equal(reference::BigReal((q[2] + q[3]) / 2), x[1], fmt::format("x' at {}", t),
+                 reference::BigReal(1));
   }
 }
 
@@ -94,13 +105,16 @@ TEST(AlgebraicLinearSystem, FollowsAFreeCoordinate) {
   const auto precision = test_precision();
   const Motion m{
       .alpha = 0.3, .rest = 0.7, .k = {4.0, 1.0}, .g = {0.0, 2.0}, .a = {0.0, 2.0}, .b = {0.5, 0.0}};
-  const Reference solution = linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory)),
-                  free = linear_reference({.terms = {{1.0, 2.0}, {4.0, 0.0}}, .initial = {m.q0[0], m.v0[0]}},
-                                          {1.0, m.alpha});
+  const reference::Reference solution = reference::linear_reference(
+                                 with_multiplier(m, OutputChoice::velocities_and_memory)),
+                             free = reference::linear_reference(
+                                 {.terms = {{1.0, 2.0}, {4.0, 0.0}}, .initial = {m.q0[0], m.v0[0]}},
+                                 {1.0, m.alpha});
   for (const double t : {0.25, 3.0}) {
     const auto y = digits_at(solution, t), x = digits_at(free, t);
-    expect_equal(y[0], x[0], "v1", BigReal(1));
-    expect_equal(y[1], decimal<BigReal>(m.v0[1]) - x[1] / 4, "v2", BigReal(1));
+    expect_equal(y[0], x[0], "v1", reference::BigReal(1));
+    expect_equal(y[1], reference::from_shortest_decimal<reference::BigReal>(m.v0[1]) - x[1] / 4, "v2",
+                 reference::BigReal(1));
   }
 }
 
@@ -110,13 +124,16 @@ TEST(AlgebraicLinearSystem, RelaxesBehindAFallingCoordinate) {
   const auto precision = test_precision();
   const Motion m{
       .alpha = 0.3, .rest = 0.7, .k = {0.0, 1.0}, .g = {1.5, 2.0}, .a = {0.0, 2.0}, .b = {0.5, 1.0}};
-  const auto v = digits_at(linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory)), 1.0);
+  const auto v =
+      digits_at(reference::linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory)), 1.0);
   const auto e = [](const char* beta) {
-    return real_part<BigReal>(mittag_leffler_digits("0.7", beta, "-0.5"));
+    return reference::real_part<reference::BigReal>(mittag_leffler_digits("0.7", beta, "-0.5"));
   };
-  const auto v1 = decimal<BigReal>(m.v0[0]), v2 = decimal<BigReal>(m.v0[1]);
-  expect_equal(v[1], BigReal(v2 * e("1") - (v1 * e("1.7") - BigReal("1.5") * e("2.7")) / 4), "v2",
-               BigReal(1));
+  const auto v1 = reference::from_shortest_decimal<reference::BigReal>(m.v0[0]),
+             v2 = reference::from_shortest_decimal<reference::BigReal>(m.v0[1]);
+  expect_equal(v[1],
+               reference::BigReal(v2 * e("1") - (v1 * e("1.7") - reference::BigReal("1.5") * e("2.7")) / 4),
+               "v2", reference::BigReal(1));
 }
 
 // alpha = 1: w = v is also a row of order 0. For alpha = 1 - 1e-16 the solution differs by rounding, as
@@ -124,8 +141,10 @@ TEST(AlgebraicLinearSystem, RelaxesBehindAFallingCoordinate) {
 TEST(AlgebraicLinearSystem, IsContinuousAtOrderOne) {
   const Motion next{.alpha = 1.0 - 0x1p-53, .rest = 0x1p-53};
   const Motion one{.alpha = 1.0, .rest = 0.0};
-  const Reference limit = linear_reference(with_multiplier(one, OutputChoice::positions_and_memory)),
-                  solution = linear_reference(with_multiplier(next, OutputChoice::positions_and_memory));
+  const reference::Reference limit = reference::linear_reference(
+                                 with_multiplier(one, OutputChoice::positions_and_memory)),
+                             solution = reference::linear_reference(
+                                 with_multiplier(next, OutputChoice::positions_and_memory));
   for (const double t : {0.01, 1.0, 10.0}) {
     const Vec difference = solution.at(t).value - limit.at(t).value;
     EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-14) << t;
@@ -136,29 +155,31 @@ TEST(AlgebraicLinearSystem, IsContinuousAtOrderOne) {
 TEST(AlgebraicLinearSystem, MayHaveTheMemoryOnACopy) {
   const auto precision = test_precision();
   const Motion m;
-  const Reference on_velocity = linear_reference(with_multiplier(m, OutputChoice::positions_and_memory)),
-                  on_copy = linear_reference(with_memory_on_copies(m));
+  const reference::Reference on_velocity = reference::linear_reference(
+                                 with_multiplier(m, OutputChoice::positions_and_memory)),
+                             on_copy = reference::linear_reference(with_memory_on_copies(m));
   const Oscillator o{"", 1.75, 0.75, 0.25, 0.0};
   const Motion fast{.alpha = o.alpha};
-  const Reference above = linear_reference(with_multiplier_above_one(fast, o.above, o.below)),
-                  copy_above = linear_reference(with_memory_on_copies(fast));
+  const reference::Reference above = reference::linear_reference(
+                                 with_multiplier_above_one(fast, o.above, o.below)),
+                             copy_above = reference::linear_reference(with_memory_on_copies(fast));
   for (const double t : {0.5, 5.0}) {
     const auto x = digits_at(on_velocity, t), y = digits_at(on_copy, t), u = digits_at(above, t),
                w = digits_at(copy_above, t);
     for (std::size_t i = 0; i < 2; ++i) {
-      expect_equal(x[i], y[i], "q", BigReal(1));
-      expect_equal(x[2 + i], y[2 + i], "w", BigReal(1));
-      expect_equal(u[i], w[i], "q", BigReal(1));
-      expect_equal(u[4 + i], w[2 + i], "w", BigReal(1));
+      expect_equal(x[i], y[i], "q", reference::BigReal(1));
+      expect_equal(x[2 + i], y[2 + i], "w", reference::BigReal(1));
+      expect_equal(u[i], w[i], "q", reference::BigReal(1));
+      expect_equal(u[4 + i], w[2 + i], "w", reference::BigReal(1));
     }
   }
 }
 
 // lambda = (a.grad u - b.(d/dt) w) / |a|^2 starts like t^-alpha.
 TEST(AlgebraicLinearSystem, MultiplierIsInfiniteAtTheStart) {
-  LinearSystem system = with_multiplier({.v0 = {3.0, 0.25}}, OutputChoice::velocities_and_memory);
+  reference::LinearSystem system = with_multiplier({.v0 = {3.0, 0.25}}, OutputChoice::velocities_and_memory);
   system.outputs = {multiplier_component};
-  const Reference multiplier = linear_reference(system);
+  const reference::Reference multiplier = reference::linear_reference(system);
   EXPECT_EQ(multiplier.at(0.0).value[0], -std::numeric_limits<double>::infinity());
   // b.v(0) / (|a|^2 Gamma(1/2)) = 1.425 / (5 sqrt(pi))
   EXPECT_NEAR(multiplier.at(1e-12).value[0] * 1e-6, -0.285 / std::sqrt(std::numbers::pi), 1e-5);
@@ -167,19 +188,20 @@ TEST(AlgebraicLinearSystem, MultiplierIsInfiniteAtTheStart) {
 // b = -2a for alpha near 1: a.v (1 - 2 t^1e-16) = C0 grows with the rate 2^(1e16).
 TEST(AlgebraicLinearSystem, SaysWhatGrowsAtOnce) {
   const Motion next{.alpha = 1.0 - 0x1p-53, .rest = 0x1p-53, .b = {-2.0, -4.0}};
-  EXPECT_THROW(linear_reference(with_multiplier(next, OutputChoice::velocities_and_memory)).at(1.0),
-               std::runtime_error);
+  EXPECT_THROW(
+      reference::linear_reference(with_multiplier(next, OutputChoice::velocities_and_memory)).at(1.0),
+      std::runtime_error);
 }
 
 TEST(AlgebraicLinearSystem, RefusesWhatDeterminesNothing) {
   Motion m;
   m.a = {0.0, 0.0};
-  EXPECT_THROW(linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory)),
+  EXPECT_THROW(reference::linear_reference(with_multiplier(m, OutputChoice::velocities_and_memory)),
                std::invalid_argument);
-  LinearSystem system = with_multiplier(Motion{}, OutputChoice::velocities_and_memory);
+  reference::LinearSystem system = with_multiplier(Motion{}, OutputChoice::velocities_and_memory);
   system.outputs = {9};
-  EXPECT_THROW(linear_reference(system), std::invalid_argument);
+  EXPECT_THROW(reference::linear_reference(system), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every scene with algebraic rows, in every formulation, with every scheme, on grids of several gradings:
 // either the error decreases with the number of steps, or the scheme refuses the problem.
 
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // A motion up to an end: its name, scene and parameters without the formulation.
@@ -61,10 +62,10 @@ std::optional<Scene> in_form(const ConstrainedMotion& motion, const std::string&
 
 // The error of the last step, relative to 1 + |exact|; nullopt if the scheme refuses.
 std::optional<double> error_of(const Scene& scene, const Scheme& scheme, const Grid& grid, const Vec& exact) {
-  if (refusal(scheme, scene.problem, grid)) return std::nullopt;
-  const auto path = scheme.solve(scene.problem, grid, {.at = {grid.end}});
-  EXPECT_EQ(path.ending, Ending::finished);
-  if (path.ending != Ending::finished) return std::nullopt;
+  if (unsupported_reason(scheme, scene.problem, grid)) return std::nullopt;
+  const auto path = scheme.solve(scene.problem, grid, {.output_times = {grid.end}});
+  EXPECT_EQ(path.status, SolveStatus::finished);
+  if (path.status != SolveStatus::finished) return std::nullopt;
   const Vec last = columns_at(scene.outputs, grid.end, path.y.rightCols<1>());
   return ((last - exact).array().abs() / (1.0 + exact.array().abs())).maxCoeff();
 }
@@ -109,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(, AlgebraicRowsOfScenes,
 // motions() has every scene with algebraic rows, and the schemes that support such rows accept the multiplier
 // form.
 TEST(ConstrainedMotions, AreOfAllScenesWithAlgebraicRows) {
-  for (const SceneFactory& maker : scenes()) {
+  for (const SceneFactory& maker : built_in_scenes()) {
     const auto choice = std::ranges::find(maker.parameters, "formulation", &Parameter::name);
     const bool has = choice != maker.parameters.end();
     const auto all = motions();
@@ -117,13 +118,13 @@ TEST(ConstrainedMotions, AreOfAllScenesWithAlgebraicRows) {
   }
   for (const auto& motion : motions()) {
     const Scene scene = *in_form(motion, "multiplier");
-    ASSERT_TRUE(std::ranges::any_of(scene.problem.components, algebraic));
+    ASSERT_TRUE(std::ranges::any_of(scene.problem.components, is_algebraic));
     for (const Scheme* scheme : row_schemes()) {
-      const bool refused = refusal(*scheme, scene.problem, Grid{motion.end, 64}).has_value();
-      EXPECT_EQ(refused, !scheme->needs.algebraic_rows) << motion.name << ' ' << scheme->id;
+      const bool refused = unsupported_reason(*scheme, scene.problem, Grid{motion.end, 64}).has_value();
+      EXPECT_EQ(refused, !scheme->capabilities.algebraic_rows) << motion.name << ' ' << scheme->id;
     }
   }
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A blade on a sphere: a curved metric and a nonholonomic constraint.
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Point = Eigen::Vector3d;
@@ -29,7 +30,7 @@ double spin(In c) { return c[5] + std::cos(c[0]) * c[4]; }
 // Position and blade rotate together about one axis, V (across) + spin (outwards).
 TEST(BladeOnSphere, WithoutGravityDrawsACircle) {
   const Scene scene = scene_of("blade_on_sphere", {{"gravity", 0.0}});
-  const Reference reference = reference_of(scene);
+  const reference::Reference reference = reference_of(scene);
   const Vec start = reference.at(0.0).value;
   const Point axis = 0.6 * outwards(start).cross(along(start)) + outwards(start);
   for (const double t : {0.5, 3.0, 10.0}) {
@@ -43,7 +44,7 @@ TEST(BladeOnSphere, WithoutGravityDrawsACircle) {
 // theta' = V cos psi, sin(theta) phi' = V sin psi, V' = gravity sin(theta) cos(psi), psi' + phi' cos theta =
 // 1, solved by Taylor's method in 20 digits: without multiplier, metric or projection.
 TEST(BladeOnSphere, IsTheMotionOfItsReducedEquations) {
-  const Reference reference = reference_of(scene_of("blade_on_sphere"));
+  const reference::Reference reference = reference_of(scene_of("blade_on_sphere"));
   const Vec three = reference.at(3.0).value, ten = reference.at(10.0).value;
   EXPECT_LT(
       (three.head<3>() - Point(0.82398924127608987935, 1.3450278016598434129, 3.3314532866150631141)).norm(),
@@ -121,4 +122,4 @@ TEST(BladeOnSphere, HasTheGeometryOfItsMetric) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

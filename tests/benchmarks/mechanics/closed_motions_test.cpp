@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Closed forms of motions with constraints of integer order: they satisfy the equations, their bounds hold,
 // and their limits are those of mechanics.
 
@@ -9,7 +10,7 @@
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Motion {
@@ -65,18 +66,23 @@ TEST_P(ClosedMotion, KeepsTheConstraintAndTheEnergy) {
 
 // Compared with 40 digits; the bound itself is at the level of double precision.
 TEST_P(ClosedMotion, IsWithinItsBound) {
-  const Precision precision(60);
+  const reference::Precision precision(60);
   for (const double t : {0.0, 1e-9, 0.1, 1.5, 4.5}) {
-    const ReferenceValue quick = scene_.reference.at(t);
+    const reference::ReferenceValue quick = scene_.reference.at(t);
     const auto precise = scene_.reference.digits(t, 40);
     const double largest = quick.value.cwiseAbs().maxCoeff();
     for (Eigen::Index c = 0; c < quick.value.size(); ++c) {
       const auto& [value, bound] = precise[static_cast<std::size_t>(c)];
-      const BigReal error = abs(BigReal(parse<BigReal>(value) - BigReal(quick.value[c])));
-      EXPECT_LE(error, BigReal(quick.bound[c]) + parse<BigReal>(bound)) << "column " << c << ", t = " << t;
+      const reference::BigReal error = abs(reference::BigReal(reference::parse<reference::BigReal>(value) -
+                                                              reference::BigReal(quick.value[c])));
+      EXPECT_LE(error, reference::BigReal(quick.bound[c]) + reference::parse<reference::BigReal>(bound))
+          << "column " << c << ", t = " << t;
       EXPECT_LE(quick.bound[c], 1.2e-16 * (std::abs(quick.value[c]) + 1.0 + largest)) << "column " << c;
-      const BigReal size = std::max(BigReal(abs(parse<BigReal>(value))), BigReal(1e-40));  // some are 0
-      EXPECT_LE(parse<BigReal>(bound), BigReal(1e-39) * size) << "column " << c;
+      const reference::BigReal size =
+          std::max(reference::BigReal(abs(reference::parse<reference::BigReal>(value))),
+                   reference::BigReal(1e-40));  // some are 0
+      EXPECT_LE(reference::parse<reference::BigReal>(bound), reference::BigReal(1e-39) * size)
+          << "column " << c;
     }
   }
 }
@@ -99,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
 // The bound is at most the effect of rounding t, which is t times the largest rate, also for a turning
 // motion.
 TEST(ClosedMotions, OfManyTurnsAreKnownAsWellAsTheirTime) {
-  const Precision precision(60);
+  const reference::Precision precision(60);
   for (const Motion& motion :
        {Motion{"knife_edge", {{"omega", 1.7}}}, Motion{"rolling_disc", {{"pull", 0.6}, {"dphi0", -0.4}}}}) {
     const Scene scene = scene_of(motion.scene, motion.values);
@@ -110,8 +116,9 @@ TEST(ClosedMotions, OfManyTurnsAreKnownAsWellAsTheirTime) {
       for (Eigen::Index c = 0; c < n; ++c) {
         const double largest_rate = 10.0;  // of both motions
         EXPECT_LE(bound[c], 5e-16 * t * largest_rate) << motion.scene << ' ' << c << ", t = " << t;
-        const auto exact = parse<BigReal>(precise[static_cast<std::size_t>(c)].value);
-        EXPECT_LE(abs(BigReal(exact - BigReal(value[c]))), BigReal(bound[c])) << motion.scene << ' ' << c;
+        const auto exact = reference::parse<reference::BigReal>(precise[static_cast<std::size_t>(c)].value);
+        EXPECT_LE(abs(reference::BigReal(exact - reference::BigReal(value[c]))), reference::BigReal(bound[c]))
+            << motion.scene << ' ' << c;
       }
     }
   }
@@ -152,7 +159,7 @@ TEST(KnifeEdge, DriftsAcrossTheSlope) {
 }
 
 TEST(RollingDisc, RollsInACircle) {
-  const Reference exact = scene_of("rolling_disc", {{"dphi0", 0.5}, {"m", 3.0}}).reference;
+  const reference::Reference exact = scene_of("rolling_disc", {{"dphi0", 0.5}, {"m", 3.0}}).reference;
   for (const double t : times) {
     const Vec columns = exact.at(t).value;
     EXPECT_NEAR(std::hypot(columns[0], columns[1] - 2.0), 2.0, 1e-15) << "t = " << t;
@@ -169,7 +176,7 @@ TEST(RollingDisc, ResistsWithItsInertia) {
 
 // tan of the angle to the meridians: sin(theta) dphi/dtheta = k; the speed is constant.
 TEST(Loxodrome, KeepsCourseAndSpeed) {
-  const Reference exact = scene_of("loxodrome", {{"speed", 0.5}}).reference;
+  const reference::Reference exact = scene_of("loxodrome", {{"speed", 0.5}}).reference;
   for (const double t : times) {
     const Vec columns = exact.at(t).value;
     const double across = std::sin(columns[0]) * columns[3];
@@ -186,9 +193,9 @@ TEST(Loxodrome, EndsInThePole) {
   const Grid grid{2.0, 64};
   for (const auto* scheme : row_schemes()) {
     const auto path = scheme->solve(scene.problem, grid, {});
-    EXPECT_NE(path.ending, Ending::finished) << scheme->id;
-    EXPECT_GT(path.reached, 0.7 * pole) << scheme->id;
-    EXPECT_LE(path.reached, pole + grid.step()) << scheme->id;
+    EXPECT_NE(path.status, SolveStatus::finished) << scheme->id;
+    EXPECT_GT(path.last_time, 0.7 * pole) << scheme->id;
+    EXPECT_LE(path.last_time, pole + grid.step()) << scheme->id;
     EXPECT_TRUE(path.y.allFinite()) << scheme->id;
   }
   EXPECT_THROW(scene.reference.at(2.0), std::runtime_error);
@@ -200,4 +207,4 @@ TEST(ClosedForms, RefuseTimesBeforeTheStart) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

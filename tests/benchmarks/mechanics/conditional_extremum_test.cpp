@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Constrained motion compared with the conditional extremum: Tarasov & Zaslavsky (67) and the residual of
 // (72).
 
@@ -13,7 +14,7 @@
 #include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -67,12 +68,12 @@ void expect_residual_between(const System& system, const InitialState<System::co
   };
   const Vector<double, n> acceleration = (at(1e-5) - at(-1e-5)) / 2e-5;
   const Vector<double, n> motion = AccelerationWithoutMemory<System>{system, start, 0.0}
-                                       .template rhs<double>(0.0, State(joined<double>(start.q, start.v)))
+                                       .template rhs<double>(0.0, State(stacked<double>(start.q, start.v)))
                                        .template tail<n>();
   const Vector<double, n> residual =
       extremum_residual(system, {0.0, start.q, start.v, acceleration}, multiplier);
   EXPECT_GT(residual.norm(), 0.1);
-  EXPECT_LT((acceleration - motion - raised<double>(system, start.q, residual)).norm(), 1e-8);
+  EXPECT_LT((acceleration - motion - raise_index<double>(system, start.q, residual)).norm(), 1e-8);
 }
 
 TEST(ExtremumResidual, IsTheDifferenceOfTheAccelerations) {
@@ -139,7 +140,7 @@ TEST(VakonomicParticle, KeepsConstraintEnergyAndMomenta) {
     EXPECT_NEAR(path.y(3, c), path.y(3, 0), 1e-14);
     EXPECT_NEAR(path.y(5, c), path.y(5, 0), 1e-14);
   }
-  const Reference reference = reference_of(scene);
+  const reference::Reference reference = reference_of(scene);
   const double start = scene.energy.value(reference.at(0.0).value);
   EXPECT_NEAR(scene.energy.value(reference.at(5.0).value), start, 1e-13);
   EXPECT_GT(
@@ -148,4 +149,4 @@ TEST(VakonomicParticle, KeepsConstraintEnergyAndMomenta) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

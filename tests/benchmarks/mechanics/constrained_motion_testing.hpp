@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 // Motions q'' = -k q - g + a lambda, componentwise, under a.q' + b.D^alpha q = a.q'(0), as linear systems.
@@ -6,7 +7,7 @@
 
 #include "support/linear_system_testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 struct Motion {
   const char* name = "";
@@ -22,11 +23,11 @@ inline std::vector<double> initial_of(double order, double value) {
 }
 
 // Components q, v, w, e, lambda with e = v(0); the caller adds the rows of w.
-inline LinearSystem without_memory(const Motion& m) {
-  LinearSystem system{.orders = {1, 1, 1, 1, 0, 0, 1, 1, 0},
-                      .initial = std::vector<std::vector<double>>(9),
-                      .matrix = Matrix::Zero(9, 9),
-                      .loads = std::vector<std::vector<Load>>(9)};
+inline reference::LinearSystem without_memory(const Motion& m) {
+  reference::LinearSystem system{.orders = {1, 1, 1, 1, 0, 0, 1, 1, 0},
+                                 .initial = std::vector<std::vector<double>>(9),
+                                 .matrix = Matrix::Zero(9, 9),
+                                 .loads = std::vector<std::vector<reference::Load>>(9)};
   system.matrix(8, 8) = 1.0;
   for (std::size_t i = 0; i < 2; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
@@ -41,7 +42,7 @@ inline LinearSystem without_memory(const Motion& m) {
 }
 
 // Adds -k q - g + a lambda to the rows first_row and first_row + 1, one for each coordinate.
-inline void add_forces(LinearSystem& system, const Motion& m, std::size_t first_row) {
+inline void add_forces(reference::LinearSystem& system, const Motion& m, std::size_t first_row) {
   for (std::size_t i = 0; i < 2; ++i) {
     const auto row = static_cast<Eigen::Index>(first_row + i);
     system.matrix(row, static_cast<Eigen::Index>(i)) = -m.k[i];
@@ -51,8 +52,8 @@ inline void add_forces(LinearSystem& system, const Motion& m, std::size_t first_
 }
 
 // v' = forces, D^(1-alpha) w = v.
-inline LinearSystem with_multiplier(const Motion& m, OutputChoice shown) {
-  LinearSystem system = without_memory(m);
+inline reference::LinearSystem with_multiplier(const Motion& m, OutputChoice shown) {
+  reference::LinearSystem system = without_memory(m);
   add_forces(system, m, 2);
   for (std::size_t i = 0; i < 2; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
@@ -66,8 +67,8 @@ inline LinearSystem with_multiplier(const Motion& m, OutputChoice shown) {
 }
 
 // 1 < alpha < 2: D^(alpha-1) v = w, D^(2-alpha) w = forces. Outputs q, v, w.
-inline LinearSystem with_multiplier_above_one(const Motion& m, double above, double below) {
-  LinearSystem system = without_memory(m);
+inline reference::LinearSystem with_multiplier_above_one(const Motion& m, double above, double below) {
+  reference::LinearSystem system = without_memory(m);
   add_forces(system, m, 4);
   for (std::size_t i = 0; i < 2; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
@@ -81,8 +82,8 @@ inline LinearSystem with_multiplier_above_one(const Motion& m, double above, dou
 }
 
 // D^alpha p = w, 0 = p - q: components 9 and 10 are p. Outputs q, w.
-inline LinearSystem with_memory_on_copies(const Motion& m) {
-  LinearSystem system = without_memory(m);
+inline reference::LinearSystem with_memory_on_copies(const Motion& m) {
+  reference::LinearSystem system = without_memory(m);
   add_forces(system, m, 2);
   system.matrix.conservativeResizeLike(Matrix::Zero(11, 11));
   for (std::size_t i = 0; i < 2; ++i) {
@@ -102,13 +103,13 @@ inline LinearSystem with_memory_on_copies(const Motion& m) {
 
 // q' = z - A w, z' = -P (k q + g), D^(1-alpha) w = z - A w, for the default a, b, k and g, for which A, P and
 // their products are short decimals, or with b = 0. Outputs: all components q, z, w.
-inline LinearSystem integrated_form(const Motion& m) {
+inline reference::LinearSystem integrated_form(const Motion& m) {
   Matrix a_b = (Matrix(2, 2) << 0.1, -0.06, 0.2, -0.12).finished();
   if (m.b[0] == 0.0) a_b.setZero();
-  LinearSystem system{.orders = {1, 1, 1, 1, m.rest, m.rest},
-                      .initial = {{m.q0[0]}, {m.q0[1]}, {m.v0[0]}, {m.v0[1]}, {0.0}, {0.0}},
-                      .matrix = Matrix::Zero(6, 6),
-                      .loads = {{}, {}, {{-0.8}}, {{0.4}}, {}, {}}};
+  reference::LinearSystem system{.orders = {1, 1, 1, 1, m.rest, m.rest},
+                                 .initial = {{m.q0[0]}, {m.q0[1]}, {m.v0[0]}, {m.v0[1]}, {0.0}, {0.0}},
+                                 .matrix = Matrix::Zero(6, 6),
+                                 .loads = {{}, {}, {{-0.8}}, {{0.4}}, {}, {}}};
   for (const Eigen::Index row : {0, 4}) {
     system.matrix.block(row, 2, 2, 2).setIdentity();
     system.matrix.block(row, 4, 2, 2) = -a_b;
@@ -117,4 +118,4 @@ inline LinearSystem integrated_form(const Motion& m) {
   return system;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Dual numbers obey the rules of differentiation; nested ones give second derivatives.
 
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 
 #include "fdebench/benchmarks/mechanics/dual_derivatives.hpp"
 
-namespace fde::mechanics {
+namespace fde::bench::mechanics {
 namespace {
 
 constexpr double rounding = 1e-15;
@@ -95,4 +96,4 @@ TEST(DualMatrix, DiagonalOnesAreTheSameInFull) {
 }
 
 }  // namespace
-}  // namespace fde::mechanics
+}  // namespace fde::bench::mechanics

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The ensembles of Tarasov & Zaslavsky, section 5: where e^(-E/T) is a stationary density, and that long
 // motions have its averages.
 
@@ -9,7 +10,7 @@
 #include "fdebench/schemes/problem/jacobian.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using State = Eigen::Matrix<double, 6, 1>;  // q, v
@@ -116,4 +117,4 @@ TEST(Ensembles, ALongMotionHasTheIsobaricAverages) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The statements of docs/mechanics.md that compare the formulations with memory.
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The drift at every step.
@@ -42,4 +43,4 @@ TEST(FormsWithMemory, TheMultiplierFormOnAGradedGridIsTheBetterOne) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

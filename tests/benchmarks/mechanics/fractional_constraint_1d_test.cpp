@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // a q' + b D^alpha q = C0 (Tarasov & Zaslavsky 2006, eqs 44-48) in its three ranges of alpha.
 
 #include <array>
@@ -6,7 +7,7 @@
 #include "support/linear_system_testing.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Values = ParameterValues;
@@ -18,26 +19,29 @@ double at(const Scene& scene, double t) { return scene.reference.at(t).value[0];
 TEST(FractionalConstraint1D, BelowOneIsAMittagLefflerFunction) {
   const auto precision = test_precision();
   const Scene scene = line({{"alpha", 0.3}, {"a", 0.3}, {"b", 0.6}, {"q0", 0.1}, {"q1", 0.7}});
-  const auto e = real_part<BigReal>(mittag_leffler_digits("0.7", "2", "-2"));
-  expect_equal(digits_at(scene.reference, 1.0)[0], BigReal("0.1") + BigReal("0.7") * e, "alpha = 0.3");
+  const auto e = reference::real_part<reference::BigReal>(mittag_leffler_digits("0.7", "2", "-2"));
+  expect_equal(digits_at(scene.reference, 1.0)[0], reference::BigReal("0.1") + reference::BigReal("0.7") * e,
+               "alpha = 0.3");
 }
 
 // q0 + q1 t + q2 t^2 E_{alpha-1,3}(-(a/b) t^(alpha-1)).
 TEST(FractionalConstraint1D, AboveTwoIsAnother) {
   const auto precision = test_precision();
   const Scene scene = line({{"alpha", 2.3}, {"a", 0.6}, {"b", 0.3}, {"q0", 0.1}, {"q1", 0.7}, {"q2", -0.4}});
-  const auto e = real_part<BigReal>(mittag_leffler_digits("1.3", "3", "-2"));
-  expect_equal(digits_at(scene.reference, 1.0)[0], BigReal("0.8") - BigReal("0.4") * e, "alpha = 2.3");
+  const auto e = reference::real_part<reference::BigReal>(mittag_leffler_digits("1.3", "3", "-2"));
+  expect_equal(digits_at(scene.reference, 1.0)[0], reference::BigReal("0.8") - reference::BigReal("0.4") * e,
+               "alpha = 2.3");
 }
 
 // The corrected eq. 49: D^(alpha-1) q + w2 q = q''(0) t^(3-alpha)/Gamma(4-alpha) + w2 (q(0) + q'(0) t).
 TEST(FractionalConstraint1D, AboveTwoIsTheFractionalOscillator) {
   for (const double alpha : {2.25, 2.5, 2.75}) {
     const double a = 2.0, b = 0.5, q0 = 1.0, q1 = 0.5, q2 = 0.3;
-    const Reference oscillator = linear_reference(
-        LinearEquation{{{1.0, alpha - 1.0}, {a / b, 0.0}},
-                       {q0, q1},
-                       {{q2 / std::tgamma(4.0 - alpha), 3.0 - alpha}, {a / b * q0}, {a / b * q1, 1.0}}},
+    const reference::Reference oscillator = reference::linear_reference(
+        reference::LinearEquation{
+            {{1.0, alpha - 1.0}, {a / b, 0.0}},
+            {q0, q1},
+            {{q2 / std::tgamma(4.0 - alpha), 3.0 - alpha}, {a / b * q0}, {a / b * q1, 1.0}}},
         {0.0});
     const Scene scene = line({{"alpha", alpha}, {"a", a}, {"b", b}, {"q0", q0}, {"q1", q1}, {"q2", q2}});
     for (const double t : {0.3, 2.0, 9.0})
@@ -62,8 +66,8 @@ TEST(FractionalConstraint1D, SchemesApproachIt) {
     Scene scene = line({{"alpha", alpha}});
     scene.problem.end = 4.0;
     for (const auto* scheme : grid_schemes()) {
-      if (refusal(*scheme, scene.problem, Grid{4.0, 512})) {  // leading orders above 2
-        EXPECT_TRUE(scheme->needs.discretises_equations && alpha > 2.0) << alpha << scheme->id;
+      if (unsupported_reason(*scheme, scene.problem, Grid{4.0, 512})) {  // leading orders above 2
+        EXPECT_TRUE(scheme->capabilities.discretises_equations && alpha > 2.0) << alpha << scheme->id;
         continue;
       }
       const auto error = [&](int steps) {
@@ -78,20 +82,20 @@ TEST(FractionalConstraint1D, SchemesApproachIt) {
 
 // q, q', lambda = q''/a with a = 1, b = 0.5: series of Mittag-Leffler functions in 30 digits (mpmath).
 TEST(FractionalConstraint1D, TakesEveryConstantAboveOne) {
-  struct Known {
+  struct KnownCase {
     Values values;
     double t, q, v, lambda;
   };
   const std::array known{
-      Known{{{"alpha", 0.5}}, 1.0, 1.3597598554813643, 0.30784517209646294, -0.064086102862823337},
-      Known{
+      KnownCase{{{"alpha", 0.5}}, 1.0, 1.3597598554813643, 0.30784517209646294, -0.064086102862823337},
+      KnownCase{
           {{"alpha", 1.5}, {"C0", 0.0}}, 1.0, 1.1890192513126914, 0.12769783815525287, -0.053398230926744799},
-      Known{{{"alpha", 1.5}, {"C0", 0.0}}, 2.0, 1.2975449407269249, NAN, NAN},
-      Known{{{"alpha", 2.5}, {"C0", 0.2}},
-            2.0,
-            1.7444311999180254,
-            0.21062863593408901,
-            -0.063609494435947699}};
+      KnownCase{{{"alpha", 1.5}, {"C0", 0.0}}, 2.0, 1.2975449407269249, NAN, NAN},
+      KnownCase{{{"alpha", 2.5}, {"C0", 0.2}},
+                2.0,
+                1.7444311999180254,
+                0.21062863593408901,
+                -0.063609494435947699}};
   for (const auto& [values, t, q, v, lambda] : known) {
     const Scene scene = line(values);
     const Vec value = scene.reference.at(t).value;
@@ -106,10 +110,10 @@ TEST(FractionalConstraint1D, TakesEveryConstantAboveOne) {
 TEST(FractionalConstraint1D, ItsMultiplierStartsWithTheSecondDerivativeAboveTwo) {
   for (const double constant : {0.5, 0.2}) {
     const Scene scene = line({{"alpha", 2.5}, {"C0", constant}});
-    EXPECT_EQ((*scene.reactions.first)[0], 0.3);
+    EXPECT_EQ((*scene.reactions.initial_multipliers)[0], 0.3);
     EXPECT_NEAR(scene.reactions.exact.at(1e-14).value[0], 0.3, 1e-6);
   }
-  EXPECT_FALSE(line({{"alpha", 1.5}, {"C0", 0.0}}).reactions.first);
+  EXPECT_FALSE(line({{"alpha", 1.5}, {"C0", 0.0}}).reactions.initial_multipliers);
 }
 
 TEST(FractionalConstraint1D, SchemesApproachTheConstraintThatIsZero) {
@@ -142,7 +146,7 @@ TEST(FractionalConstraint1D, AlphaToOneFromBelowIsAnotherMotionThanAtOne) {
 // b q'' + a q' = C0 has q''(0) = (C0 - a q1) / b.
 TEST(FractionalConstraint1D, AtOrderTwoTheMultiplierStartsAtAValue) {
   const Scene scene = line({{"alpha", 2.0}, {"C0", 0.1}});
-  EXPECT_EQ(scene.reactions.first, Vec{{-0.8}});
+  EXPECT_EQ(scene.reactions.initial_multipliers, Vec{{-0.8}});
   EXPECT_NEAR(scene.reactions.exact.at(0.0).value[0], -0.8, 1e-15);
 }
 
@@ -176,4 +180,4 @@ TEST(FractionalConstraint1D, RefusesWhatIsNoMotion) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

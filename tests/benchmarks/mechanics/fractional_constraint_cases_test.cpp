@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The special cases of the two-dimensional constraint (Tarasov & Zaslavsky 2006, eqs 57-66).
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 #include "fdebench/reference/nonlinear/collocation.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Values = ParameterValues;
@@ -29,8 +30,8 @@ TEST(ConstraintCases, A1AndB2ZeroDriveQ2ByQ1) {
     const Values values{{"alpha", alpha}, {"a1", 0.0}, {"b2", 0.0}, {"a2", 2.0}, {"b1", 0.5},
                         {"k1", 1.0},      {"q1", 1.0}, {"v1", 0.0}, {"v2", -0.2}};
     const auto [value, bound] = reference_of(scene_of("fractional_constraint_2d", values)).at(3.0);
-    const Reference cosine =
-        linear_reference(LinearEquation{{{1.0, 2.0}, {1.0, 0.0}}, {1.0, 0.0}}, {0.0, alpha});
+    const reference::Reference cosine = reference::linear_reference(
+        reference::LinearEquation{{{1.0, 2.0}, {1.0, 0.0}}, {1.0, 0.0}}, {0.0, alpha});
     EXPECT_NEAR(value[3], -0.2 - 0.25 * cosine.at(3.0).value[1], bound[3] + 1e-14) << alpha;
   }
 }
@@ -42,7 +43,7 @@ Scene oscillator(Values values, const std::string& form) {
 
 // The reference computed from scene.problem instead of scene.reference_problem.
 Vec own_reference(const Scene& scene, double t) {
-  const ReferenceValue known = reference_solution(scene.problem).at(t);
+  const reference::ReferenceValue known = reference::reference_solution(scene.problem).at(t);
   return columns_at(scene.outputs, t, known.value);
 }
 
@@ -52,10 +53,10 @@ TEST(ConstraintCases, TheReducedEquationIsTheSystem) {
     Scene system = oscillator({{"alpha", alpha}}, "integrated");
     Scene reduced = oscillator({{"alpha", alpha}}, "reduced");
     system.problem.end = reduced.problem.end = 2.0;
-    const Reference of_reduced = reference_solution(reduced.problem),
-                    of_system = reference_solution(system.problem);
+    const reference::Reference of_reduced = reference::reference_solution(reduced.problem),
+                               of_system = reference::reference_solution(system.problem);
     for (const double t : {0.1, 0.5, 2.0}) {
-      const ReferenceValue known = of_reduced.at(t), other = of_system.at(t);
+      const reference::ReferenceValue known = of_reduced.at(t), other = of_system.at(t);
       const Vec seen = columns_at(reduced.outputs, t, known.value),
                 same = columns_at(system.outputs, t, other.value);
       const Vec bound = propagated_bound(reduced.outputs, t, known, seen) +
@@ -71,8 +72,9 @@ TEST(ConstraintCases, TheLinearOneIsExact) {
   const double alpha = 1.25, k1 = 3.0, g = 0.8;
   Scene system = oscillator({{"alpha", alpha}, {"k1", k1}, {"k3", 0.0}}, "integrated");
   system.problem.end = 2.0;
-  const Reference exact = linear_reference(
-      LinearEquation{{{1.0, 2.0}, {2.0 / g, 3.0 - alpha}, {k1 / 2.0, 0.0}}, {0.7, 0.3}}, {0.0, 1.0});
+  const reference::Reference exact = reference::linear_reference(
+      reference::LinearEquation{{{1.0, 2.0}, {2.0 / g, 3.0 - alpha}, {k1 / 2.0, 0.0}}, {0.7, 0.3}},
+      {0.0, 1.0});
   EXPECT_LT((own_reference(system, 2.0) - exact.at(2.0).value).cwiseAbs().maxCoeff(), 1e-12);
 }
 
@@ -81,8 +83,8 @@ TEST(ConstraintCases, ThePlaneHasTheSameCase) {
   const Values plane{{"alpha", 1.5}, {"a1", 1.0}, {"a2", 1.0}, {"b1", 0.0}, {"b2", 0.8}, {"k1", 0.5},
                      {"k2", -0.5},   {"q1", 0.5}, {"q2", 0.9}, {"v1", 0.8}, {"v2", -0.2}};
   const Vec points = reference_of(scene_of("fractional_constraint_2d", plane)).at(2.0).value;
-  const Reference exact =
-      linear_reference(LinearEquation{{{1.0, 2.0}, {2.5, 1.5}, {0.5, 0.0}}, {0.7, 0.3}}, {0.0, 1.0});
+  const reference::Reference exact = reference::linear_reference(
+      reference::LinearEquation{{{1.0, 2.0}, {2.5, 1.5}, {0.5, 0.0}}, {0.7, 0.3}}, {0.0, 1.0});
   EXPECT_NEAR(0.5 * (points[0] + points[1]), exact.at(2.0).value[0], 1e-12);
   EXPECT_NEAR(0.5 * (points[2] + points[3]), exact.at(2.0).value[1], 1e-12);
 }
@@ -119,4 +121,4 @@ TEST(FractionalConstraint2d, AGreatForceLeavesTheMatrixOfASmallStiffness) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

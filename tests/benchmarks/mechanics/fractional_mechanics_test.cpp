@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes of mechanics with memory: formulations, limits, and refusals.
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Values = ParameterValues;
@@ -23,7 +24,7 @@ Scene knife_edge(const Values& values) { return scene_of("fractional_knife_edge"
 // All columns at all steps.
 Rows run(const Scene& scene, int steps, std::string_view scheme = "product_trapezoidal") {
   const auto path = solve(scheme, scene.problem, steps);
-  EXPECT_EQ(path.ending, Ending::finished);
+  EXPECT_EQ(path.status, SolveStatus::finished);
   return columns_of(scene.outputs, path);
 }
 
@@ -32,7 +33,7 @@ double largest(const Rows& rows) { return rows.cwiseAbs().maxCoeff(); }
 // x = g sin theta/(2 omega^2) sin^2(omega t), y = g sin theta/(2 omega^2) (omega t - sin(2 omega t)/2).
 TEST(FractionalKnifeEdge, WithoutMemoryIsTheKnifeEdge) {
   const Values values{{"b", 0.0}, {"speed", 0.0}, {"g", 2.0}, {"omega", 1.5}};
-  const Reference reference = reference_of(knife_edge(values));
+  const reference::Reference reference = reference_of(knife_edge(values));
   const double size = 2.0 * std::sin(0.5) / (2.0 * 1.5 * 1.5);
   for (const double t : {0.4, 3.0, 10.0}) {
     const auto [value, bound] = reference.at(t);
@@ -114,7 +115,7 @@ TEST(FractionalConstraintNonlinear, AllFormsAreOneMotion) {
 
 TEST(FractionalConstraintNonlinear, ItsReferenceIsOnTheConstraint) {
   const Scene scene = thermostat({});
-  const Reference reference = reference_of(scene);
+  const reference::Reference reference = reference_of(scene);
   for (const double t : {1e-6, 0.1, 1.0, 10.0})
     EXPECT_LT(scene.constraint.drift(t, reference.at(t).value), 1e-12) << t;
 }
@@ -132,7 +133,7 @@ TEST(FractionalConstraintNonlinear, FromOneHalfOnTheMultiplierFits) {
       },
       "formulation = acceleration: must be neither acceleration nor stabilised");
   const Scene scene = thermostat({{"alpha", 0.6}, {"formulation", "multiplier"}});
-  const Reference reference = reference_of(scene);
+  const reference::Reference reference = reference_of(scene);
   for (const double t : {1e-6, 0.1, 1.0, 10.0})
     EXPECT_LT(scene.constraint.drift(t, reference.at(t).value), 1e-12) << t;
   const Rows columns = run(scene, 100);
@@ -146,7 +147,7 @@ TEST(FractionalConstraintNonlinear, NextToOneAnExaminationSaysThatNothingIsKnown
   MemoizedReference reference(scene);
   const auto rows = examine({}, scene, reference, *find_scheme("product_trapezoidal"), {64});
   ASSERT_GT(rows.size(), 3U);
-  EXPECT_EQ(rows.back().ending->kind, Ending::no_reference);
+  EXPECT_EQ(rows.back().ending->kind, Verdict::no_reference);
   const auto measured = [&](std::string_view quantity) {
     return std::ranges::find(rows, quantity, &Record::quantity) != rows.end();
   };
@@ -156,4 +157,4 @@ TEST(FractionalConstraintNonlinear, NextToOneAnExaminationSaysThatNothingIsKnown
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

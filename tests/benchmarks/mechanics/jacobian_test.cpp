@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every formulation of every scene with a constraint has a correct df/dy of its nonlinear right-hand side.
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Form {
@@ -35,7 +36,7 @@ void choose(std::vector<Form>& forms, const Parameter& parameter) {
 
 std::vector<Form> forms_with_constraints() {
   std::vector<Form> found;
-  for (const auto& maker : scenes()) {
+  for (const auto& maker : built_in_scenes()) {
     std::vector<Form> forms{{maker.id, maker.id, {}}};
     for (const auto& parameter : maker.parameters) choose(forms, parameter);
     if (forms.size() == 1 && forms[0].scene != "vakonomic_particle") continue;
@@ -103,4 +104,4 @@ INSTANTIATE_TEST_SUITE_P(, FormWithConstraint, testing::ValuesIn(forms_with_cons
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mechanics with constraints of integer order: derivatives, formulations, thermostats.
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 #include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -37,10 +38,10 @@ TEST(Derivatives, OfAConstraintAreThoseByDifferences) {
     const auto of_place = [&](const Vector<double, 2>& q) {
       return sphere.constraint<double>(0.0, q, speed);
     };
-    EXPECT_NEAR(rates.reaction(0, k), differenced(of_speed, speed, k)[0], 1e-9);
+    EXPECT_NEAR(rates.velocity_jacobian(0, k), differenced(of_speed, speed, k)[0], 1e-9);
     flow += differenced(of_place, place, k)[0] * speed[k];
   }
-  EXPECT_NEAR(rates.flow[0], flow, 1e-9);
+  EXPECT_NEAR(rates.convective_rate[0], flow, 1e-9);
 }
 
 // d/dt (G v) - 1/2 grad(v'G v) - G v'.
@@ -69,7 +70,9 @@ TEST(Metric, OfTheIdentityIsNone) {
   static_assert(HasMetric<UnitParticle> && !HasMetric<Particle>);
   const mechanics::InitialState<3> start{{0.0, 0.5, 0.0}, {1.0, 1.0, 0.5}};
   const auto both = [&]<class System>(const System& system) {
-    return posed(MechanicalSetup<System>{system, start, {"x", "y", "z"}}, {Formulation::integrated}).problem;
+    return pose_formulation(MechanicalSetup<System>{system, start, {"x", "y", "z"}},
+                            {Formulation::integrated})
+        .problem;
   };
   const Problem with = both(UnitParticle{}), without = both(Particle{});
   const Vec y = (Vec(6) << 0.3, -0.7, 0.2, 1.1, 0.4, -0.6).finished();
@@ -138,9 +141,9 @@ TEST(Formulations, TheStabilisedOneForgetsAnInconsistentStart) {
 
 TEST(Isokinetic, KeepsTheKineticEnergyThatItStartsWith) {
   const Scene scene = scene_of("isokinetic");
-  const Reference reference = reference_of(scene);
+  const reference::Reference reference = reference_of(scene);
   for (const double t : {0.0, 2.0, 9.0}) {
-    const ReferenceValue at = reference.at(t);
+    const reference::ReferenceValue at = reference.at(t);
     EXPECT_NEAR(at.value.tail<3>().squaredNorm() / 2, 0.305, 1e-13);
     EXPECT_LT(scene.constraint.drift(t, at.value), 1e-13);
     EXPECT_LT(at.bound.maxCoeff(), 1e-11);
@@ -174,7 +177,7 @@ const ParameterValues unequal{{"gamma1", 0.2}, {"gamma2", 0.5}, {"gamma3", 1.0}}
 // The columns q and v are compared with Taylor's method in 20 digits.
 TEST(CanonicalEnsemble, KeepsItsTemperatureOnTheMotionComputedApart) {
   const Scene scene = scene_of("canonical_ensemble", unequal);
-  const ReferenceValue at = reference_of(scene).at(2.0);
+  const reference::ReferenceValue at = reference_of(scene).at(2.0);
   const Vec known = (Vec(6) << -0.48124897378306242978, 0.36247456148944843572, 0.22127991052634237645,
                      -0.71410159757428311251, 0.46563544752866334600, 0.17777400448536345258)
                         .finished();
@@ -222,4 +225,4 @@ TEST(MechanicsParameters, AreRefusedWithWhatIsAllowed) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Growing modes of the linear scene: zeros of sum_i a_i (a_i + b_i s^(alpha-1)) / (s^2 + k_i), Tarasov &
 // Zaslavsky (42).
 
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Complex = std::complex<double>;
@@ -54,7 +55,7 @@ double mode_residual(const std::array<double, 3>& x, double h, Complex s) {
   const std::array<double, 3> terms{x[2], -2.0 * factor.real() * x[1], std::norm(factor) * x[0]};
   return std::abs(terms[0] + terms[1] + terms[2]) / (std::abs(terms[0]) + std::abs(terms[2]));
 }
-double mode_residual(const Reference& reference, double t, double h, Complex s) {
+double mode_residual(const reference::Reference& reference, double t, double h, Complex s) {
   const auto x = [&](double at) { return reference.at(at).value[0]; };
   return mode_residual({x(t), x(t + h), x(t + 2 * h)}, h, s);
 }
@@ -82,7 +83,7 @@ TEST(Modes, GrowInEveryForm) {
 // For equal k the mode is s^(alpha-1) = -|a|^2 / a.b.
 TEST(Modes, WithEqualStiffnessesTheSignOfTheAlignmentDecides) {
   const Plane growing{1.5, {1.0, 1.0}, {0.5, -1.5}, {2.0, 2.0}};
-  const Reference grows = reference_of(growing.scene());
+  const reference::Reference grows = reference_of(growing.scene());
   EXPECT_NEAR(std::log(grows.at(6.0).value[0] / grows.at(5.0).value[0]), 4.0, 1e-3);
   const Plane other{1.5, {1.0, 1.0}, {1.5, -1.0}, {2.0, 2.0}};
   for (const double t : {10.0, 100.0, 1000.0})
@@ -93,7 +94,7 @@ TEST(Modes, WithEqualStiffnessesTheSignOfTheAlignmentDecides) {
 // with a zero constant b.v(0) does, like t^(2-alpha).
 TEST(Modes, WhatIsNoModeMovesAlongTheConstraintLikeAPower) {
   const auto power = [](const Plane& plane, const ParameterValue& constant) {
-    const Reference reference = reference_of(plane.scene("integrated", constant));
+    const reference::Reference reference = reference_of(plane.scene("integrated", constant));
     return std::log10(reference.at(1e6).value[0] / reference.at(1e5).value[0]);
   };
   const Plane above{1.5, {1.0, 1.0}, {1.5, -1.0}, {2.0, 2.0}}, below{0.6, {1.0, 1.0}, {0.5, 0.5}, {2.0, 2.0}};
@@ -110,4 +111,4 @@ TEST(Modes, OfTheDefaultSceneGrow) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Constraints with a reaction whose direction depends on the motion: the multiplier in nonlinear problems.
 
 #include <gtest/gtest.h>
@@ -7,14 +8,14 @@
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "support/implicit_schemes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class Nonholonomic : public testing::TestWithParam<const Scheme*> {
  protected:
   static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
     auto path = GetParam()->solve(problem, Grid{problem.end, steps}, options);
-    EXPECT_EQ(path.ending, Ending::finished) << path.reached;
+    EXPECT_EQ(path.status, SolveStatus::finished) << path.last_time;
     return path;
   }
 };
@@ -100,7 +101,7 @@ TEST_P(Nonholonomic, ANonlinearConstraintIsHeldAtEveryStep) {
     for (int steps = 64; steps <= 4096; steps *= 4) {
       const Thermostat thermostat{coupling};
       double drift = 0.0;
-      run(thermostat.problem(2.0), steps, {.at = {2.0}, .observer = [&](double, In u) {
+      run(thermostat.problem(2.0), steps, {.output_times = {2.0}, .observer = [&](double, In u) {
                                              drift = std::max(drift, std::abs(thermostat.constraint(u)));
                                            }});
       EXPECT_LT(drift, 4e-15) << coupling << ' ' << steps;
@@ -136,4 +137,4 @@ TEST_P(Nonholonomic, TheToleranceBoundsTheDrift) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

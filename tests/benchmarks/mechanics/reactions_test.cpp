@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // lambda and the power of the reactions, in every formulation, compared with exact values.
 
 #include <gtest/gtest.h>
@@ -13,24 +14,25 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Multipliers and power at the end of a run.
 Vec reactions_at_end(const Scene& scene, const Grid& grid, std::string_view scheme = "product_trapezoidal") {
   const auto times = with_neighbour_times(scene.reactions, grid, {grid.end}, grid.end);
-  const auto path = find_scheme(scheme)->solve(scene.problem, grid, {.at = times});
+  const auto path = find_scheme(scheme)->solve(scene.problem, grid, {.output_times = times});
   return ReactionPath(scene, grid, path).at(path.y.cols() - 1, columns_of(scene.outputs, path).rightCols(1));
 }
 
 // Laplace transforms inverted in 30 digits by Talbot's contour (mpmath).
 TEST(Reactions, OfThePlaneAreThoseOfItsTransform) {
-  struct Known {
+  struct KnownCase {
     double alpha, t, lambda, power;
   };
-  for (const auto& [alpha, t, lambda, power] : {Known{0.5, 1.0, 0.29453781383463669, 0.040077043122332318},
-                                                Known{0.5, 10.0, 0.83659602775236536, -0.26406892789246862},
-                                                Known{0.8, 1.0, 0.31201331035038933, 0.073805536036409298}}) {
+  for (const auto& [alpha, t, lambda, power] :
+       {KnownCase{0.5, 1.0, 0.29453781383463669, 0.040077043122332318},
+        KnownCase{0.5, 10.0, 0.83659602775236536, -0.26406892789246862},
+        KnownCase{0.8, 1.0, 0.31201331035038933, 0.073805536036409298}}) {
     const Scene scene = scene_of("fractional_constraint_2d", {{"alpha", alpha}});
     const Vec columns = scene.reference.at(t).value, exact = scene.reactions.exact.at(t).value;
     EXPECT_NEAR(exact[0], lambda, 1e-14);
@@ -96,10 +98,10 @@ TEST(Reactions, OfRunsToAnAccuracyAreTheExactOnes) {
     Scene scene = scene_of(id, values);
     scene.problem.end = 2.0;
     for (const auto* scheme : {"spectral_collocation", "radau_exponentials"}) {
-      const Tolerance accuracy{.relative = 1e-8, .absolute = 1e-8};
-      if (refusal(*find_scheme(scheme), scene.problem, accuracy)) continue;
+      const Tolerance accuracy{.rtol = 1e-8, .atol = 1e-8};
+      if (unsupported_reason(*find_scheme(scheme), scene.problem, accuracy)) continue;
       const auto times = with_neighbour_times(scene.reactions, std::nullopt, asked, 2.0);
-      const auto path = find_scheme(scheme)->solve(scene.problem, accuracy, {.at = times});
+      const auto path = find_scheme(scheme)->solve(scene.problem, accuracy, {.output_times = times});
       const ReactionPath reactions(scene, std::nullopt, path);
       const Rows columns = columns_of(scene.outputs, path);
       for (std::size_t c = 0; c < times.size(); ++c) {
@@ -127,7 +129,7 @@ TEST(Reactions, OfTheKnifeEdgeHaveAClosedForm) {
 // on.
 TEST(Reactions, BeginWithTheFirstStepWhereTheyAreUnbounded) {
   Scene scene = scene_of("fractional_constraint_2d");
-  ASSERT_FALSE(scene.reactions.first);
+  ASSERT_FALSE(scene.reactions.initial_multipliers);
   for (const double grading : {1.0, 2.0}) {
     const Grid grid{10.0, 4096, grading};
     const auto path = find_scheme("product_trapezoidal")->solve(scene.problem, grid, {});
@@ -140,8 +142,8 @@ TEST(Reactions, BeginWithTheFirstStepWhereTheyAreUnbounded) {
     }
   }
   const Scene regular = scene_of("fractional_constraint_2d", {{"v1", 0.0}, {"v2", 0.0}});
-  ASSERT_TRUE(regular.reactions.first);
-  EXPECT_NEAR((*regular.reactions.first)[0], regular.reactions.exact.at(1e-9).value[0], 1e-5);
+  ASSERT_TRUE(regular.reactions.initial_multipliers);
+  EXPECT_NEAR((*regular.reactions.initial_multipliers)[0], regular.reactions.exact.at(1e-9).value[0], 1e-5);
 }
 
 // With c = -a (b.v(0))/|a|^2 and v' = -grad u + a lambda, after subtraction of the leading singular term,
@@ -232,4 +234,4 @@ TEST(DifferentiationRule, OfValuesAtAnyTime) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

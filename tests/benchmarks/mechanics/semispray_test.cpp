@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The geometry of Niminet & Blanuta 2009, without the factor 1/2 of their (2.6) and (2.8).
 
 #include "fdebench/benchmarks/mechanics/semispray.hpp"
@@ -9,7 +10,7 @@
 #include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using namespace mechanics;
@@ -155,4 +156,4 @@ TEST(NonlinearConnection, TimesTheVelocityIsTheSemispray) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

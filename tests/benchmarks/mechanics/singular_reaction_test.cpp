@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A reaction like t^-alpha with a varying direction, alpha >= 1/2: fractional_constraint_nonlinear with its
 // multiplier, compared with its power series.
 
@@ -9,7 +10,7 @@
 #include "support/implicit_schemes.hpp"
 #include "support/series_values.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class SingularReaction : public testing::TestWithParam<std::tuple<const Scheme*, double, SeriesValue>> {};
@@ -18,11 +19,12 @@ TEST_P(SingularReaction, SchemesComeNearerToItsPowerSeries) {
   const auto& [scheme, grading, exact] = GetParam();
   const Scene scene =
       scene_of("fractional_constraint_nonlinear", {{"alpha", exact.alpha}, {"formulation", "multiplier"}});
-  if (refusal(*scheme, scene.problem, Grid{exact.t, 64, grading})) GTEST_SKIP();
+  if (unsupported_reason(*scheme, scene.problem, Grid{exact.t, 64, grading})) GTEST_SKIP();
   std::vector<double> errors;
   for (const int steps : {64, 256, 1024}) {
-    const auto path = scheme->solve(scene.problem, Grid{exact.t, steps, grading}, {.at = {exact.t}});
-    ASSERT_EQ(path.ending, Ending::finished);
+    const auto path =
+        scheme->solve(scene.problem, Grid{exact.t, steps, grading}, {.output_times = {exact.t}});
+    ASSERT_EQ(path.status, SolveStatus::finished);
     errors.push_back(
         (columns_at(scene.outputs, exact.t, path.y.rightCols<1>()) - exact.columns).cwiseAbs().maxCoeff());
   }
@@ -46,4 +48,4 @@ INSTANTIATE_TEST_SUITE_P(, SingularReaction,
                          name_of_case);
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 Scene constrained(double alpha, const std::string& formulation = "integrated") {
@@ -23,7 +24,7 @@ struct Drifts {
 // The drifts of a run of a scheme.
 Drifts drifts_of(const Scene& scene, std::string_view scheme, int steps) {
   DriftObserver watch(scene, Grid{scene.problem.end, steps});
-  Options options{.at = {scene.problem.end}};
+  Options options{.output_times = {scene.problem.end}};
   options.observer = [&](double t, In y) { watch.observe(t, columns_at(scene.outputs, t, y)); };
   solve(scheme, scene.problem, steps, options);
   return {watch.internal(), watch.independent()};
@@ -35,7 +36,7 @@ Scene manufactured_drift_scene() {
   scene.problem.end = 4.0;
   scene.outputs.names = {"q", "v", "w"};
   scene.constraint = {1, [](double, In columns, Out f) { f[0] = columns[1] + columns[2]; }};
-  scene.memories = {{2, 1, 0.5, {}}};
+  scene.memory_columns = {{2, 1, 0.5, {}}};
   return scene;
 }
 
@@ -63,13 +64,13 @@ TEST(DriftObserver, HasAnIndependentDriftWithMemoriesAndTheStepsOfAUniformGrid) 
   EXPECT_FALSE(has_independent_drift(scene, graded, graded));
   EXPECT_FALSE(has_independent_drift(scene, grid, more));
   EXPECT_FALSE(has_independent_drift(scene, std::nullopt, grid));
-  scene.memories.clear();
+  scene.memory_columns.clear();
   EXPECT_FALSE(has_independent_drift(scene, grid, grid));
 }
 
 // The error of IndependentMemoryRule for the exact velocities.
 double error_of_memory_rule(const Scene& scene, const Rows& exact, const Grid& grid) {
-  const IndependentMemoryRule memory(grid, scene.memories[0].order, scene.memories[0].powers);
+  const IndependentMemoryRule memory(grid, scene.memory_columns[0].order, scene.memory_columns[0].powers);
   double largest = 0.0;
   for (int n = 1; n <= grid.steps; ++n)
     largest = std::max(largest, std::abs(memory.at(n, exact.row(2)) - exact(4, n)));
@@ -77,7 +78,7 @@ double error_of_memory_rule(const Scene& scene, const Rows& exact, const Grid& g
 }
 
 Rows exact_columns(const Scene& scene, const Grid& grid) {
-  const Reference reference = reference_of(scene);
+  const reference::Reference reference = reference_of(scene);
   Rows exact(6, grid.steps + 1);
   for (int n = 0; n <= grid.steps; ++n) exact.col(n) = reference.at(grid.time(n)).value;
   return exact;
@@ -146,7 +147,7 @@ TEST(Drift, OfTheAccelerationFormIsNotRoundingAndFallsWithTheStep) {
 
 TEST(Drift, IsRecordedWithItsGrowthAlsoWithoutAReference) {
   Scene scene = constrained(0.5);
-  scene.reference.at = [](double) -> ReferenceValue { throw std::runtime_error("none is known"); };
+  scene.reference.at = [](double) -> reference::ReferenceValue { throw std::runtime_error("none is known"); };
   MemoizedReference reference(scene);
   const auto rows = examine({}, scene, reference, *find_scheme("l1"), {64});
   EXPECT_EQ(sentence(*rows.back().ending), "no reference: none is known");
@@ -161,4 +162,4 @@ TEST(Drift, IsRecordedWithItsGrowthAlsoWithoutAReference) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/drift.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/observers/independent_memory.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // D^order of q with q' = t^p. For order 1 + b: D^b q', which is 0 for p = 0.
@@ -127,4 +128,4 @@ TEST(DriftGrowth, OfWhatIsNoNumberIsNone) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

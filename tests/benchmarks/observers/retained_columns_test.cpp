@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Columns are stored after each step, so that the states need not be stored.
 
 #include "fdebench/benchmarks/observers/retained_columns.hpp"
@@ -6,7 +7,7 @@
 
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 TEST(RetainedColumns, AreThoseOfTheKeptStates) {
@@ -14,7 +15,7 @@ TEST(RetainedColumns, AreThoseOfTheKeptStates) {
   for (const std::vector<double>& times : {std::vector<double>{}, {0.0, 0.25, 1.0}}) {
     RetainedColumns kept(scene.outputs, times);
     const auto path = solve("l1", scene.problem, 64,
-                            {.at = times, .observer = [&](double t, In y) { kept.observe(t, y); }});
+                            {.output_times = times, .observer = [&](double t, In y) { kept.observe(t, y); }});
     EXPECT_EQ(kept.times(), path.times);
     EXPECT_EQ(kept.columns(), columns_of(scene.outputs, path));
   }
@@ -37,4 +38,4 @@ TEST(RetainedColumns, AreNoneBeforeTheFirstStep) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Merging the results of several machines, and splitting sweeps into shards.
 
 #include "fdebench/benchmarks/records/merge.hpp"
@@ -19,7 +20,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class Merges : public testing::Test {
@@ -121,14 +122,14 @@ TEST_F(Merges, WriteNoFileThatIsThereAndNoneOfWhatIsNone) {
 std::multiset<std::string> labels(const std::vector<Sweep>& sweeps) {
   std::multiset<std::string> all;
   for (const auto& sweep : sweeps) {
-    for (const auto& scene : sweep.scenes) all.insert(scene.label() + (sweep.ladder.goal ? " climbs" : ""));
+    for (const auto& scene : sweep.scenes) all.insert(scene.label() + (sweep.plan.goal ? " climbs" : ""));
   }
   return all;
 }
 
 // Each run of the default sweep is in one shard, and all runs of a scene are in the same.
 TEST(Shards, AreAllOfASweepTogether) {
-  const Sweep sweep{.scenes = sweep_scenes(), .schemes = sweep_schemes(), .ladder = default_plan()};
+  const Sweep sweep{.scenes = sweep_scenes(), .schemes = sweep_schemes(), .plan = default_plan()};
   auto sweeps = sweeps_of_trials(sweep, false);
   sweeps.push_back(sweep);
   std::multiset<std::string> together;
@@ -149,7 +150,7 @@ TEST(Shards, AreAllOfASweepTogether) {
 }
 
 TEST(Shards, BeyondTheScenesAreEmpty) {
-  const Sweep sweep{.scenes = {{&scene_maker("power")}}, .schemes = sweep_schemes(), .ladder = {{8}}};
+  const Sweep sweep{.scenes = {{&scene_maker("power")}}, .schemes = sweep_schemes(), .plan = {{8}}};
   EXPECT_EQ(shard_of({sweep}, {.number = 1, .count = 2}).size(), 1U);
   EXPECT_TRUE(shard_of({sweep}, {.number = 2, .count = 2}).empty());
 }
@@ -162,4 +163,4 @@ TEST(Shards, AreNumberedFromOneOn) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -17,7 +18,7 @@
 #include "fdebench/benchmarks/records/record_text.hpp"
 #include "fdebench/benchmarks/records/results_file.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,7 +107,7 @@ TEST_F(ResultsFiles, KeepEveryMemberOfARun) {
                .scheme = "l1",
                .setup = {Tolerance{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
   }
-  some.back().ending = RunOutcome{Ending::non_finite, "at step 3, t = 0.5"};
+  some.back().ending = RunOutcome{SolveStatus::non_finite, "at step 3, t = 0.5"};
   ResultsFile(file_).append(some);
   const Record read = read_results(file_).records.back();
   EXPECT_EQ(read.key, some.back().key);
@@ -119,6 +120,20 @@ TEST_F(ResultsFiles, OfAnotherVersionAreRefusedAsSuch) {
         "\n");
   EXPECT_EQ(message(file_),
             file_.string() + ": line 1: results of another version of fdebench, to be measured again");
+}
+
+// Version 0.2.0 called the baselines trivial_..., and a step too large for a growing mode outran_growth.
+TEST_F(ResultsFiles, WithFormerNamesAreRead) {
+  ResultsFile(file_).append(rows("l1", 64));
+  std::string former = text();
+  for (const auto& [name, replacement] :
+       {std::pair<std::string, std::string>{R"("error_end")", R"("trivial_end")"},
+        {R"("ending":"finished")", R"("ending":"outran_growth")"}})
+    former.replace(former.find(name), name.size(), replacement);
+  write(former);
+  const auto results = read_results(file_);
+  EXPECT_EQ(results.records.front().quantity, "baseline_end");
+  EXPECT_EQ(results.records.back().ending->kind, SolveStatus::step_too_large);
 }
 
 TEST_F(ResultsFiles, AreContinuedWithANewSession) {
@@ -186,7 +201,7 @@ TEST_F(ResultsFiles, AreWaitedFor) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     first.reset();
   });
-  EXPECT_NO_THROW(ResultsFile(file_, scenes(), std::chrono::seconds(20)));
+  EXPECT_NO_THROW(ResultsFile(file_, built_in_scenes(), std::chrono::seconds(20)));
 }
 
 TEST_F(ResultsFiles, WithImpossibleStepsAreRefused) {
@@ -289,4 +304,4 @@ TEST_F(ResultsFiles, OnAFullDiskSaySoAndKeepTheirWholeRuns) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The text formats of the reference data: CSV of any program, the precision of written numbers, checksums.
 
 #include "fdebench/benchmarks/reference_data/data_table.hpp"
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/reference_data/decimal_precision.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::ElementsAre;
@@ -68,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Malformed{"t,y\n0,1\n2\n", "a.csv: line 3: must have 2 cells, as the header, not 1"},
                     Malformed{"t,y\n0,1,2\n", "a.csv: line 2: must have 2 cells, as the header, not 3"},
                     Malformed{"t,y\n0,1\n\n2,3\n", "a.csv: line 3: must have 2 cells"},
-                    Malformed{"t,y,t\n", "a.csv: line 1: column t stands there twice"},
+                    Malformed{"t,y,t\n", "a.csv: line 1: column t occurs twice"},
                     Malformed{"t,y\n0,\"1\n", "a.csv: line 2: a quoted cell has no end"}));
 
 struct WrittenNumberCase {
@@ -125,4 +126,4 @@ TEST(Checksums, AMalformedLineIsNamed) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "fdebench/benchmarks/reference_data/reference_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Tables of two small scenes: one with digits, one whose parameters are not the defaults.
 inline std::vector<TableSpec> example_tables() {
@@ -19,4 +20,4 @@ inline const FolderFiles& example_files() {
   return files;
 }
 
-}  // namespace fde
+}  // namespace fde::bench

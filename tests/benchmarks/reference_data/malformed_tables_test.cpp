@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tables of other programs that are not well-formed: the message names file, line and column.
 
 #include <gmock/gmock.h>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/reference_data/reference_check.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -76,4 +77,4 @@ TEST(ReferenceTables, AFolderWithoutTablesIsNamed) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The contents of the reference data: every scene, descriptions, reproducible bytes.
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,9 +24,9 @@ using testing::HasSubstr;
 // A scene with two hundred columns has no table of trajectories; its variants with few columns have one.
 TEST(ReferenceData, HasATableOfEveryKindAndScene) {
   std::vector<SceneVariant> all;
-  for (const auto& maker : scenes()) all.push_back({.maker = &maker});
+  for (const auto& maker : built_in_scenes()) all.push_back({.maker = &maker});
   const auto tables = planned_tables(all);
-  EXPECT_EQ(tables.size(), 1 + 2 * scenes().size() - 1);  // no trajectories of fractional_diffusion
+  EXPECT_EQ(tables.size(), 1 + 2 * built_in_scenes().size() - 1);  // no trajectories of fractional_diffusion
   EXPECT_EQ(tables[0].stem(), "mittag_leffler");
   EXPECT_EQ(example_tables().at(1).stem(), "trajectories/relaxation,gamma=0.2");
 }
@@ -77,4 +78,4 @@ TEST(MittagLefflerPoints, AreManyAndDifferent) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

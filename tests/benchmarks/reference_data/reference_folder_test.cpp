@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The folder of reference data: written completely or not at all. It passes its own check, which finds
 // changes.
 
@@ -17,7 +18,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +174,4 @@ TEST(ReferenceCommand, WantsOneOfOutAndCheck) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A recomputed value is compared with a given one only if it is accurate enough.
 
 #include "fdebench/benchmarks/reference_data/table_comparison.hpp"
@@ -7,7 +8,7 @@
 
 #include <stdexcept>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -15,7 +16,8 @@ using testing::ThrowsMessage;
 
 constexpr int digits = 9;
 
-void require_accurate(const DataTable& given, const Decimal& re, const Decimal& im = {"0", "0"}) {
+void require_accurate(const DataTable& given, const reference::Decimal& re,
+                      const reference::Decimal& im = {"0", "0"}) {
   TableComparison(given, {"re", "im"}).require_accurate(0, {re, im}, digits);
 }
 
@@ -54,4 +56,4 @@ TEST(TableComparison, APartMayBeAsBadAsTheLargerOneAllows) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/references/atomic_file.hpp"
 
 #include <gmock/gmock.h>
@@ -13,7 +14,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +35,7 @@ TEST(AtomicFile, ReplacesAnotherWhenItIsFinished) {
   file.write("new ");
   file.write("text");
   EXPECT_EQ(content(folder.path() / "page"), "old");
-  file.finish();
+  file.commit();
   EXPECT_EQ(content(folder.path() / "page"), "new text");
   EXPECT_EQ(files_in(folder.path()), 1);
 }
@@ -57,8 +58,8 @@ class WholeFiles : public testing::Test {
 };
 
 TEST_F(WholeFiles, OfOneNameAreTheLastThatIsFinished) {
-  one_.finish();
-  other_.finish();
+  one_.commit();
+  other_.commit();
   EXPECT_EQ(content(folder_.path() / "page"), "other");
 }
 
@@ -73,7 +74,7 @@ TEST(AtomicFile, RemovesWhatAKilledWriterHasLeft) {
   const TemporaryFolder folder;
   folder.write("page.2147483647.0.tmp", "half a ");
   folder.write("page.not.tmp", "another's");
-  AtomicFile(folder.path() / "page").finish();
+  AtomicFile(folder.path() / "page").commit();
   EXPECT_EQ(files_in(folder.path()), 2);
   EXPECT_EQ(content(folder.path() / "page.not.tmp"), "another's");
 }
@@ -96,7 +97,7 @@ TEST(AtomicFile, ReplacesTheTargetOfALinkAndTakesItsPermissions) {
   fs::create_symlink(target, link);
   AtomicFile file(link);
   file.write("new");
-  file.finish();
+  file.commit();
   EXPECT_TRUE(fs::is_symlink(link));
   EXPECT_EQ(content(target), "new");
   EXPECT_EQ(fs::status(target).permissions(), mine);
@@ -111,11 +112,11 @@ TEST(AtomicFile, IsWrittenIntoAPipe) {
   {
     AtomicFile file(pipe);
     file.write("text");
-    file.finish();
+    file.commit();
   }
   EXPECT_EQ(read.get(), "text");
   EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

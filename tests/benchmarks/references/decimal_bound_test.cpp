@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bounds as texts of two digits: never below the number, and compared beyond the range of double.
 
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
@@ -11,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 TEST(WrittenBound, IsNeverBelowTheNumberAndAtMostTwelvePercentAbove) {
@@ -53,4 +54,4 @@ TEST(LargerBound, OrdersWhatNoDoubleHolds) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -12,7 +13,7 @@
 #include "fdebench/reference/nonlinear/collocation.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,8 +71,8 @@ TEST_F(Cache, GivesTheSameDoublesAgain) {
   const Counted counted;
   EXPECT_FALSE(hit(counted));
   EXPECT_TRUE(hit(counted));
-  const Reference known = cached_reference("cubic", counted.problem, cache_);
-  const Reference solved = reference_solution(counted.problem);
+  const reference::Reference known = cached_reference("cubic", counted.problem, cache_);
+  const reference::Reference solved = reference::reference_solution(counted.problem);
   for (const double t : {0.0, 1e-30, 1e-9, 0.1, 0.37, 1.0}) {
     EXPECT_EQ(known.at(t).value, solved.at(t).value);
     EXPECT_EQ(known.at(t).bound, solved.at(t).bound);
@@ -124,13 +125,13 @@ TEST_F(Cache, TakesNoFileOfAnotherProblem) {
 
 TEST_F(Cache, TakesNoTableOfAnotherShape) {
   const Counted counted;
-  const PanelTable good = reference_table(counted.problem);
-  const auto loads = [&](const PanelTable& table) {
+  const reference::PanelTable good = reference::reference_table(counted.problem);
+  const auto loads = [&](const reference::PanelTable& table) {
     cache_.store("key", table);
     return cache_.load("key", counted.problem).has_value();
   };
   EXPECT_TRUE(loads(good));
-  PanelTable gap = good, narrow = good, early = good;
+  reference::PanelTable gap = good, narrow = good, early = good;
   gap.panels.erase(gap.panels.begin() + 3);
   narrow.panels[5].values.conservativeResize(4, 1);
   early.panels.pop_back();
@@ -142,7 +143,7 @@ TEST_F(Cache, TakesNoTableOfAnotherShape) {
 
 TEST_F(Cache, DoesWithoutAFolderThatCannotBeWritten) {
   const Counted counted;
-  const auto expected = reference_solution(counted.problem).at(1.0).value;
+  const auto expected = reference::reference_solution(counted.problem).at(1.0).value;
   write(folder_ / "file", "no folder");
   for (const auto& folder : {std::optional(folder_ / "file" / "cache"), std::optional<fs::path>()})
     EXPECT_EQ(cached_reference("cubic", counted.problem, ReferenceCache(folder)).at(1.0).value, expected);
@@ -206,4 +207,4 @@ TEST_F(Cache, HoldsScenesByTheirParametersAndEnd) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The fractional Allen-Cahn equation on insulated lines and squares: its symmetries, its stationary states,
 // and its solutions that do not vary in space.
 
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 Scene allen_cahn(const ParameterValues& values, double end = 2.0) {
@@ -18,8 +19,8 @@ Scene allen_cahn(const ParameterValues& values, double end = 2.0) {
 }
 
 Vec last(const char* scheme, const Problem& problem, const Grid& grid) {
-  const auto path = find_scheme(scheme)->solve(problem, grid, {.at = {grid.end}});
-  EXPECT_EQ(path.ending, Ending::finished);
+  const auto path = find_scheme(scheme)->solve(problem, grid, {.output_times = {grid.end}});
+  EXPECT_EQ(path.status, SolveStatus::finished);
   return path.y.col(0);
 }
 
@@ -126,10 +127,10 @@ TEST(AllenCahnFields, NewtonsMatricesAreSparse) {
     const auto run = [&] {
       return find_scheme("product_trapezoidal")->solve(field.problem, Grid{2.0, 64}, {});
     };
-    const auto told = run();
-    EXPECT_EQ(told.cost.linear_solver, solver);
+    const auto first = run();
+    EXPECT_EQ(first.cost.linear_solver, solver);
     field.problem.derivatives = NoDerivatives{};
-    EXPECT_LT((run().y - told.y).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT((run().y - first.y).cwiseAbs().maxCoeff(), 1e-12);
   }
 }
 
@@ -153,4 +154,4 @@ TEST(AllenCahnFields, InASquareHaveAtMostAThousandCellsAnAxis) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

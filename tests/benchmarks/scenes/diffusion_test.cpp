@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Diffusion and waves on lines and squares, in even and other media. The reference is the solution of the
 // semi-discrete problem, so the error of a scheme is the error in time alone, whatever the number of
 // unknowns.
@@ -15,7 +16,7 @@
 #include "fdebench/schemes/stepping/optimal_grading.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Field {
@@ -57,10 +58,10 @@ TEST_P(DiffusionOf, IsTheMittagLefflerFunctionOfItsMatrix) {
       Matrix(std::get<SparseLinearPart>(scene.problem.derivatives).matrix));
   for (const double t : {0.0, 0.01, 1.0, 30.0}) {
     const Vec parts = modes.eigenvalues().unaryExpr(
-        [&](double rate) { return mittag_leffler(order, 1.0, rate * std::pow(t, order)); });
+        [&](double rate) { return reference::mittag_leffler(order, 1.0, rate * std::pow(t, order)); });
     const Vec u = modes.eigenvectors() *
                   parts.cwiseProduct(modes.eigenvectors().transpose() * taylor_part(scene.problem, 0.0));
-    const ReferenceValue known = scene.reference.at(t);
+    const reference::ReferenceValue known = scene.reference.at(t);
     EXPECT_LT((known.value - columns_at(scene.outputs, t, u)).cwiseAbs().maxCoeff(), 2e-13) << t;
     EXPECT_LT(known.bound.maxCoeff(), 1e-12) << t;
   }
@@ -81,7 +82,7 @@ TEST(Diffusion, ThroughAMediumWithoutContrastIsThatThroughAnEvenOne) {
       const Scene varying = scene_of(scene, values);
       EXPECT_EQ(matrix_of(even), matrix_of(varying));
       for (const double t : {0.0, 1e-4, 0.1, 20.0}) {
-        const ReferenceValue one = even.reference.at(t), other = varying.reference.at(t);
+        const reference::ReferenceValue one = even.reference.at(t), other = varying.reference.at(t);
         EXPECT_EQ(even.outputs.names, varying.outputs.names);
         EXPECT_LT(((one.value - other.value).cwiseAbs() - one.bound - other.bound).maxCoeff(), 0.0) << t;
         EXPECT_LT(other.bound.maxCoeff(), order > 1.0 ? 1e-10 : 1e-12) << order << " " << t;
@@ -128,7 +129,7 @@ TEST(Diffusion, ConservesWhatDiffuses) {
 TEST(Diffusion, SlopesOfWavesAreLargestAtTheStart) {
   for (double order = 1.05; order <= 2.0; order += 0.05) {
     for (double z = 0.0; z < 400.0; z = 1.1 * z + 0.05) {
-      EXPECT_LE(std::abs(mittag_leffler(order, order, -z)), (1.0 + 1e-14) / std::tgamma(order))
+      EXPECT_LE(std::abs(reference::mittag_leffler(order, order, -z)), (1.0 + 1e-14) / std::tgamma(order))
           << order << " " << z;
     }
   }
@@ -166,8 +167,8 @@ TEST(Diffusion, ShowsAFewPointsAndNormsOfMoreThanTwoThousand) {
 // comparable.
 Vec errors(const char* scene_id, const ParameterValues& values, const char* scheme, const Grid& grid) {
   const Scene scene = scene_of(scene_id, values);
-  const auto path = find_scheme(scheme)->solve(scene.problem, grid, {.at = {grid.end}});
-  EXPECT_EQ(path.ending, Ending::finished);
+  const auto path = find_scheme(scheme)->solve(scene.problem, grid, {.output_times = {grid.end}});
+  EXPECT_EQ(path.status, SolveStatus::finished);
   return columns_at(scene.outputs, grid.end, path.y.col(0)) - scene.reference.at(grid.end).value;
 }
 
@@ -229,7 +230,7 @@ TEST_P(RoughDiffusion, HasTheRatesOfItsSingularStartAtAFixedTime) {
     const Scene scene = scene_of(id, {{name, points}, {"start", "step"}, {"medium", medium}});
     const double grading = graded ? optimal_grading(scheme, scene.problem) : 1.0;
     const auto error = [&](int steps) {
-      const auto path = scheme.solve(scene.problem, Grid{1.0, steps, grading}, {.at = {1.0}});
+      const auto path = scheme.solve(scene.problem, Grid{1.0, steps, grading}, {.output_times = {1.0}});
       return (columns_at(scene.outputs, 1.0, path.y.col(0)) - scene.reference.at(1.0).value)
           .cwiseAbs()
           .maxCoeff();
@@ -240,4 +241,4 @@ TEST_P(RoughDiffusion, HasTheRatesOfItsSingularStartAtAFixedTime) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scene of Agrawal's extremum against its closed form and, with a spring, against a minimum by linear
 // algebra.
 
@@ -9,7 +10,7 @@
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "support/two_sided_scenes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 TEST(FractionalExtremum, IsExactWithoutASpring) {
@@ -23,7 +24,7 @@ TEST(FractionalExtremum, IsExactWithoutASpring) {
 TEST(FractionalExtremum, OfOrderOneIsAHyperbolicSine) {
   const double k = 4.0;
   auto scene = scene_of("fractional_extremum", {{"alpha", 1.0}, {"k", k}});
-  scene.reference = {[=](double t) -> ReferenceValue {
+  scene.reference = {[=](double t) -> reference::ReferenceValue {
     return {Vec::Constant(1, std::sinh(2.0 * t) / std::sinh(2.0)), Vec::Zero(1)};
   }};
   std::vector<ErrorSample> errors;
@@ -39,8 +40,8 @@ Vec dense_minimum(double alpha, double k, int cells, const std::vector<double>& 
       cells + 1, [&](Eigen::Index j) { return 1.0 - std::pow(1.0 - static_cast<double>(j) / cells, 4.0); });
   const auto weights = [&](double t) -> Vec {
     return Vec::NullaryExpr(cells, [&](Eigen::Index j) {
-      const auto past = [&](double from) { return std::pow(std::max(t - from, 0.0), alpha); };
-      return (past(places[j]) - past(places[j + 1])) / std::tgamma(alpha + 1.0);
+      const auto power_since = [&](double from) { return std::pow(std::max(t - from, 0.0), alpha); };
+      return (power_since(places[j]) - power_since(places[j + 1])) / std::tgamma(alpha + 1.0);
     });
   };
   Matrix form = (places.tail(cells) - places.head(cells)).asDiagonal();
@@ -61,7 +62,7 @@ TEST(FractionalExtremum, WithASpringIsTheDenseMinimum) {
   for (const auto& of : {std::pair{0.75, 5.0}, {0.9, 20.0}}) {
     const double alpha = of.first, k = of.second;
     const auto scene = scene_of("fractional_extremum", {{"alpha", alpha}, {"k", k}});
-    const auto path = solve("product_trapezoidal", scene.problem, 4096, {.at = {0.25, 0.5, 0.75}});
+    const auto path = solve("product_trapezoidal", scene.problem, 4096, {.output_times = {0.25, 0.5, 0.75}});
     const Vec y = columns_of(scene.outputs, path).row(0).transpose();
     const auto off = [&](int cells) {
       return (dense_minimum(alpha, k, cells, {0.25, 0.5, 0.75}) - y).cwiseAbs().maxCoeff();
@@ -82,7 +83,7 @@ TEST(FractionalExtremum, WithASpringShowsTheRateOfItsEnds) {
     const auto scene = scene_of("fractional_extremum", {{"alpha", alpha}, {"k", 10.0}});
     std::vector<double> middle, differences;
     for (int steps = 256; steps <= 8192; steps *= 2) {
-      const auto path = solve("product_trapezoidal", scene.problem, steps, {.at = {0.5}});
+      const auto path = solve("product_trapezoidal", scene.problem, steps, {.output_times = {0.5}});
       middle.push_back(columns_of(scene.outputs, path)(0, 0));
       if (middle.size() > 1) differences.push_back(middle.end()[-2] - middle.end()[-1]);
     }
@@ -99,4 +100,4 @@ TEST(FractionalExtremum, WithASpringShowsTheRateOfItsEnds) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

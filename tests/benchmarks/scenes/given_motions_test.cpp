@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two-sided problems with given loads, conditions at the ends and T: their references against an independent
 // product integration (NumPy, three meshes clustered at both ends, extrapolated) to its accuracy, the schemes
 // against their references.
@@ -10,10 +11,10 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/two_sided_scenes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-struct Known {
+struct KnownCase {
   std::string scene;
   ParameterValues values;
   Vec middle, end;  // q1, q2 at T/2 and T
@@ -23,15 +24,15 @@ struct Known {
 Vec pair(double a, double b) { return Eigen::Vector2d(a, b); }
 
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-void PrintTo(const Known& known, std::ostream* out) { *out << known.scene; }
+void PrintTo(const KnownCase& known, std::ostream* out) { *out << known.scene; }
 
-class GivenMotion : public testing::TestWithParam<Known> {
+class GivenMotion : public testing::TestWithParam<KnownCase> {
  protected:
   const Scene scene_ = scene_of(GetParam().scene, GetParam().values);
 };
 
 TEST_P(GivenMotion, HasAReferenceOnWhichTwoMethodsAgree) {
-  const Reference reference = reference_of(scene_);
+  const reference::Reference reference = reference_of(scene_);
   const double end = scene_.problem.end;
   const auto [middle, of_middle] = reference.at(end / 2);
   const auto [last, of_last] = reference.at(end);
@@ -50,8 +51,8 @@ TEST_P(GivenMotion, IsApproachedByBothSchemes) {
     std::vector<ErrorSample> errors;
     MemoizedReference reference(scene_);
     for (int steps = 128; steps <= 1024; steps *= 2) {
-      const auto path = solve(id, scene_.problem, steps, {.at = {scene_.problem.end}});
-      ASSERT_EQ(path.ending, Ending::finished);
+      const auto path = solve(id, scene_.problem, steps, {.output_times = {scene_.problem.end}});
+      ASSERT_EQ(path.status, SolveStatus::finished);
       const Rows off = columns_of(scene_.outputs, path) - reference.at(path.times);
       errors.push_back({scene_.problem.end / steps, off.topRows(2).cwiseAbs().maxCoeff()});
     }
@@ -66,36 +67,36 @@ TEST_P(GivenMotion, IsApproachedByBothSchemes) {
 // there product trapezoids of 2048 to 8192 equal steps, extrapolated, differ from it by 3.8e-6, as the
 // reference does, and from the reference by 4e-9.
 INSTANTIATE_TEST_SUITE_P(, GivenMotion,
-                         testing::Values(Known{"two_sided_constraint",
-                                               {{"motion", "given"}},
-                                               pair(1.29954860963, 0.39875172641),
-                                               pair(1.5043243183, 0.84734211548),
-                                               1e-7},
-                                         Known{"two_sided_constraint",
-                                               {{"motion", "given"}, {"ends", "place"}},
-                                               pair(1.27578353172, 0.54746074749),
-                                               pair(1.48577406279, 1.07829722802),
-                                               2e-7},
-                                         Known{"fractional_vakonomic",
-                                               {},
-                                               pair(1.30674380032, 0.31608218302),
-                                               pair(1.54731281982, 0.55004961216),
-                                               4e-7},
-                                         Known{"fractional_vakonomic",
-                                               {{"ends", "momentum"}, {"across", 0.3}},
-                                               pair(1.26599408679, 0.57283856221),
-                                               pair(1.51400441246, 0.95420374034),
-                                               5e-6},
-                                         Known{"fractional_hamilton",
-                                               {{"motion", "given"}},
-                                               pair(1.43685386514, -0.80551402058),
-                                               pair(1.61982901719, -1.1845439965),
-                                               1e-7},
-                                         Known{"fractional_hamilton",
-                                               {{"motion", "given"}, {"ends", "place"}, {"end1", 1.2}},
-                                               pair(1.16803927438, -0.27442095112),
-                                               pair(1.2, -0.32911372039),
-                                               2e-8}),
+                         testing::Values(KnownCase{"two_sided_constraint",
+                                                   {{"motion", "given"}},
+                                                   pair(1.29954860963, 0.39875172641),
+                                                   pair(1.5043243183, 0.84734211548),
+                                                   1e-7},
+                                         KnownCase{"two_sided_constraint",
+                                                   {{"motion", "given"}, {"ends", "place"}},
+                                                   pair(1.27578353172, 0.54746074749),
+                                                   pair(1.48577406279, 1.07829722802),
+                                                   2e-7},
+                                         KnownCase{"fractional_vakonomic",
+                                                   {},
+                                                   pair(1.30674380032, 0.31608218302),
+                                                   pair(1.54731281982, 0.55004961216),
+                                                   4e-7},
+                                         KnownCase{"fractional_vakonomic",
+                                                   {{"ends", "momentum"}, {"across", 0.3}},
+                                                   pair(1.26599408679, 0.57283856221),
+                                                   pair(1.51400441246, 0.95420374034),
+                                                   5e-6},
+                                         KnownCase{"fractional_hamilton",
+                                                   {{"motion", "given"}},
+                                                   pair(1.43685386514, -0.80551402058),
+                                                   pair(1.61982901719, -1.1845439965),
+                                                   1e-7},
+                                         KnownCase{"fractional_hamilton",
+                                                   {{"motion", "given"}, {"ends", "place"}, {"end1", 1.2}},
+                                                   pair(1.16803927438, -0.27442095112),
+                                                   pair(1.2, -0.32911372039),
+                                                   2e-8}),
                          [](const auto& test) {
                            return test.param.scene + "_" + std::to_string(test.index);
                          });
@@ -106,11 +107,11 @@ TEST(PropositionTwo, HoldsWhereAllWeightsAreAlongTheVelocitys) {
   const ParameterValues along{{"b1", 0.4}, {"b2", 0.2}, {"c1", 0.3}, {"c2", 0.15}};
   auto extremum = along, motion = along;
   extremum.insert({{"ends", "momentum"}, {"across", 0.3}});
-  const Reference least = reference_of(scene_of("fractional_vakonomic", extremum));
+  const reference::Reference least = reference_of(scene_of("fractional_vakonomic", extremum));
   const Vec start = least.at(0.0).value;
   const double across = (-0.5 * start[2] + start[3]) / std::sqrt(1.25);
   motion.insert({{"motion", "given"}, {"k3", 0.0}, {"across", across}});
-  const Reference constrained = reference_of(scene_of("two_sided_constraint", motion));
+  const reference::Reference constrained = reference_of(scene_of("two_sided_constraint", motion));
   for (const double t : {0.2, 0.5, 1.0}) {
     const Vec at = least.at(t).value;
     EXPECT_LT((at.head(4) - constrained.at(t).value.head(4)).cwiseAbs().maxCoeff(), 1e-9) << t;
@@ -122,10 +123,10 @@ TEST(PropositionTwo, HoldsWhereAllWeightsAreAlongTheVelocitys) {
 // extremum, and the momentum across a by the column `defect`: e.v - e.v(0) + int e.grad u dt = defect
 // - defect(0).
 TEST(PropositionTwo, IsMissedByTheDefectElsewhere) {
-  const Reference least = reference_of(scene_of("fractional_vakonomic"));
+  const reference::Reference least = reference_of(scene_of("fractional_vakonomic"));
   const Vec start = least.at(0.0).value;
   const auto across = [](In two) { return (-0.5 * two[0] + two[1]) / std::sqrt(1.25); };
-  const Reference constrained = reference_of(scene_of(
+  const reference::Reference constrained = reference_of(scene_of(
       "two_sided_constraint", {{"motion", "given"}, {"k3", 0.0}, {"across", across(start.segment(2, 2))}}));
   EXPECT_GT((least.at(1.0).value.head(2) - constrained.at(1.0).value.head(2)).norm(), 0.01);
   const auto slope = [&](double t) {
@@ -146,7 +147,8 @@ TEST(PropositionTwo, IsMissedByTheDefectElsewhere) {
 // The reference of the scene; its independent value is the dense minimum of
 // fractional_extremum_scene_test.cpp.
 TEST(FractionalExtremum, WithASpringHasAReference) {
-  const Reference reference = reference_of(scene_of("fractional_extremum", {{"alpha", 0.75}, {"k", 5.0}}));
+  const reference::Reference reference =
+      reference_of(scene_of("fractional_extremum", {{"alpha", 0.75}, {"k", 5.0}}));
   for (const double t : {0.25, 0.5, 0.75}) EXPECT_LT(reference.at(t).bound[0], 1e-7) << t;
   const Scene scene = scene_of("fractional_extremum", {{"alpha", 0.75}, {"k", 5.0}});
   EXPECT_LT(largest_error(scene, "product_trapezoidal", 4096), 1e-5);
@@ -159,8 +161,8 @@ TEST(FractionalExtremum, IsComputedAsAWholeToo) {
     const ParameterValues values{{"alpha", 0.75}, {"k", k}, {"form", "whole"}};
     const Scene whole = scene_of("fractional_extremum", values);
     const auto error = [&](int steps) {
-      const auto path = solve("product_trapezoidal", whole.problem, steps, {.at = {0.5}});
-      EXPECT_EQ(path.ending, Ending::finished);
+      const auto path = solve("product_trapezoidal", whole.problem, steps, {.output_times = {0.5}});
+      EXPECT_EQ(path.status, SolveStatus::finished);
       const double known = reference_of(whole).at(0.5).value[0];
       return std::abs(columns_of(whole.outputs, path)(0, 0) - known);
     };
@@ -171,4 +173,4 @@ TEST(FractionalExtremum, IsComputedAsAWholeToo) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // D^g u = lambda u with complex lambda is solved by Mittag-Leffler functions; the scene inverts a Laplace
 // transform of the real system.
 
@@ -9,7 +10,7 @@
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Complex = std::complex<double>;
@@ -29,7 +30,7 @@ TEST_P(RelaxationPair, IsTheComplexMittagLefflerFunction) {
                                                    {"dy0", slope.imag()}});
   for (const double t : {0.0, 1e-3, 0.5, 2.0, 5.0}) {
     const Complex z = lambda * std::pow(t, g);
-    const auto even = mittag_leffler(g, 1.0, z), odd = mittag_leffler(g, 2.0, z);
+    const auto even = reference::mittag_leffler(g, 1.0, z), odd = reference::mittag_leffler(g, 2.0, z);
     const Complex u = start * even.value + slope * t * odd.value;
     const double bound = 2.0 * even.bound + 3.0 * t * odd.bound + 1e-14 * (1.0 + std::abs(u));
     const auto known = scene.reference.at(t);
@@ -70,4 +71,4 @@ TEST(RelaxationPairUpToOne, HasNoSlope) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

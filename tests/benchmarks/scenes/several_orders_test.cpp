@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Equations of several orders and the limits of the orders of damping, each against an independent value:
 // power series in t^(1/10), Talbot's inversion of the transform and Taylor's method, in 30 digits.
 
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -24,7 +25,7 @@ TEST(MultiTerm, WithAllKindsOfTermsIsItsSeries) {
   EXPECT_NEAR(reference_at("multi_term", {}, 1.0)[0], 0.519406339214479610, 1e-13);
   Scene scene = scene_of("multi_term");
   scene.problem.end = 1.0;
-  const auto path = solve("product_trapezoidal", scene.problem, 4096, {.at = {1.0}});
+  const auto path = solve("product_trapezoidal", scene.problem, 4096, {.output_times = {1.0}});
   EXPECT_NEAR(path.y(0, 0), 0.519406339214479610, 5e-6);
 }
 
@@ -97,7 +98,7 @@ TEST(DampingOfWholeOrders, IsInertiaAndFriction) {
   EXPECT_NEAR(known[3], -(friction * du + u) / mass, 1e-15);
   Scene scene = scene_of("damped_oscillator", whole);
   scene.problem.end = t;
-  const auto path = solve("product_trapezoidal", scene.problem, 4096, {.at = {t}});
+  const auto path = solve("product_trapezoidal", scene.problem, 4096, {.output_times = {t}});
   EXPECT_LT((columns_of(scene.outputs, path) - known).cwiseAbs().maxCoeff(), 1e-6);
 }
 
@@ -132,7 +133,7 @@ TEST(FractionalOscillator, TakesTheLoadOfEquation49) {
   EXPECT_NEAR(reference_at("fractional_oscillator", loaded, 1.5)[0], 0.411798252067028247, 1e-15);
   Scene scene = scene_of("fractional_oscillator", loaded);
   scene.problem.end = 1.5;
-  const auto path = solve("product_trapezoidal", scene.problem, 4096, {.at = {1.5}});
+  const auto path = solve("product_trapezoidal", scene.problem, 4096, {.output_times = {1.5}});
   EXPECT_NEAR(path.y(0, 0), 0.411798252067028247, 1e-7);
 }
 
@@ -174,4 +175,4 @@ TEST(FractionalOscillator, ShowsItsTwoParts) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

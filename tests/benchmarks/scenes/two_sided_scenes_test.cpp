@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Manufactured solutions with right derivatives: their rates, their derivatives and constraints, and that the
 // equations are those of the extremum from which they follow.
 
@@ -11,17 +12,19 @@
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "support/caputo.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-struct Made {
+struct ManufacturedProblem {
   std::string scene;
   double alpha;
 };
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-void PrintTo(const Made& made, std::ostream* out) { *out << made.scene << " alpha = " << made.alpha; }
+void PrintTo(const ManufacturedProblem& made, std::ostream* out) {
+  *out << made.scene << " alpha = " << made.alpha;
+}
 
-class MadeScene : public testing::TestWithParam<Made> {
+class MadeScene : public testing::TestWithParam<ManufacturedProblem> {
  protected:
   const Scene scene_ = scene_of(GetParam().scene, {{"alpha", GetParam().alpha}});
 };
@@ -72,8 +75,10 @@ TEST_P(MadeScene, HasTheDerivativesOfItsMotion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, MadeScene,
-                         testing::Values(Made{"two_sided_constraint", 0.3}, Made{"two_sided_constraint", 0.8},
-                                         Made{"fractional_hamilton", 0.3}, Made{"fractional_hamilton", 0.8}),
+                         testing::Values(ManufacturedProblem{"two_sided_constraint", 0.3},
+                                         ManufacturedProblem{"two_sided_constraint", 0.8},
+                                         ManufacturedProblem{"fractional_hamilton", 0.3},
+                                         ManufacturedProblem{"fractional_hamilton", 0.8}),
                          [](const auto& test) {
                            return fmt::format("{}_{:.0f}", test.param.scene, 10 * test.param.alpha);
                          });
@@ -103,4 +108,4 @@ TEST(FractionalHamilton, MakesTheFirstVariationZero) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

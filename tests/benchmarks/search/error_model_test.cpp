@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The fit of two powers to errors that are sums of two powers, and to other errors.
 
 #include "fdebench/benchmarks/search/error_model.hpp"
@@ -8,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::vector<TrialError> errors(const std::function<double(double n)>& error, int coarsest = 16,
@@ -61,4 +62,4 @@ TEST(ErrorModel, OfTwoErrorsIsTheirPower) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Error estimates without a reference. The scenes here have one, which is withheld and used as a check.
 
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
@@ -17,7 +18,7 @@
 #include "fdebench/benchmarks/search/search.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -43,12 +44,12 @@ class EstimatedErrors : public testing::TestWithParam<SearchCase> {
 TEST_P(EstimatedErrors, AreAgainstARunThatIsAsAccurateAsItSays) {
   ASSERT_TRUE(found_.estimate);
   const ErrorEstimate& estimate = *found_.estimate;
-  EXPECT_EQ(estimate.missing, "it is taken away");
+  EXPECT_EQ(estimate.no_reference_reason, "it is taken away");
   EXPECT_NE(estimate.first.scheme, estimate.second.scheme);
   EXPECT_EQ(estimate.first_steps, 2 * estimate.second_steps);
   EXPECT_LE(estimate.error(), largest_estimate_fraction * GetParam().accuracy);
-  RunEvaluator examiner(scene_, question_);
-  const auto run = examiner.examine(estimate.first, estimate.first_steps, 8192, 60.0);
+  RunEvaluator evaluator(scene_, question_);
+  const auto run = evaluator.evaluate(estimate.first, estimate.first_steps, 8192, 60.0);
   EXPECT_LE(run.error, estimate.error());
 }
 
@@ -57,19 +58,19 @@ TEST_P(EstimatedErrors, ChooseRunsWithinTheAccuracy) {
   Scene estimated = unknown_;
   estimated.reference = found_.reference;
   const auto ways = search(estimated, question_, 10.0, silence);
-  ASSERT_EQ(ways.front().found, Found::within);
-  RunEvaluator examiner(scene_, question_);
+  ASSERT_EQ(ways.front().outcome, SearchOutcome::accuracy_reached);
+  RunEvaluator evaluator(scene_, question_);
   for (const SearchCandidate& of : ways) {
-    if (of.found != Found::within || !of.time) continue;
-    const auto run = examiner.examine(of.way, resolution_of(of.best), 2048, 60.0);
-    EXPECT_LE(run.error, GetParam().accuracy) << of.way.scheme->id << " " << of.best.steps;
+    if (of.outcome != SearchOutcome::accuracy_reached || !of.time) continue;
+    const auto run = evaluator.evaluate(of.configuration, resolution_of(of.best), 2048, 60.0);
+    EXPECT_LE(run.error, GetParam().accuracy) << of.configuration.scheme->id << " " << of.best.steps;
     EXPECT_NEAR(run.error, of.best.error, largest_estimate_fraction * GetParam().accuracy)
-        << of.way.scheme->id;
+        << of.configuration.scheme->id;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Scenes, EstimatedErrors,
+    SceneRegistry, EstimatedErrors,
     testing::Values(SearchCase{"relaxation", {Norm::maximum, Scale::mixed}, 1e-5},
                     SearchCase{"relaxation:gamma=0.2", {Norm::maximum, Scale::mixed}, 1e-3},
                     SearchCase{"relaxation:gamma=1.5", {Norm::end, Scale::relative}, 1e-5},
@@ -123,7 +124,7 @@ TEST(Estimates, SeeALoadThatFewStepsMiss) {
   Scene scene{.problem = {.components = {{1.0, {0.0}}},
                           .rhs = [](double t, In, Out f) { f[0] = t > 1e-4 && t < 3e-4 ? 1e4 : 0.0; },
                           .end = 1.0,
-                          .jumps = {1e-4, 3e-4}},
+                          .jump_times = {1e-4, 3e-4}},
               .outputs = {.names = {"y"}}};
   const AccuracyTarget question{{Norm::end, Scale::absolute}, 0.1, all_columns(scene)};
   const auto found = estimated_reference(scene, question, "there is none", 30.0, silence);
@@ -142,4 +143,4 @@ TEST(SampledRuns, AreCubicsBetweenTheirSteps) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

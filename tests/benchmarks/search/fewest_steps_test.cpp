@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // fewest_steps() with errors that are given functions of the number of steps.
 
 #include "fdebench/benchmarks/search/fewest_steps.hpp"
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double accuracy = 1e-6;
@@ -17,25 +18,25 @@ struct Errors {
   std::function<double(int steps)> signed_error;
   int made = 0;
 
-  Attempt operator()(int steps) {
+  CandidateRun operator()(int steps) {
     ++made;
     const double error = signed_error(steps);
     return {.steps = steps,
             .error = std::abs(error),
-            .trivial = 1.0,
+            .baseline_error = 1.0,
             .signed_error = error,
-            .within = std::abs(error) <= accuracy};
+            .meets_accuracy = std::abs(error) <= accuracy};
   }
   // Runs with doubled numbers of steps, up to the first within the accuracy.
-  std::vector<Attempt> ladder() {
-    std::vector<Attempt> rungs{(*this)(4)};
-    while (!rungs.back().within) rungs.push_back((*this)(2 * rungs.back().steps));
-    return rungs;
+  std::vector<CandidateRun> refinements() {
+    std::vector<CandidateRun> runs{(*this)(4)};
+    while (!runs.back().meets_accuracy) runs.push_back((*this)(2 * runs.back().steps));
+    return runs;
   }
-  Attempt fewest(int unit, bool scan) {
-    const auto rungs = ladder();
+  CandidateRun fewest(int unit, bool scan) {
+    const auto runs = refinements();
     made = 0;
-    return fewest_steps(rungs, accuracy, unit, scan, [this](int steps) { return (*this)(steps); });
+    return fewest_steps(runs, accuracy, unit, scan, [this](int steps) { return (*this)(steps); });
   }
 };
 
@@ -44,7 +45,7 @@ TEST(FewestSteps, OfAPowerIsFoundInAFewAttempts) {
     Errors errors{[=](int steps) { return 0.3 * std::pow(steps, -rate); }};
     const double exact = std::pow(0.3 / accuracy, 1.0 / rate);
     const auto found = errors.fewest(1, false);
-    EXPECT_TRUE(found.within) << rate;
+    EXPECT_TRUE(found.meets_accuracy) << rate;
     EXPECT_GE(found.steps, exact) << rate;
     EXPECT_LE(found.steps, 1.02 * exact + 1.0) << rate;
     EXPECT_LE(errors.made, 5) << rate;
@@ -64,7 +65,7 @@ TEST(FewestSteps, AreFoundWhereTheErrorChangesItsSign) {
   Errors errors{[](int steps) { return 1e-3 * (1.0 - 300.0 / steps) * std::pow(100.0 / steps, 3.0); }};
   ASSERT_GT(errors.fewest(1, false).steps, 800);
   const auto found = errors.fewest(1, true);
-  EXPECT_TRUE(found.within);
+  EXPECT_TRUE(found.meets_accuracy);
   EXPECT_LE(found.steps, 308);
   EXPECT_GE(found.steps, 292);
 }
@@ -76,4 +77,4 @@ TEST(MoreSteps, AreAboutAHundredthMore) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

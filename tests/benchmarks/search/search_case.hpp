@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <ostream>
 
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // A scene with a kind of error and an accuracy, as a test parameter.
 struct SearchCase {
@@ -21,4 +22,4 @@ inline AccuracyTarget question_of(const Scene& scene, const SearchCase& asked) {
   return {asked.kind, asked.accuracy, all_columns(scene)};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

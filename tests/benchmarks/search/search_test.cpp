@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The results of search() are compared with independent runs.
 
 #include "fdebench/benchmarks/search/search.hpp"
@@ -15,7 +16,7 @@
 #include "fdebench/benchmarks/search/error_model.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::ElementsAre;
@@ -32,16 +33,16 @@ void expect_the_fewest_steps(const SearchCase& asked) {
   const Scene scene = make_scene(parse_variant(asked.scene));
   const auto found = found_for(scene, asked);
   const SearchCandidate& first = found.front();
-  ASSERT_EQ(first.found, Found::within);
-  RunEvaluator examiner(scene, question_of(scene, asked));
-  const int watched = first.way.is_adaptive() ? evenly_spaced_comparisons : first.best.steps;
-  const auto again = examiner.examine(first.way, resolution_of(first.best), watched, 60.0);
-  EXPECT_TRUE(again.within);
+  ASSERT_EQ(first.outcome, SearchOutcome::accuracy_reached);
+  RunEvaluator evaluator(scene, question_of(scene, asked));
+  const int compared = first.configuration.is_adaptive() ? evenly_spaced_comparisons : first.best.steps;
+  const auto again = evaluator.evaluate(first.configuration, resolution_of(first.best), compared, 60.0);
+  EXPECT_TRUE(again.meets_accuracy);
   EXPECT_EQ(again.error, first.best.error);
-  if (first.way.is_adaptive()) return;
+  if (first.configuration.is_adaptive()) return;
   for (double steps = 0.95 * first.best.steps; steps >= 4.0; steps /= 1.1) {
-    const auto fewer = examiner.examine(first.way, static_cast<int>(steps), 8192, 60.0);
-    EXPECT_FALSE(fewer.within) << fewer.steps << " of " << first.best.steps;
+    const auto fewer = evaluator.evaluate(first.configuration, static_cast<int>(steps), 8192, 60.0);
+    EXPECT_FALSE(fewer.meets_accuracy) << fewer.steps << " of " << first.best.steps;
   }
 }
 
@@ -57,11 +58,11 @@ TEST(SearchOverGrids, FindsTheFewestSteps) {
 // by chance, so the median over all schemes is compared.
 TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
   const Scene scene = make_scene(parse_variant(GetParam().scene));
-  RunEvaluator examiner(scene, question_of(scene, GetParam()));
+  RunEvaluator evaluator(scene, question_of(scene, GetParam()));
   std::vector<double> ratios;
   for (const Scheme& scheme : schemes()) {
-    if (refusal(scheme, scene.problem, Grid{scene.problem.end, 16})) continue;
-    const auto error = [&](int steps) { return examiner.examine({&scheme}, steps, 8192, 60.0).error; };
+    if (unsupported_reason(scheme, scene.problem, Grid{scene.problem.end, 16})) continue;
+    const auto error = [&](int steps) { return evaluator.evaluate({&scheme}, steps, 8192, 60.0).error; };
     std::vector<TrialError> known;
     for (const int steps : {16, 32, 64, 128, 256}) known.push_back({steps, error(steps)});
     if (std::ranges::any_of(known, [](const TrialError& of) { return !std::isfinite(of.error); })) continue;
@@ -76,16 +77,17 @@ TEST(SearchOverGrids, PredictsTheErrorsThatItFindsByTheRunsBefore) {
   const SearchCase asked{"fractional_hamilton", {Norm::maximum, Scale::mixed}, 1e-3};
   const Scene scene = make_scene(parse_variant(asked.scene));
   int predictions = 0;
-  for (const auto& way : found_for(scene, asked)) {
-    if (way.found != Found::within || !way.predicted) continue;
-    EXPECT_EQ(way.predicted->value, ErrorModel(errors_of(way)).error(way.best.steps).value)
-        << way.names.front();
+  for (const auto& configuration : found_for(scene, asked)) {
+    if (configuration.outcome != SearchOutcome::accuracy_reached || !configuration.predicted) continue;
+    EXPECT_EQ(configuration.predicted->value,
+              ErrorModel(errors_of(configuration)).error(configuration.best.steps).value)
+        << configuration.names.front();
     ++predictions;
   }
   EXPECT_GT(predictions, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SearchFor,
+INSTANTIATE_TEST_SUITE_P(SceneRegistry, SearchFor,
                          testing::Values(SearchCase{"relaxation", {Norm::maximum, Scale::mixed}, 1e-6},
                                          SearchCase{
                                              "relaxation:gamma=1.5", {Norm::end, Scale::relative}, 1e-9},
@@ -96,11 +98,11 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SearchFor,
 // Schemes with adaptive step size are tried too, with the largest tolerance that suffices.
 TEST(Search, TriesSchemesThatChooseTheirSteps) {
   const auto found = found_for(scene_of("pendulum"), {"", {Norm::maximum, Scale::mixed}, 1e-9});
-  const auto way = std::ranges::find(found, "spectral_collocation",
-                                     [](const SearchCandidate& of) { return of.way.scheme->id; });
-  ASSERT_EQ(way->found, Found::within);
-  EXPECT_LE(way->best.error, 1e-9);
-  EXPECT_GT(way->best.asked, 1e-9);
+  const auto configuration = std::ranges::find(
+      found, "spectral_collocation", [](const SearchCandidate& of) { return of.configuration.scheme->id; });
+  ASSERT_EQ(configuration->outcome, SearchOutcome::accuracy_reached);
+  EXPECT_LE(configuration->best.error, 1e-9);
+  EXPECT_GT(configuration->best.requested_tolerance, 1e-9);
 }
 
 // Start weights for a new order take milliseconds to compute, four steps some microseconds: the cost of the
@@ -109,20 +111,20 @@ TEST(Search, ComparesRunsByWhatTheyCostOnceStartWeightsAreMade) {
   const Scene scene = scene_of("relaxation", {{"gamma", 0.4321}});
   const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-10});
   const auto rule =
-      std::ranges::find(found, "bdf5", [](const SearchCandidate& of) { return of.way.scheme->id; });
-  EXPECT_GT(rule->once_seconds, 10.0 * rule->ladder.front().seconds);
-  EXPECT_GT(rule->ladder.size(), 1U);
+      std::ranges::find(found, "bdf5", [](const SearchCandidate& of) { return of.configuration.scheme->id; });
+  EXPECT_GT(rule->setup_seconds, 10.0 * rule->refinements.front().seconds);
+  EXPECT_GT(rule->refinements.size(), 1U);
 }
 
 // For a constant solution every scheme is exact, and the baseline y = y(0) does not apply.
 TEST(Search, TakesAConstantSolutionForOne) {
   const auto found =
       found_for(scene_of("relaxation", {{"y0", 0.0}}), {"", {Norm::maximum, Scale::mixed}, 1e-4});
-  EXPECT_EQ(found.front().found, Found::within);
+  EXPECT_EQ(found.front().outcome, SearchOutcome::accuracy_reached);
   EXPECT_EQ(found.front().best.error, 0.0);
-  EXPECT_TRUE(std::isinf(found.front().best.trivial));
+  EXPECT_TRUE(std::isinf(found.front().best.baseline_error));
   const auto moving = found_for(scene_of("relaxation"), {"", {Norm::maximum, Scale::mixed}, 1e-4});
-  EXPECT_TRUE(std::isfinite(moving.front().best.trivial));
+  EXPECT_TRUE(std::isfinite(moving.front().best.baseline_error));
 }
 
 // E_{1/2}(-1e6 t^{1/2}) decreases from 1 to 1e-6 within a millionth of the interval: a comparison at t = 0
@@ -130,9 +132,9 @@ TEST(Search, TakesAConstantSolutionForOne) {
 TEST(Search, SeesMotionBetweenTheTimesOfAGrid) {
   const Scene scene = scene_of("relaxation", {{"lambda", -1e6}});
   for (const auto& [norm, within] : {std::pair{Norm::end, true}, {Norm::maximum, false}}) {
-    RunEvaluator examiner(scene, question_of(scene, {"", {norm, Scale::mixed}, 1e-3}));
+    RunEvaluator evaluator(scene, question_of(scene, {"", {norm, Scale::mixed}, 1e-3}));
     for (const int steps : {1, 64})
-      EXPECT_EQ(examiner.examine({find_scheme("l1")}, steps, 8192, 60.0).within, within) << steps;
+      EXPECT_EQ(evaluator.evaluate({find_scheme("l1")}, steps, 8192, 60.0).meets_accuracy, within) << steps;
   }
 }
 
@@ -140,7 +142,7 @@ TEST(Search, GivesOneAlgorithmAllItsNames) {
   const Scene scene = scene_of("relaxation");
   const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-2});
   const auto adams = std::ranges::find_if(found, [](const SearchCandidate& of) {
-    return of.way.scheme->id == "adams_pc" && of.way.grading == 1.0;
+    return of.configuration.scheme->id == "adams_pc" && of.configuration.grading == 1.0;
   });
   EXPECT_THAT(adams->names, ElementsAre("adams_pc", "decoupled_multi_order", "commensurate_adams_pc"));
 }
@@ -150,15 +152,15 @@ TEST(Search, GivesOneAlgorithmAllItsNames) {
 TEST(Search, CreditsNoRunThatIsNoBetterThanZero) {
   const Scene scene = scene_of("stiff_relaxation");
   const auto found = found_for(scene, {"", {Norm::end, Scale::absolute}, 1e-3});
-  ASSERT_EQ(found.front().found, Found::within);
-  EXPECT_LT(found.front().best.error, found.front().best.trivial);
-  EXPECT_LT(found.front().best.trivial, 1e-6);
+  ASSERT_EQ(found.front().outcome, SearchOutcome::accuracy_reached);
+  EXPECT_LT(found.front().best.error, found.front().best.baseline_error);
+  EXPECT_LT(found.front().best.baseline_error, 1e-6);
 }
 
 // No error can be verified below the bound of the reference.
 TEST(Search, RefusesAnAccuracyThatTheReferenceDoesNotHave) {
   Scene scene = scene_of("relaxation");
-  scene.reference = {[](double) { return ReferenceValue{Vec::Ones(1), Vec::Constant(1, 1e-5)}; }};
+  scene.reference = {[](double) { return reference::ReferenceValue{Vec::Ones(1), Vec::Constant(1, 1e-5)}; }};
   expect_message(
       [&] {
         found_for(scene, {"", {Norm::end, Scale::absolute}, 1e-6});
@@ -169,15 +171,17 @@ TEST(Search, RefusesAnAccuracyThatTheReferenceDoesNotHave) {
 TEST(Search, CountsWhatIsNotKnownOfTheReferenceAsError) {
   const auto within = [](double bound) {
     Scene scene = scene_of("relaxation");
-    const Reference exact = scene.reference;
-    scene.reference = {[=](double t) { return ReferenceValue{exact.at(t).value, Vec::Constant(1, bound)}; }};
-    RunEvaluator examiner(scene, {{Norm::end, Scale::absolute}, 1e-4, all_columns(scene)});
-    return examiner.examine({find_scheme("adams_pc"), 1.0}, 64, 64, 10.0);
+    const reference::Reference exact = scene.reference;
+    scene.reference = {[=](double t) {
+      return reference::ReferenceValue{exact.at(t).value, Vec::Constant(1, bound)};
+    }};
+    RunEvaluator evaluator(scene, {{Norm::end, Scale::absolute}, 1e-4, all_columns(scene)});
+    return evaluator.evaluate({find_scheme("adams_pc"), 1.0}, 64, 64, 10.0);
   };
   const auto exactly = within(0.0);
-  EXPECT_TRUE(exactly.within);
-  EXPECT_FALSE(within(1.01 * (1e-4 - exactly.error)).within);
-  EXPECT_TRUE(within(0.99 * (1e-4 - exactly.error)).within);
+  EXPECT_TRUE(exactly.meets_accuracy);
+  EXPECT_FALSE(within(1.01 * (1e-4 - exactly.error)).meets_accuracy);
+  EXPECT_TRUE(within(0.99 * (1e-4 - exactly.error)).meets_accuracy);
 }
 
 // D^g y ~ t^g near 0, and the error of the trapezoidal rule on a uniform grid is h^(2g) at the first step and
@@ -191,4 +195,4 @@ TEST(Gradings, AreUsualOnesAndTheLeastWithTheBestRate) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

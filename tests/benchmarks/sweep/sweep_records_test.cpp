@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rows that a sweep appends to its results.
 
 #include <gtest/gtest.h>
@@ -12,20 +13,20 @@
 #include "fdebench/benchmarks/sweep/sweep.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 RecordedRun complete(const RunKey& key) {
   RecordedRun run;
-  run.note({.key = key, .quantity = "ending", .ending = RunOutcome{}});
-  run.note({.key = key, .quantity = "time_minimum"});
+  run.add({.key = key, .quantity = "ending", .ending = RunOutcome{}});
+  run.add({.key = key, .quantity = "time_minimum"});
   return run;
 }
 
 TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
   const Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
                     .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-                    .ladder = {{16, 32}},
+                    .plan = {{16, 32}},
                     .repeats = {.most = 2}};
   std::vector<Record> all;
   std::size_t calls = 0;
@@ -40,7 +41,7 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
                           ++calls;
                           all.insert(all.end(), rows.begin(), rows.end());
                         },
-                    .tell = [](const auto&) {}});
+                    .on_event = [](const auto&) {}});
   EXPECT_EQ(calls, 6U);  // an examination and its times for each of three runs
   const auto count = [&](std::string_view quantity) {
     return std::ranges::count(all, quantity, &Record::quantity);
@@ -57,11 +58,11 @@ TEST(Sweeps, RecordStartWeightsOfSchemesThatHaveThem) {
   std::vector<Record> all;
   run_sweep({.scenes = {{&scene_maker("relaxation")}},
              .schemes = {find_scheme("grunwald_letnikov"), find_scheme("bdf2")},
-             .ladder = {{64, 64}},
+             .plan = {{64, 64}},
              .repeats = {.most = 1}},
             {.recorded = [](const auto&) { return RecordedRun(); },
              .append = [&](const auto& rows) { all.insert(all.end(), rows.begin(), rows.end()); },
-             .tell = [](const auto&) {}});
+             .on_event = [](const auto&) {}});
   std::erase_if(all, [](const Record& row) { return row.quantity != "start_weights"; });
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].key.scheme, "bdf2");
@@ -72,10 +73,10 @@ TEST(Sweeps, MeasureOnceWhatIsAskedForTwice) {
   const SceneVariant power{&scene_maker("power")};
   const auto* l1 = find_scheme("l1");
   int calls = 0;
-  run_sweep({.scenes = {power, power}, .schemes = {l1, l1}, .ladder = {{16, 16}}, .repeats = {.most = 1}},
+  run_sweep({.scenes = {power, power}, .schemes = {l1, l1}, .plan = {{16, 16}}, .repeats = {.most = 1}},
             {.recorded = [](const auto&) { return RecordedRun(); },
              .append = [&](const auto&) { ++calls; },
-             .tell = [](const auto&) {}});
+             .on_event = [](const auto&) {}});
   EXPECT_EQ(calls, 2);  // one examination and its times
 }
 
@@ -86,10 +87,10 @@ TEST(Sweeps, StopAtTheFirstFailureToWrite) {
     throw std::runtime_error("disk full");
   };
   EXPECT_THROW(
-      run_sweep({.scenes = {{&scene_maker("power")}}, .schemes = {find_scheme("l1")}, .ladder = {{16, 32}}},
+      run_sweep({.scenes = {{&scene_maker("power")}}, .schemes = {find_scheme("l1")}, .plan = {{16, 32}}},
                 {.recorded = [](const auto&) { return RecordedRun(); },
                  .append = write,
-                 .tell = [](const auto&) {}}),
+                 .on_event = [](const auto&) {}}),
       std::runtime_error);
   EXPECT_EQ(calls, 1);
 }
@@ -99,7 +100,7 @@ std::vector<std::string> rows_with_threads(unsigned threads) {
   const Sweep sweep{
       .scenes = {{&scene_maker("relaxation")}, {&scene_maker("brusselator")}, {&scene_maker("pendulum")}},
       .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-      .ladder = {{16, 600}},
+      .plan = {{16, 600}},
       .repeats = {.most = 1},
       .threads = threads};
   std::vector<std::string> rows;
@@ -111,7 +112,7 @@ std::vector<std::string> rows_with_threads(unsigned threads) {
                             rows.push_back(line_of(row, false));
                           }
                         },
-                    .tell = [](const auto&) {}});
+                    .on_event = [](const auto&) {}});
   const auto scene = [](const auto& row) { return row.substr(row.find(R"("scene":)")); };
   std::ranges::stable_sort(rows, {}, [&](const auto& row) { return scene(row).substr(0, 20); });
   return rows;
@@ -134,7 +135,7 @@ TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
   MemoizedReference reference(scene);
   for (int repeat = 0; repeat < 2; ++repeat) {
     const auto rows = examine({"brusselator"}, scene, reference, *find_scheme("l1"), {64});
-    EXPECT_EQ(rows.back().ending->kind, Ending::no_reference);
+    EXPECT_EQ(rows.back().ending->kind, Verdict::no_reference);
     EXPECT_EQ(std::ranges::count(rows, "rhs_calls", &Record::quantity), 1);  // needs no reference
     EXPECT_EQ(std::ranges::count(rows, "error_end", &Record::quantity), 0);
   }
@@ -147,7 +148,7 @@ TEST(Sweeps, RecordRefusalsAndFailuresWithTheirReason) {
   };
   const auto failed = rows_of(scene_of("brusselator"), "adams_pc");
   ASSERT_EQ(failed.size(), 1U);
-  EXPECT_EQ(failed[0].ending->kind, Ending::non_finite);
+  EXPECT_EQ(failed[0].ending->kind, SolveStatus::non_finite);
   EXPECT_EQ(failed[0].ending->detail.find("at step "), 0U);
   EXPECT_GT(failed[0].value, 0.0);
   Scene odd = scene_of("brusselator");
@@ -157,4 +158,4 @@ TEST(Sweeps, RecordRefusalsAndFailuresWithTheirReason) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/sweep/sweep.hpp"
 
 #include <gmock/gmock.h>
@@ -10,7 +11,7 @@
 
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr auto nothing_is_recorded = [](const auto&) { return RecordedRun(); };
@@ -18,7 +19,7 @@ constexpr auto silence = [](const auto&) {};
 
 RecordedRun examined(const RunKey& key) {
   RecordedRun run;
-  run.note({.key = key, .quantity = "ending", .ending = RunOutcome{}});
+  run.add({.key = key, .quantity = "ending", .ending = RunOutcome{}});
   return run;
 }
 
@@ -27,11 +28,11 @@ TEST(ContinuedSweeps, TimeWhatIsExamined) {
   std::vector<Record> rows;
   run_sweep({.scenes = {{&scene_maker("power")}},
              .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-             .ladder = {{16}},
+             .plan = {{16}},
              .repeats = {.most = 1}},
             {.recorded = [](const RunKey& run) { return run.scheme == "l1" ? examined(run) : RecordedRun(); },
              .append = [&](const auto& some) { rows.insert(rows.end(), some.begin(), some.end()); },
-             .tell = silence});
+             .on_event = silence});
   EXPECT_EQ(std::ranges::count(rows, "ending", &Record::quantity), 1);
   EXPECT_EQ(std::ranges::count(rows, "time_high", &Record::quantity), 2);
 }
@@ -51,16 +52,16 @@ std::string words_of(const SweepEvent& event) {
   return {};
 }
 
-TEST(Sweeps, TakeOneRungAfterTheOtherAndTellEachRun) {
+TEST(Sweeps, TakeOneResolutionAfterTheOtherAndReportEachRun) {
   std::vector<std::string> events;
   run_sweep({.scenes = {{&scene_maker("power")}},
              .schemes = {find_scheme("l1")},
-             .ladder = {{16, 32}},
+             .plan = {{16, 32}},
              .repeats = {.most = 1},
              .threads = 1},
             {.recorded = nothing_is_recorded,
              .append = [&](const auto& some) { events.push_back(some.back().quantity); },
-             .tell = [&](const auto& event) { events.push_back(words_of(event)); }});
+             .on_event = [&](const auto& event) { events.push_back(words_of(event)); }});
   EXPECT_THAT(events, testing::ElementsAre("examines N = 16", "ending", "times N = 16", "time_high",
                                            "N = 16 is done", "examines N = 32", "ending", "times N = 32",
                                            "time_high", "N = 32 is done", "line ends at N = 32"));
@@ -76,7 +77,7 @@ TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
   };
   const Sweep sweep{.scenes = {relaxation(0.5), relaxation(0.6), relaxation(0.7), relaxation(0.8)},
                     .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-                    .ladder = {{1, 2, 3, 4, 5, 6}},
+                    .plan = {{1, 2, 3, 4, 5, 6}},
                     .repeats = {.most = 1},
                     .threads = 4};
   run_sweep(sweep, {.recorded = nothing_is_recorded,
@@ -86,8 +87,8 @@ TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
                           (last.ending ? endings : times).insert(last.key);
                           if (last.ending) std::this_thread::sleep_for(std::chrono::milliseconds(1));
                         },
-                    .tell = silence});
-  EXPECT_EQ(endings.size(), sweep.scenes.size() * sweep.schemes.size() * sweep.ladder.rungs.size());
+                    .on_event = silence});
+  EXPECT_EQ(endings.size(), sweep.scenes.size() * sweep.schemes.size() * sweep.plan.resolutions.size());
   EXPECT_EQ(std::set<RunKey>(endings.begin(), endings.end()).size(), endings.size());
   EXPECT_TRUE(times == endings);
 }
@@ -95,4 +96,4 @@ TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
 INSTANTIATE_TEST_SUITE_P(TimingRepeats, SlowAppends, testing::Range(0, 3));
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Linear systems whose characteristic function loses 20 digits or more by cancellation, since its orders are
 // close.
 
@@ -5,7 +6,7 @@
 
 #include "fdebench/reference/linear/linear_system.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 Reference of_order(double gamma, const Matrix& matrix, double x0, double y0) {
@@ -56,4 +57,4 @@ TEST(CloseOrders, AZeroFarFromTheRadiiOfEqualTermsIsFound) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

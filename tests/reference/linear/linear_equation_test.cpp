@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/linear_equation.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "fdebench/reference/linear/closed_forms/power_sum.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Complex = std::complex<double>;
@@ -22,7 +23,7 @@ struct Worst {
   double ratio = 0.0;
   std::string row;
 
-  void see(double value, double exact, double allowed, const std::string& name) {
+  void update(double value, double exact, double allowed, const std::string& name) {
     const double error = std::abs(value - exact), now = error == 0.0 ? 0.0 : error / allowed;
     if (!(now <= ratio))
       *this = {now, fmt::format("{}: {:.17g} for {:.17g}, allowed {:.3g}", name, value, exact, allowed)};
@@ -60,9 +61,9 @@ TEST_P(RelaxationEquation, IsSolvedByTheMittagLefflerFunction) {
     const double slope = z * (mittag_leffler(gamma, 0.0, z) / (gamma * (z == 0.0 ? 1.0 : z)));  // z E'
     const double allowed = 1e-15 * (std::abs(exact.real()) + 3.0 * std::abs(slope)) + 1e-40;
     const ReferenceValue known = solution.at(t);
-    worst.see(known.value[0], exact.real(), allowed, fmt::format("u({})", t));
-    worst.see(known.value[1], lambda * exact.real(), std::abs(lambda) * allowed,
-              fmt::format("D^gamma u({})", t));
+    worst.update(known.value[0], exact.real(), allowed, fmt::format("u({})", t));
+    worst.update(known.value[1], lambda * exact.real(), std::abs(lambda) * allowed,
+                 fmt::format("D^gamma u({})", t));
     const double scale = std::max(std::abs(exact.real()), gamma * std::abs(slope));  // max(|u|, |t u'|)
     EXPECT_LE(known.bound[0], 1e-15 * scale + 1e-50) << t;
   }
@@ -87,8 +88,8 @@ TEST(LinearEquation, FindsEveryZero) {
   for (int i = 0; i < 100; ++i) {
     const double gamma = 1.0 + unit(random), lambda = -std::pow(10.0, 3.0 * unit(random) - 1.0);
     const Reference solution = linear_reference(relaxation(gamma, lambda, {1.0, 0.0}), {0.0});
-    worst.see(solution.at(1.0).value[0], mittag_leffler(gamma, 1.0, lambda), 1e-13,
-              fmt::format("gamma {}, lambda {}", gamma, lambda));
+    worst.update(solution.at(1.0).value[0], mittag_leffler(gamma, 1.0, lambda), 1e-13,
+                 fmt::format("gamma {}, lambda {}", gamma, lambda));
   }
   expect_within(worst);
 }
@@ -106,8 +107,9 @@ TEST(FractionalOscillator, IsSolvedByMittagLefflerFunctions) {
                          power * mittag_leffler(nu, nu + 1.0, z) +
                          0.25 * power * t * mittag_leffler(nu, nu + 2.0, z);
     const ReferenceValue known = solution.at(t);
-    worst.see(known.value[0], exact, 1e-15 * (1.0 + std::abs(exact)), fmt::format("q({})", t));
-    worst.see(known.value[1], 1.0 + 0.25 * t - w2 * exact, 2e-15 * (2.0 + t), fmt::format("D^nu q({})", t));
+    worst.update(known.value[0], exact, 1e-15 * (1.0 + std::abs(exact)), fmt::format("q({})", t));
+    worst.update(known.value[1], 1.0 + 0.25 * t - w2 * exact, 2e-15 * (2.0 + t),
+                 fmt::format("D^nu q({})", t));
   }
   expect_within(worst);
 }
@@ -127,8 +129,8 @@ TEST_P(IntegerOrderEquation, HasItsElementarySolution) {
   Worst worst;
   for (const double t : {0.0, 0.0625, 0.5, 2.0, 5.0, 17.0}) {
     const ReferenceValue known = exact.at(t);
-    worst.see(known.value[0], solution(t), 1e-15 * std::abs(solution(t)), fmt::format("u({})", t));
-    worst.see(known.value[1], derivative(t), 1e-15 * std::abs(derivative(t)), fmt::format("u'({})", t));
+    worst.update(known.value[0], solution(t), 1e-15 * std::abs(solution(t)), fmt::format("u({})", t));
+    worst.update(known.value[1], derivative(t), 1e-15 * std::abs(derivative(t)), fmt::format("u'({})", t));
   }
   expect_within(worst);
 }
@@ -182,8 +184,8 @@ TEST(BagleyTorvik, MeetsAnIndependentInversion) {
   for (const auto& [t, values] : rows) {
     const ReferenceValue known = solution.at(t);
     for (std::size_t j = 0; j < values.size(); ++j) {
-      worst.see(known.value[static_cast<Eigen::Index>(j)], values[j], 1e-15 * std::abs(values[j]),
-                fmt::format("component {} at {}", j, t));
+      worst.update(known.value[static_cast<Eigen::Index>(j)], values[j], 1e-15 * std::abs(values[j]),
+                   fmt::format("component {} at {}", j, t));
     }
   }
   expect_within(worst);
@@ -194,7 +196,7 @@ TEST(BagleyTorvik, SolvesItsEquation) {
   Worst worst;
   for (const double t : {0.0, 0.01, 0.5, 0.99, 1.0, 1.01, 3.0, 10.0, 50.0}) {
     const Vec u = solution.at(t).value;
-    worst.see(u[2] + 0.5 * u[1] + 0.5 * u[0], t < 1.0 ? 8.0 : 0.0, 1e-14, fmt::format("t = {}", t));
+    worst.update(u[2] + 0.5 * u[1] + 0.5 * u[0], t < 1.0 ? 8.0 : 0.0, 1e-14, fmt::format("t = {}", t));
   }
   expect_within(worst);
 }
@@ -208,7 +210,7 @@ TEST(DampedOscillator, MeetsAnIndependentInversion) {
                                                   {5.0, {0.18237137944541475918}},
                                                   {20.0, {0.052918320126998222225}},
                                                   {50.0, {0.019409717529782916529}}})
-    worst.see(solution.at(t).value[0], values[0], 1e-15 * std::abs(values[0]), fmt::format("u({})", t));
+    worst.update(solution.at(t).value[0], values[0], 1e-15 * std::abs(values[0]), fmt::format("u({})", t));
   expect_within(worst);
   EXPECT_EQ(solution.digits(20.0, 28)[0].value, "0.05291832012699822222537727892");
 }
@@ -275,4 +277,4 @@ TEST(PowerSum, IsTheSumOfItsPowers) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Linear systems at the start, with overflow in double, and with invalid input.
 
 #include <cmath>
@@ -7,7 +8,7 @@
 #include "fdebench/schemes/problem/progress/progress.hpp"
 #include "support/linear_system_testing.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 Matrix scalar(double value) { return Matrix::Constant(1, 1, value); }
@@ -47,7 +48,7 @@ TEST(LinearSystem, HasNothingOfDoubleZerosFarOnTheLeft) {
 // s* = 1e33 in the right half-plane has 17 correct digits, so e^s* has none, and more digits do not help.
 TEST(LinearSystem, RefusesAtOnceDoubleZerosFarOnTheRight) {
   std::size_t work = 0;
-  const ProgressScope listening([&](std::size_t, std::size_t) { ++work; });
+  const ProgressScope scope([&](std::size_t, std::size_t) { ++work; });
   EXPECT_THROW(linear_reference(pair(0.6, 1e20, 3e-20)).at(1.0), std::runtime_error);
   EXPECT_EQ(work, 0U);
 }
@@ -99,4 +100,4 @@ TEST(LinearSystem, RejectsTimesAndDigitsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

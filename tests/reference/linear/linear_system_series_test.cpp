@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Linear systems compared with their power series, with an inversion without determinants, and with their own
 // bounds.
 
@@ -7,18 +8,18 @@
 #include "fdebench/reference/special_functions/laplace/enclosing_contour.hpp"
 #include "support/linear_system_testing.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 // x_i = x_i(0) + J^(g_i) [A x + b]_i, solved term by term: in the basis t^e / Gamma(e+1), J^g only shifts the
 // exponent m g_1 + n g_2.
 TEST(LinearSystem, IsItsPowerSeries) {
-  const auto precision = test_precision();
+  const auto precision = bench::test_precision();
   constexpr std::size_t most = 160;
   const Matrix a = (Matrix(2, 2) << -1.0, 0.7, -2.0, -0.3).finished();
   const LinearSystem system{
       .orders = {0.6, 0.85}, .initial = {{1.0}, {-0.5}}, .matrix = a, .loads = {{{0.4}}, {{-0.2}}}};
-  const auto entry = [&](int i, int j) { return decimal<BigReal>(a(i, j)); };
+  const auto entry = [&](int i, int j) { return from_shortest_decimal<BigReal>(a(i, j)); };
   using Lattice = std::vector<std::vector<BigReal>>;
   Lattice x(most + 1, std::vector(most + 1, BigReal(0))), y = x;
   const BigReal t("0.8"), g1("0.6"), g2("0.85");
@@ -39,15 +40,15 @@ TEST(LinearSystem, IsItsPowerSeries) {
       sum_y += y[m][n] * power;
     }
   }
-  const auto values = digits_at(linear_reference(system), 0.8);
-  expect_equal(values[0], sum_x, "x");
-  expect_equal(values[1], sum_y, "y");
+  const auto values = bench::digits_at(linear_reference(system), 0.8);
+  bench::expect_equal(values[0], sum_x, "x");
+  bench::expect_equal(values[1], sum_y, "y");
 }
 
 // In long double and in multiprecision, for stiff and growing systems: the bound holds, and is small compared
 // with max(|x|, |t x'|).
 TEST(LinearSystem, DoublesAreWithinTheirBounds) {
-  const auto precision = test_precision();
+  const auto precision = bench::test_precision();
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   double worst = 0.0;
@@ -63,7 +64,8 @@ TEST(LinearSystem, DoublesAreWithinTheirBounds) {
     for (const double t : {0.01, 0.5, 3.0}) {
       const ReferenceValue known = solution.at(t);
       if (!known.value.allFinite()) continue;
-      const auto exact = digits_at(solution, t), later = digits_at(solution, t * (1.0 + 0x1p-20));
+      const auto exact = bench::digits_at(solution, t),
+                 later = bench::digits_at(solution, t * (1.0 + 0x1p-20));
       for (std::size_t j = 0; j < 2; ++j) {
         const auto k = static_cast<Eigen::Index>(j);
         const BigReal error = abs(BigReal(exact[j] - known.value[k])),
@@ -99,7 +101,7 @@ std::vector<BigComplex> solve(BigMatrix m, std::vector<BigComplex> r) {
 // (diag(s^g) - A)^-1 diag(s^(g-1)) x0 on a parabola around all singularities: |s| <= the norm of the matrix,
 // if that is at least 1 and no order is below 1.
 TEST(LinearSystem, AgreesWithEliminationOnAnEnclosingContour) {
-  const auto precision = test_precision();
+  const auto precision = bench::test_precision();
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (const std::vector<double>& orders :
@@ -121,7 +123,7 @@ TEST(LinearSystem, AgreesWithEliminationOnAnEnclosingContour) {
       for (std::size_t i = 0; i < orders.size(); ++i) {
         for (std::size_t j = 0; j < orders.size(); ++j)
           m[i][j] = BigComplex(-a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-        const BigComplex power = exp(BigComplex(decimal<BigReal>(orders[i]) * node.log_s));
+        const BigComplex power = exp(BigComplex(from_shortest_decimal<BigReal>(orders[i]) * node.log_s));
         m[i][i] += power;
         r.push_back(power / node.s * system.initial[i][0]);
       }
@@ -129,11 +131,11 @@ TEST(LinearSystem, AgreesWithEliminationOnAnEnclosingContour) {
       for (std::size_t i = 0; i < orders.size(); ++i)
         sums[i] += 2 * real_part<BigReal>(BigComplex(node.weight * x[i]));
     }
-    const auto values = digits_at(linear_reference(system), 1.0);
+    const auto values = bench::digits_at(linear_reference(system), 1.0);
     for (std::size_t i = 0; i < orders.size(); ++i)
-      expect_equal(values[i], sums[i], fmt::format("{} of {}", i, orders.size()), BigReal(1));
+      bench::expect_equal(values[i], sums[i], fmt::format("{} of {}", i, orders.size()), BigReal(1));
   }
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

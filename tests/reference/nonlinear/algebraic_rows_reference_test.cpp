@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // References of problems with algebraic rows that determine their own unknown, or that constrain others.
 
 #include <gmock/gmock.h>
@@ -12,7 +13,7 @@
 #include "support/series_values.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using testing::HasSubstr;
@@ -27,9 +28,9 @@ void expect_within_bounds(const ReferenceValue& found, const Vec& exact) {
 
 // Against the power series in t^(1/10), 300 terms at 60 digits.
 TEST(AlgebraicRowsReference, OfASingularReactionIsThePowerSeries) {
-  for (const auto& [alpha, t, columns] : series_values()) {
+  for (const auto& [alpha, t, columns] : bench::series_values()) {
     auto scene =
-        scene_of("fractional_constraint_nonlinear", {{"alpha", alpha}, {"formulation", "multiplier"}});
+        bench::scene_of("fractional_constraint_nonlinear", {{"alpha", alpha}, {"formulation", "multiplier"}});
     scene.name.clear();  // bypasses the cache
     scene.problem.end = t;
     expect_within_bounds(reference_of(scene).at(t), columns);
@@ -38,8 +39,8 @@ TEST(AlgebraicRowsReference, OfASingularReactionIsThePowerSeries) {
 
 TEST(AlgebraicRowsReference, OfAnUnknownThatCanBeEliminatedIsThatOfTheOthers) {
   for (const double order : {0.5, 1.0, 1.5}) {
-    const Reference through = reference_solution(decay_through(order)),
-                    alone = reference_solution(decay(order));
+    const Reference through = reference_solution(bench::decay_through(order)),
+                    alone = reference_solution(bench::decay(order));
     for (const double t : {1e-3, 0.5, 2.0}) {
       const Vec both = alone.at(t).value.replicate(2, 1);
       expect_within_bounds(through.at(t), both);
@@ -50,7 +51,7 @@ TEST(AlgebraicRowsReference, OfAnUnknownThatCanBeEliminatedIsThatOfTheOthers) {
 // lambda(0) is minus infinity here, and 0 and 3 are guesses; the other initial values are exact. So is the
 // initial value of an unknown whose own algebraic row holds at t = 0.
 TEST(AlgebraicRowsReference, KnowsNothingOfAGuessedMultiplierAtTheStart) {
-  const AlgebraicPlane plane{.alpha = 0.5};
+  const bench::AlgebraicPlane plane{.alpha = 0.5};
   for (const double guess : {0.0, 3.0}) {
     const Reference reference = reference_solution(plane.multiplier(guess));
     const Vec bound = reference.at(0.0).bound;
@@ -58,12 +59,12 @@ TEST(AlgebraicRowsReference, KnowsNothingOfAGuessedMultiplierAtTheStart) {
     EXPECT_EQ(bound[6], std::numeric_limits<double>::infinity()) << guess;
     EXPECT_TRUE(reference.at(1e-3).bound.allFinite()) << guess;
   }
-  EXPECT_EQ(reference_solution(decay_through(0.5)).at(0.0).bound, Vec::Zero(2));
+  EXPECT_EQ(reference_solution(bench::decay_through(0.5)).at(0.0).bound, Vec::Zero(2));
 }
 
 // v' = -k q + a lambda with the constraint a.v + b.w = c0, against the form without multiplier.
 TEST(AlgebraicRowsReference, OfALinearConstraintIsThatOfTheIntegratedForm) {
-  const AlgebraicPlane plane{.alpha = 0.5};
+  const bench::AlgebraicPlane plane{.alpha = 0.5};
   const Reference with = reference_solution(plane.multiplier(0.0)),
                   without = reference_solution(plane.integrated());
   for (const double t : {1e-3, 0.5, 2.0}) {
@@ -76,10 +77,10 @@ TEST(AlgebraicRowsReference, OfALinearConstraintIsThatOfTheIntegratedForm) {
 }
 
 TEST(AlgebraicRowsReference, NeedsOrdersWhosePowersStartAboveTheSmallestDouble) {
-  const AlgebraicPlane plane{.alpha = 0.95};
+  const bench::AlgebraicPlane plane{.alpha = 0.95};
   EXPECT_THAT([&] { reference_table(plane.multiplier(0.0)); },
               ThrowsMessage<std::runtime_error>(HasSubstr("takes no order below 0.063 with algebraic rows")));
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

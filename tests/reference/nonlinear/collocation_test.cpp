@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/collocation.hpp"
 
 #include <gmock/gmock.h>
@@ -11,7 +12,7 @@
 
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using ::testing::HasSubstr;
@@ -284,4 +285,4 @@ TEST(ReferenceSolution, NamesWhatIsWrongWithAProblem) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

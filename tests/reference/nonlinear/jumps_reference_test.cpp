@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // References of problems with a discontinuous right-hand side.
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 #include "fdebench/reference/nonlinear/collocation.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 void expect_exact(const Reference& reference, double t, const Vec& exact, double most_bound) {
@@ -31,7 +32,7 @@ TEST_P(JumpOfOrder, IsAnswered) {
   const Problem problem{.components = {{order, std::vector<double>(order > 1.0 ? 2 : 1, 0.0)}},
                         .rhs = [](double t, In y, Out f) { f[0] = before(1.0, t) - y[0]; },
                         .end = 3.0,
-                        .jumps = {1.0}};
+                        .jump_times = {1.0}};
   const Reference reference = reference_solution(problem);
   const auto response = [&](double t) {
     return t <= 0.0 ? 0.0 : std::pow(t, order) * mittag_leffler(order, 1.0 + order, -std::pow(t, order));
@@ -49,7 +50,7 @@ TEST(JumpsReference, TurnsANonlinearEquation) {
       .components = {{1.0, {0.5}}},
       .rhs = [](double t, In y, Out f) { f[0] = (2.0 * before(1.0, t) - 1.0) * y[0] * y[0]; },
       .end = 4.0,
-      .jumps = {1.0, 7.0}};
+      .jump_times = {1.0, 7.0}};
   const Reference reference = reference_solution(problem);
   for (const double t : {0.5, 1.0, 1.5, 4.0})
     expect_exact(reference, t, Vec::Constant(1, t < 1.0 ? 1.0 / (2.0 - t) : 1.0 / t), 1e-12);
@@ -65,7 +66,7 @@ TEST(JumpsReference, TakesAlgebraicRowsThatJump) {
                               f[1] = y[1] - before(1.0, t);
                             },
                         .end = 2.0,
-                        .jumps = {1.0}};
+                        .jump_times = {1.0}};
   const Reference reference = reference_solution(problem);
   for (const double t : {0.5, 1.5, 2.0}) {
     const double since = t > 1.0 ? std::sqrt(t - 1.0) : 0.0;
@@ -76,4 +77,4 @@ TEST(JumpsReference, TakesAlgebraicRowsThatJump) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

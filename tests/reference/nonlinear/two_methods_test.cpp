@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The evidence for the reference of a nonlinear scene: two methods with different discretisations agree.
 
 #include <gtest/gtest.h>
@@ -10,12 +11,12 @@
 #include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 struct Agreement {
   const char* scene;
-  ParameterValues values;
+  bench::ParameterValues values;
   double end;
   double difference, bound;  // largest allowed, relative to 1 + |y|
 };
@@ -25,7 +26,7 @@ class TwoMethods : public testing::TestWithParam<Agreement> {};
 // With another tolerance and number of stages than in the computation of the bound.
 TEST_P(TwoMethods, AgreeToTheStatedSizeAndTheBoundIsNotLarger) {
   const auto& [id, values, end, largest_difference, largest_bound] = GetParam();
-  auto scene = scene_of(id, values);
+  auto scene = bench::scene_of(id, values);
   scene.problem.end = end;
   const Reference reference = reference_solution(scene.problem);
   const std::vector<double> stops{end / 50, end / 10, 0.4 * end};
@@ -60,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // The effect of a phase error is largest at the spikes, and the two resolutions of the collocation share it.
 TEST(BoundOfAReference, IsSmallOnSpikesWhereTheMethodsDifferMost) {
-  auto scene = scene_of("brusselator");
+  auto scene = bench::scene_of("brusselator");
   const Reference reference = reference_solution(scene.problem);
   const auto second = diffusive_solution(scene.problem, {.stages = 10, .tolerance = 1e-11});
   for (std::size_t k = 0; k < second.times.size(); ++k) {
@@ -72,7 +73,7 @@ TEST(BoundOfAReference, IsSmallOnSpikesWhereTheMethodsDifferMost) {
 
 struct Undamped {
   const char* scene;
-  ParameterValues values;
+  bench::ParameterValues values;
 };
 
 class Energies : public testing::TestWithParam<Undamped> {};
@@ -81,7 +82,7 @@ class Energies : public testing::TestWithParam<Undamped> {};
 TEST_P(Energies, AreKeptByBothMethodsWithoutDamping) {
   auto [id, values] = GetParam();
   for (const auto* damping : {"mu", "lambda", "nu"}) values[damping] = 0.0;
-  auto scene = scene_of(id, values);
+  auto scene = bench::scene_of(id, values);
   scene.problem.end = 50.0;
   const Reference reference = reference_solution(scene.problem);
   const auto second = diffusive_solution(scene.problem);
@@ -106,7 +107,7 @@ class EnergyBalances : public testing::TestWithParam<const char*> {};
 
 TEST_P(EnergyBalances, HoldAlongTheReferenceWithFractionalDamping) {
   using Gauss = boost::math::quadrature::gauss<double, 15>;
-  auto scene = scene_of(GetParam());
+  auto scene = bench::scene_of(GetParam());
   scene.problem.end = 20.0;
   const Reference reference = reference_solution(scene.problem);
   const auto power = [&](double t) { return scene.energy.power(t, reference.at(t).value); };
@@ -123,4 +124,4 @@ INSTANTIATE_TEST_SUITE_P(, EnergyBalances, testing::Values("pendulum", "extensib
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

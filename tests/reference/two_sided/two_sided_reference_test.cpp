@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The two methods of the references of two-sided problems, each by itself.
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 #include "fdebench/reference/two_sided/solution.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 NodalBasis panels() {
@@ -62,7 +63,7 @@ TEST(ClusteringMap, IsUndoneWithTheDigitsOfBothEnds) {
   for (const double power : {8.0, 32.0}) {
     const ClusteringMap time(power);
     for (const double x : {1e-3, 0.2, 0.5, 0.9, 0.999}) {
-      const RelativeTime back = time.undone(time.at({x, 1.0 - x}));
+      const RelativeTime back = time.inverse(time.at({x, 1.0 - x}));
       EXPECT_NEAR(back.from_start, x, 1e-14 * x) << power;
       EXPECT_NEAR(back.from_end, 1.0 - x, 1e-12 * (1.0 - x)) << power;
     }
@@ -71,8 +72,8 @@ TEST(ClusteringMap, IsUndoneWithTheDigitsOfBothEnds) {
 
 // A nonlinear problem with one row a side, of orders below and above 1.
 TEST(TwoSidedReference, IsTheManufacturedSolutionByEitherMethod) {
-  const ManufacturedProblem made =
-      manufactured_problem({{0.6, 3.0, Side::left}, {1.7, 3.5, Side::right}}, 1.0);
+  const bench::ManufacturedProblem made =
+      bench::manufactured_problem({{0.6, 3.0, Side::left}, {1.7, 3.5, Side::right}}, 1.0);
   for (const auto& basis : {panels(), sinc_nodes(0.08)}) {
     const NodalSolution solution(made.problem, basis);
     for (const double t : {0.01, 0.3, 0.5, 0.9, 0.99})
@@ -90,8 +91,8 @@ TEST(TwoSidedReference, IsTheManufacturedSolutionByEitherMethod) {
 // Orders of 0.3 need 12 panels, and 1.4 * 12 / 12 is below 1.4 in double.
 TEST(TwoSidedReference, ReachesTheEnd) {
   const double end = 1.4;
-  const ManufacturedProblem made =
-      manufactured_problem({{0.3, 3.0, Side::left}, {0.3, 3.5, Side::right}}, end);
+  const bench::ManufacturedProblem made =
+      bench::manufactured_problem({{0.3, 3.0, Side::left}, {0.3, 3.5, Side::right}}, end);
   const PanelTable table = two_sided_table(made.problem);
   EXPECT_EQ(table.panels.size(), 12U);
   const auto [value, bound] = two_sided_reference(table, made.problem).at(end);
@@ -102,12 +103,12 @@ TEST(TwoSidedReference, ReachesTheEnd) {
 // trapezoids with 1024 to 16384 equal steps, extrapolated in the powers 1.1, 1.2 and 1.3 of the step size:
 // two such sets agree to 2e-10.
 TEST(TwoSidedReference, KeepsItsDigitsNextToTheEndsForOrdersNextToOne) {
-  const Scene scene = scene_of("fractional_vakonomic", {{"alpha", 0.9}});
-  const Reference reference = computed_reference(scene.problem);
+  const bench::Scene scene = bench::scene_of("fractional_vakonomic", {{"alpha", 0.9}});
+  const Reference reference = bench::computed_reference(scene.problem);
   const double end = scene.problem.end;
   for (const double t : {0.0, 1e-6, 0.01, 0.3, 0.5, 0.9, 0.99, 0.999999, 1.0})
     EXPECT_LT(reference.at(t * end).bound.maxCoeff(), 5e-8) << t;
-  const Vec last = columns_at(scene.outputs, end, reference.at(end).value);
+  const Vec last = bench::columns_at(scene.outputs, end, reference.at(end).value);
   EXPECT_NEAR(last[0], 1.5981298667, 1e-9);
   EXPECT_NEAR(last[1], 0.5754581356, 1e-9);
 }
@@ -115,8 +116,8 @@ TEST(TwoSidedReference, KeepsItsDigitsNextToTheEndsForOrdersNextToOne) {
 TEST(TwoSidedReference, RefusesAlgebraicRows) {
   const Problem problem{.components = {{0.0, {1.0}}, {1.0, {0.0}, Side::right}},
                         .rhs = [](double, In y, Out f) { f << y[0] - 1.0, y[0]; }};
-  expect_message([&] { two_sided_table(problem); }, "takes no algebraic rows");
+  bench::expect_message([&] { two_sided_table(problem); }, "takes no algebraic rows");
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Recommendations from measured runs.
 
 #include "fdebench/reports/analysis/recommendation.hpp"
@@ -13,14 +14,14 @@
 
 #include "reports/synthetic_results.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
 
 constexpr ErrorKind at_end{Norm::end, Scale::absolute};
 
-std::vector<Option> within(const Results& results, double accuracy) {
+std::vector<RecommendedRun> within(const Results& results, double accuracy) {
   return SceneLines(runs_of(results), {"pendulum"}).within(at_end, accuracy);
 }
 
@@ -65,7 +66,7 @@ TEST(Options, CountARunMeasuredAgainWithItsLastSession) {
 TEST(Options, AreNoRunsThatZeroWouldMatch) {
   Results results = empty_results();
   const SyntheticRun run{"pendulum", "l1", 64};
-  add_row(results, run, "trivial_end", 5e-4);
+  add_row(results, run, "baseline_end", 5e-4);
   add_run(results, run, 1e-3, 1.0);
   EXPECT_TRUE(within(results, 1e-2).empty());
 }
@@ -127,7 +128,7 @@ TEST(Options, OfOneAlgorithmAreOneWithSeveralNames) {
   EXPECT_GE(missed->steps_needed->low, 257.0);
 }
 
-Option option(const std::string& scheme, int steps, const MedianInterval& time) {
+RecommendedRun option(const std::string& scheme, int steps, const MedianInterval& time) {
   return {.schemes = {scheme}, .setup = {.resolution = steps}, .steps = steps, .error = 1e-7, .time = time};
 }
 
@@ -157,8 +158,8 @@ TEST(Recommendation, TellsWhatIsWithinNoise) {
 }
 
 TEST(Recommendation, SaysWhatToAskASchemeWithoutAGridFor) {
-  Option asked = option("spectral_collocation", 12, {1.0, 1.0, 1.0});
-  asked.setup.resolution = Tolerance{.relative = 1e-7, .absolute = 1e-7};
+  RecommendedRun asked = option("spectral_collocation", 12, {1.0, 1.0, 1.0});
+  asked.setup.resolution = Tolerance{.rtol = 1e-7, .atol = 1e-7};
   const auto json = nlohmann::json::parse(
       json_of({.scene = {"pendulum"}, .kind = at_end, .accuracy = 1e-6, .options = {asked}}));
   EXPECT_TRUE(json["grid"].is_null()) << json["grid"];
@@ -167,4 +168,4 @@ TEST(Recommendation, SaysWhatToAskASchemeWithoutAGridFor) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -7,7 +8,7 @@
 #include "fdebench/reports/analysis/runs.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class RecordedRuns : public testing::Test {
@@ -60,7 +61,7 @@ TEST_F(RecordedRuns, HaveNothingThenAllButTimesThenEverything) {
 }
 
 TEST_F(RecordedRuns, ThatDidNotFinishHaveNoTimes) {
-  ResultsFile(file_).append(examination({Ending::refused, "no"}));
+  ResultsFile(file_).append(examination({SolveStatus::refused, "no"}));
   EXPECT_EQ(recorded(), RecordedAmount::everything);
 }
 
@@ -127,4 +128,4 @@ TEST_F(RecordedRuns, ALaterExaminationReplacesTheEarlierWithItsTimes) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `solve --all`: several extremals of one action with the same boundary values.
 
 #include <gmock/gmock.h>
@@ -10,7 +11,7 @@
 #include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -62,4 +63,4 @@ TEST(AllSolutions, AreAskedOfProblemsAtBothEndsOnly) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // fdebench solve --checkpoint: the same command continues from the file, prints the bits of an uninterrupted
 // run, and rejects other files.
 
@@ -15,7 +16,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,8 +138,8 @@ TEST_F(CheckpointOfSolve, NeedsAFolderAndNumbers) {
 
 TEST_F(CheckpointOfSolve, IsRefusedForSchemesThatKeepNone) {
   for (const auto* scheme : all_schemes()) {
-    if (scheme->needs.checkpoints) continue;
-    const auto* const resolution = scheme->needs.solves_on_grid ? " --steps 8" : " --accuracy 1e-3";
+    if (scheme->capabilities.checkpoints) continue;
+    const auto* const resolution = !scheme->capabilities.is_adaptive() ? " --steps 8" : " --accuracy 1e-3";
     const auto [code, out, err] =
         solve_with_checkpoint("solve relaxation --scheme " + std::string(scheme->id) + resolution);
     EXPECT_EQ(code, 2);
@@ -178,4 +179,4 @@ TEST_F(CheckpointOfSolve, RemovesWhatKilledRunsLeft) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // fdebench choose: its statements are checked by running the recommended command.
 
 #include <gmock/gmock.h>
@@ -15,7 +16,7 @@
 #include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -61,7 +62,7 @@ TEST(Choose, CountsTheColumnsThatAreNamed) {
   const double asked = chosen["asked"];
   const auto path =
       find_scheme(chosen["scheme"].get<std::string>())
-          ->solve(scene.problem, Tolerance{asked, asked}, {.at = comparison_times(scene.problem)});
+          ->solve(scene.problem, Tolerance{asked, asked}, {.output_times = comparison_times(scene.problem)});
   EXPECT_EQ(path.steps, chosen["steps"]);
   EXPECT_TRUE(chosen["grid"].is_null());
   const Rows errors = columns_of(scene.outputs, path) - MemoizedReference(scene).at(path.times);
@@ -71,4 +72,4 @@ TEST(Choose, CountsTheColumnsThatAreNamed) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

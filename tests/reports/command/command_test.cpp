@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The command line, run within this process: its output, its messages and its exit code.
 
 #include "fdebench/reports/command/command.hpp"
@@ -16,7 +17,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -25,12 +26,12 @@ using testing::StartsWith;
 TEST(Values, ThatAreEmptyAreNotTheDefault) {
   const std::vector<std::string> solve{"solve",   "relaxation", "--scheme", "l1",
                                        "--steps", "8",          "--until",  ""};
-  const auto [code, out, err] = fde::fdebench(solve);
+  const auto [code, out, err] = fde::bench::fdebench(solve);
   EXPECT_EQ(code, 2);
   EXPECT_EQ(err, "fdebench: argument 8 is empty\n");
 }
 
-TEST(Scenes, AreNamedAlikeByEveryCommand) {
+TEST(SceneRegistry, AreNamedAlikeByEveryCommand) {
   const auto alike = [](const std::string& label, const std::string& settings) {
     const auto answer = fdebench(label);
     EXPECT_EQ(answer.code, 0) << answer.err;
@@ -285,4 +286,4 @@ TEST(Help, IsPrintedOnStandardOutput) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

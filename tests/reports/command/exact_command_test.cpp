@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `fdebench exact`: columns, bounds, digits, budget.
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 
 #include "support/command_line_result.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -112,4 +113,4 @@ TEST(Exact, EndsWithItsBudgetAndPrintsNothingElse) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

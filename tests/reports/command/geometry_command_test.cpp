@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `fdebench geometry`: its output and its refusals.
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "support/command_output.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // The value in the line with this beginning.
@@ -94,4 +95,4 @@ TEST(GeometryCommand, RefusesWhatHasNoGeometry) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

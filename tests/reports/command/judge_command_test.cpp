@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Trajectories of external programs. The solution of `power` for p = 2 is y(t) = t^2, up to t = 1.
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -159,7 +160,7 @@ TEST_F(Judging, EndsWhereAValueIsNotFinite) {
     EXPECT_EQ(answer.out, "scene power:p=2\nrows 3\nending not finite at t = 0.5\n");
   }
   const auto row = read_results(results_).records.back();
-  EXPECT_EQ(row.ending->kind, Ending::non_finite);
+  EXPECT_EQ(row.ending->kind, SolveStatus::non_finite);
   EXPECT_EQ(row.value, 0.5);
 }
 
@@ -195,7 +196,7 @@ TEST_F(Judging, RefusesBadFilesWithTheirLine) {
   EXPECT_EQ(refusal("x,y\n0,0\n"), ": line 1: must be a header, t and columns of the scene\n");
   EXPECT_EQ(refusal("t\n0\n"), ": line 1: has no column of the scene; they are y\n");
   EXPECT_EQ(refusal("t,z\n0,0\n"), ": line 1: column z: no such column, did you mean 'y'?; there are y\n");
-  EXPECT_EQ(refusal("t,y,y\n0,0,0\n"), ": line 1: column y stands there twice\n");
+  EXPECT_EQ(refusal("t,y,y\n0,0,0\n"), ": line 1: column y occurs twice\n");
   EXPECT_EQ(refusal("t,y\n"), ": line 2: there is no row behind t = 0\n");
   EXPECT_EQ(refusal("t,y\n0,0\n"), ": line 3: there is no row behind t = 0\n");
   EXPECT_EQ(refusal("t,y\n0,0\n1\n"), ": line 3: must have 2 cells, as the header, not 1\n");
@@ -221,4 +222,4 @@ TEST_F(Judging, OfAScenePosedAtBothEndsIsOfItsWholeTime) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

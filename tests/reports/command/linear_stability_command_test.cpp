@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The command fdebench stability: its rows and its error messages.
 
 #include <gmock/gmock.h>
@@ -5,7 +6,7 @@
 
 #include "support/command_output.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -50,4 +51,4 @@ TEST(StabilityCommand, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The lists of scenes and schemes, scenes added at run time included.
 
 #include <gmock/gmock.h>
@@ -21,7 +22,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -29,7 +30,7 @@ using testing::StartsWith;
 
 TEST(Lists, NameEverySceneAndScheme) {
   const auto all_scenes = nlohmann::json::parse(fdebench("scenes --json").out);
-  ASSERT_EQ(all_scenes.size(), scenes().size());
+  ASSERT_EQ(all_scenes.size(), built_in_scenes().size());
   EXPECT_EQ(all_scenes[0]["id"], "relaxation");
   EXPECT_EQ(all_scenes[0]["parameters"][0]["default"], 0.5);
   EXPECT_EQ(all_scenes[0]["columns"], std::vector<std::string>{"y"});
@@ -126,7 +127,7 @@ SceneFactory decay() {
 TEST(ScenesMadeAtRunTime, NeedNoSmoothness) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "r.jsonl").string();
-  Scenes mine;
+  SceneRegistry mine;
   SceneFactory bare = decay(), wrong = decay();
   bare.make = [](const Parameters& p) {
     Scene scene = decay().make(p);
@@ -141,43 +142,45 @@ TEST(ScenesMadeAtRunTime, NeedNoSmoothness) {
   };
   mine.add(bare);
   mine.add(wrong);
-  const auto run = fde::fdebench({"run", "--scene", "decay", "--steps", "16,32,64", "--out", file}, mine);
+  const auto run =
+      fde::bench::fdebench({"run", "--scene", "decay", "--steps", "16,32,64", "--out", file}, mine);
   EXPECT_EQ(run.code, 0) << run.err;
   for (const auto& row : read_results(file, mine).records)
     EXPECT_THAT(row.quantity, testing::Not(StartsWith("expected_rate")));
   for (const std::string scheme : {"l1", "decoupled_multi_order", "grunwald_letnikov"}) {
-    const auto solved = fde::fdebench({"solve", "decay", "--scheme", scheme, "--steps", "8", "--cost"}, mine);
+    const auto solved =
+        fde::bench::fdebench({"solve", "decay", "--scheme", scheme, "--steps", "8", "--cost"}, mine);
     EXPECT_EQ(solved.code, 0) << solved.err;
     EXPECT_THAT(solved.err, testing::Not(HasSubstr("expected_rate")));
   }
-  EXPECT_EQ(fde::fdebench({"choose", "decay", "--error", "1e-2"}, mine).code, 0);
-  const auto refused = fde::fdebench({"solve", "wrong", "--scheme", "l1", "--steps", "8"}, mine);
+  EXPECT_EQ(fde::bench::fdebench({"choose", "decay", "--error", "1e-2"}, mine).code, 0);
+  const auto refused = fde::bench::fdebench({"solve", "wrong", "--scheme", "l1", "--steps", "8"}, mine);
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("scene wrong: its smoothness has 2 rows for 1 components"));
 }
 
 TEST(ScenesMadeAtRunTime, AreListedSolvedAndKnown) {
-  Scenes mine;
+  SceneRegistry mine;
   mine.add(decay());
-  EXPECT_EQ(mine.size(), scenes().size() + 1);
-  EXPECT_THAT(fde::fdebench({"scenes"}, mine).out, HasSubstr("Made at run time"));
+  EXPECT_EQ(mine.size(), built_in_scenes().size() + 1);
+  EXPECT_THAT(fde::bench::fdebench({"scenes"}, mine).out, HasSubstr("Made at run time"));
   const std::vector<std::string> how{"--scheme", "adams_pc", "--steps", "64", "--set"};
   const auto solved = [&](std::vector<std::string> words, const std::string& setting) {
     words.insert(words.end(), how.begin(), how.end());
     words.push_back(setting);
-    return fde::fdebench(words, mine);
+    return fde::bench::fdebench(words, mine);
   };
   EXPECT_EQ(solved({"solve", "decay"}, "g=0.5").out, solved({"solve", "relaxation"}, "gamma=0.5").out);
   EXPECT_EQ(solved({"solve", "decay"}, "sign=plus").out, solved({"solve", "relaxation"}, "lambda=1").out);
   EXPECT_THAT(solved({"solve", "decay"}, "sign=maybe").err,
               HasSubstr("sign = maybe: must be one of minus, plus"));
-  const auto known = fde::fdebench({"exact", "decay", "--at", "1"}, mine).out;
+  const auto known = fde::bench::fdebench({"exact", "decay", "--at", "1"}, mine).out;
   EXPECT_THAT(known, HasSubstr("0.42758357615580"));
   EXPECT_EQ(fdebench("solve decay --scheme l1 --steps 8").code, 2);  // not in the list of scenes
 }
 
 TEST(ScenesMadeAtRunTime, HaveIdsOfTheirOwn) {
-  Scenes mine;
+  SceneRegistry mine;
   const SceneFactory& first = mine.add(decay());
   expect_message([&] { mine.add(decay()); }, "id = decay: must be that of no other scene");
   auto named = decay();
@@ -191,4 +194,4 @@ TEST(ScenesMadeAtRunTime, HaveIdsOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // fdebench mittag-leffler: its output.
 
 #include <gmock/gmock.h>
@@ -10,7 +11,7 @@
 
 #include "support/command_line_result.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -141,4 +142,4 @@ TEST(MittagLeffler, TakesComplexNumbersInBothNotations) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // --grid graded:auto of solve and run.
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 #include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::string text_of_file(const std::filesystem::path& path) {
@@ -84,4 +85,4 @@ TEST(OptimalGrid, BadGridsAreOneLine) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

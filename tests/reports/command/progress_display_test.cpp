@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/progress_display.hpp"
 
 #include <gmock/gmock.h>
@@ -7,7 +8,7 @@
 #include <sstream>
 #include <thread>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -65,8 +66,8 @@ std::string shown(double seconds, int columns) {
   const Streams streams{.out = out, .err = err, .columns = columns};
   {
     SweepProgress progress(streams, {{run_with(64), seconds / 2}, {run_with(128), seconds / 2}}, true);
-    progress.hear({SweepEvent::Kind::examines, run_with(64)});
-    progress.hear({SweepEvent::Kind::is_done, run_with(64)});
+    progress.on_event({SweepEvent::Kind::examines, run_with(64)});
+    progress.on_event({SweepEvent::Kind::is_done, run_with(64)});
   }
   return err.str();
 }
@@ -90,11 +91,11 @@ TEST(SweepsProgress, GoesOnDuringALongRunWhereThereIsNoTerminal) {
   {
     const Streams streams{.out = out, .err = err, .columns = 0};
     SweepProgress progress(streams, {{run_with(64), 1.0}}, true, std::chrono::milliseconds(5));
-    progress.hear({SweepEvent::Kind::examines, run_with(64)});
+    progress.on_event({SweepEvent::Kind::examines, run_with(64)});
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
   EXPECT_THAT(err.str(), StartsWith("  0 %  0/1  1 s left\n  0 %  0/1  1 s left\n"));
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Comparison of two sets of results, and merging of the files of several machines.
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -28,7 +29,7 @@ using testing::HasSubstr;
 struct SyntheticRun {
   int steps = 64;
   double error = 1e-3, relative = 1e-3, rounding = 1e-15;
-  Ending ending = Ending::finished;
+  OutcomeKind ending = SolveStatus::finished;
   std::optional<double> least = 1.0, median = 1.1;
   std::optional<double> largest_error{}, bound{}, largest_bound{};
 };
@@ -95,7 +96,7 @@ TEST_F(Comparisons, OfAFileWithItselfFindNothing) {
 TEST_F(Comparisons, EndWithOneWhereAnErrorGrew) {
   const auto answer = compare({{.error = 1e-3}}, {{.error = 1.02e-3}});
   EXPECT_EQ(answer.code, 1);
-  EXPECT_THAT(answer.err, testing::MatchesRegex("fdebench: .*/now: an error grew or a verdict fell\n"));
+  EXPECT_THAT(answer.err, testing::MatchesRegex("fdebench: .*/now: an error grew or a verdict got worse\n"));
   EXPECT_THAT(answer.out,
               testing::ContainsRegex("grew +x 1.02 +1.0e-3 -> +1.0e-3 +error_end +power l1 N = 64\n"));
   EXPECT_EQ(compare({{.error = 1.02e-3}}, {{.error = 1e-3}}).code, 0);
@@ -144,9 +145,10 @@ TEST_F(Comparisons, TakeWhatTheReferenceLeavesOpenForNoChange) {
   EXPECT_EQ(compare({made(1e-9, 1e-12, {})}, {made(1.9e-9, 1e-12, {})}).code, 1);
 }
 
-TEST_F(Comparisons, EndWithOneWhereAVerdictFell) {
-  const SyntheticRun inaccurate{.relative = 0.5}, lost{.relative = 0.5, .ending = Ending::accuracy_lost},
-      refused{.ending = Ending::refused, .least = {}}, diverged{.ending = Ending::non_finite, .least = {}};
+TEST_F(Comparisons, EndWithOneWhereAVerdictGotWorse) {
+  const SyntheticRun inaccurate{.relative = 0.5}, lost{.relative = 0.5, .ending = Verdict::accuracy_lost},
+      refused{.ending = SolveStatus::refused, .least = {}},
+      diverged{.ending = SolveStatus::non_finite, .least = {}};
   const SyntheticRun relative_same{};
   EXPECT_EQ(compare({relative_same}, {refused}).code, 1);
   EXPECT_EQ(compare({relative_same}, {diverged}).code, 1);
@@ -155,7 +157,7 @@ TEST_F(Comparisons, EndWithOneWhereAVerdictFell) {
   EXPECT_EQ(compare({diverged}, {refused}).code, 0);
   EXPECT_EQ(compare({diverged}, {relative_same}).code, 0);
   EXPECT_THAT(compare({relative_same}, {diverged}).out,
-              HasSubstr("fell     survives (finished) -> fails (not finite) :  power l1 N = 64\n"));
+              HasSubstr("worse    survives (finished) -> fails (not finite) :  power l1 N = 64\n"));
 }
 
 // Before 1.0 to 1.1 s, now 2.0 to 2.3 s: the ratio is between 2 / 1.1 and 2.3, by the medians 2.3 / 1.1.
@@ -272,4 +274,4 @@ TEST_F(Comparisons, DryRunsListTheRunsThatAreLeft) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `fdebench solve`: its rows and columns, and its exit codes.
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -139,9 +140,9 @@ TEST(Solve, WarnsOfAnAccuracyThatNoDoubleHas) {
   EXPECT_EQ(fdebench(command + "1e-15").err, "");
   const auto answer = fdebench(command + "1e-20");
   EXPECT_EQ(answer.code, 0);
-  EXPECT_EQ(answer.err, "fdebench: warning: an accuracy of 1e-20 is asked, and a double has 2.2e-16\n");
+  EXPECT_EQ(answer.err, "fdebench: warning: an accuracy of 1e-20 is requested, and a double has 2.2e-16\n");
   EXPECT_EQ(fdebench(command + "1e-20 --strict").code, 3);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

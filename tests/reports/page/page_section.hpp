@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 
 // The text of a cell: the cell is a string, or an object whose text defaults to the label of its line.
 inline std::string to_text(const nlohmann::json& cell) {
@@ -19,4 +20,4 @@ inline nlohmann::json section(const nlohmann::json& page, const std::string& id)
   return {};
 }
 
-}  // namespace fde
+}  // namespace fde::bench

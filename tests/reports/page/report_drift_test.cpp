@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "reports/page/page_section.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::ElementsAre;
@@ -128,7 +129,7 @@ TEST(DriftSection, ComparesAtTheFinestCommonStepCount) {
 
 TEST(DriftSection, TakesRunsWithoutAReference) {
   Results results = empty_results();
-  add_line(results, {with({}), 1e-2, 0.0, 1.0, 1e-6, {Ending::no_reference, "none is known"}});
+  add_line(results, {with({}), 1e-2, 0.0, 1.0, 1e-6, {Verdict::no_reference, "none is known"}});
   const auto section = section_of(results);
   EXPECT_THAT(column(section, "largest", "internal drift"), ElementsAre("1.6e-4"));
   EXPECT_TRUE(column(section, "time", "").empty());
@@ -169,4 +170,4 @@ TEST(DriftSection, IsThereOnlyWithDrift) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

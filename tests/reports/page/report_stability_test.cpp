@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "reports/page/page_section.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::ElementsAre;
@@ -42,8 +43,8 @@ std::vector<std::string> texts(const nlohmann::json& row) {
 TEST(StabilitySection, HasAVerdictInEveryCell) {
   const Trial& first = trials().front();
   Results results{.sessions = {Session{}}, .records = {}};
-  add_run(results, first.scene.key(), "adams_pc", first.steps, {Ending::non_finite, "at step 7, t = 0.5"},
-          0.0);
+  add_run(results, first.scene.key(), "adams_pc", first.steps,
+          {SolveStatus::non_finite, "at step 7, t = 0.5"}, 0.0);
   add_run(results, first.scene.key(), "l1", first.steps, {}, 1e-4);
   add_run(results, trials()[1].scene.key(), "l1", trials()[1].steps, {}, 0.5);
   const auto table = section(page_data(read_runs(results)), "stability")["table"];
@@ -73,4 +74,4 @@ TEST(StabilitySection, IsLeftOutWithoutTrials) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reports/page/report.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@
 #include "reports/page/page_section.hpp"
 #include "reports/synthetic_results.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,8 +118,8 @@ TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
   Results results = two_lines();
   add_run(results, {"brusselator", "grunwald_letnikov", 64}, 1e-3, 1.0);
   add_ending(results, {"diethelm", "product_trapezoidal", 64}, 0.0,
-             {Ending::refused, "takes </script> for an order"});
-  add_ending(results, {"diethelm", "l1", 64}, 1.5, {Ending::non_finite, "at step 13, t = 1.5"});
+             {SolveStatus::refused, "takes </script> for an order"});
+  add_ending(results, {"diethelm", "l1", 64}, 1.5, {SolveStatus::non_finite, "at step 13, t = 1.5"});
   const auto data = data_of(written(results));
   const std::string shown = data.dump();
   for (const auto* text :
@@ -153,8 +154,8 @@ TEST(Report, MapsTheCheapestRunAndLeadsToItsScene) {
 // scheme.
 TEST(Report, SaysOfEachSchemeWhereItWinsAndWhatSpeaksAgainstIt) {
   Results results = two_lines();
-  add_ending(results, {"brusselator", "l1", 64}, 1.5, {Ending::non_finite, "at step 13, t = 1.5"});
-  add_ending(results, {"diethelm", "adams_pc", 64}, 0.0, {Ending::refused, "takes no such order"});
+  add_ending(results, {"brusselator", "l1", 64}, 1.5, {SolveStatus::non_finite, "at step 13, t = 1.5"});
+  add_ending(results, {"diethelm", "adams_pc", 64}, 0.0, {SolveStatus::refused, "takes no such order"});
   const auto rows =
       section(data_of(written(results)), "answer")["verdicts"]["error_end"]["groups"][0]["rows"];
   ASSERT_EQ(rows.size(), 2U);
@@ -216,7 +217,7 @@ TEST(Report, NamesALineOnceWhoseGradingDiffersFromSceneToScene) {
 TEST(Rates, AreOfRunsOverGridsOnly) {
   Results results = two_lines();
   for (auto& row : results.records) {
-    if (row.key.scheme == "l1") row.key.setup.resolution = Tolerance{.relative = row.h, .absolute = row.h};
+    if (row.key.scheme == "l1") row.key.setup.resolution = Tolerance{.rtol = row.h, .atol = row.h};
   }
   const auto rows = rates(runs_of(results));
   ASSERT_EQ(rows.size(), 1);
@@ -312,4 +313,4 @@ TEST(Report, NamesThePathThatCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The stability regions on the page: the stored table against the curves computed now.
 
 #include "fdebench/reports/page/stability_curves.hpp"
@@ -9,7 +10,7 @@
 
 #include "fdebench/reports/page/assets.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using nlohmann::json;
@@ -42,4 +43,4 @@ TEST(StabilityCurves, LeaveOutSchemesWithoutASymbolAndOrdersThatOneRefuses) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Linear stability regions compared with the exact sector |arg z| > g pi/2.
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -106,20 +107,21 @@ TEST(StabilityRegion, OfPredictCorrectNearOrderTwoEndsAtMinusOne) {
   for (const double order : {1.75, 1.8, 1.9, 1.99}) {
     const double k = 1.0 / std::tgamma(order + 2.0),
                  predictor = -2.0 * eta(-order) / std::tgamma(order + 1.0);
-    const double past = k * (4.0 * eta(-order - 1.0) - 1.0);
+    const double known = k * (4.0 * eta(-order - 1.0) - 1.0);
     const double x = real_stability_interval(scheme("adams_pc"), order);
-    EXPECT_NEAR(1.0 + past * x - k * predictor * x * x, 0.0, 1e-10) << order;
+    EXPECT_NEAR(1.0 + known * x - k * predictor * x * x, 0.0, 1e-10) << order;
     EXPECT_LT(x, std::tgamma(order + 2.0));
   }
 }
 
 TEST(StabilityRegion, AtOrderOneIsTheClassicalOne) {
   EXPECT_NEAR(real_stability_interval(scheme("adams_pc"), 1.0), 2.0, 1e-10);  // Heun's method
-  EXPECT_TRUE(stable(scheme("adams_pc"), scalar_equation(1.0, {-1.0, 1.7}), 1.0));
-  EXPECT_FALSE(
-      stable(scheme("adams_pc"), scalar_equation(1.0, {-1.0, 1.8}), 1.0));   // |1 + z + z^2/2| = 1: 1.732
-  EXPECT_TRUE(stable(scheme("l1"), scalar_equation(1.0, {2.1, 0.0}), 1.0));  // outside the disc about 1
-  EXPECT_FALSE(stable(scheme("l1"), scalar_equation(1.0, {1.9, 0.0}), 1.0));
+  EXPECT_TRUE(is_linearly_stable(scheme("adams_pc"), scalar_equation(1.0, {-1.0, 1.7}), 1.0));
+  EXPECT_FALSE(is_linearly_stable(scheme("adams_pc"), scalar_equation(1.0, {-1.0, 1.8}),
+                                  1.0));  // |1 + z + z^2/2| = 1: 1.732
+  EXPECT_TRUE(
+      is_linearly_stable(scheme("l1"), scalar_equation(1.0, {2.1, 0.0}), 1.0));  // outside the disc about 1
+  EXPECT_FALSE(is_linearly_stable(scheme("l1"), scalar_equation(1.0, {1.9, 0.0}), 1.0));
   EXPECT_EQ(count_growing_modes(scheme("product_trapezoidal"), scalar_equation(1.0, {0.5, 3.0}), 1.0), 2);
 }
 
@@ -129,7 +131,7 @@ TEST(StabilityRegion, CountChangesAcrossTheBoundary) {
   for (const auto* one : schemes_with_symbol()) {
     for (const double order : {0.3, 0.8, 1.4}) {
       for (const double theta : {0.3, 1.0, 2.0}) {
-        for (const ComplexValue z : boundary(*one, order, theta)) {
+        for (const ComplexValue z : root_locus(*one, order, theta)) {
           const auto count = [&](ComplexValue factor) {
             return count_growing_modes(*one, test_problem(*one, order, factor * z), 1.0).value();
           };
@@ -163,7 +165,7 @@ TEST(StabilityRegion, OfTheFractionalTrapezoidalRuleIsTheSectorOfTheEquation) {
     EXPECT_NEAR(stability_angle(rule, order), pi - 0.5 * order * pi, 1e-12) << order;
     for (const double size : {0.5, 1.0, 2.0}) {
       const auto stable_at = [&](double arg) {
-        return stable(rule, scalar_equation(order, std::polar(size, arg)), 1.0);
+        return is_linearly_stable(rule, scalar_equation(order, std::polar(size, arg)), 1.0);
       };
       EXPECT_TRUE(stable_at(0.5 * order * pi + 1e-6)) << order << ' ' << size;
       EXPECT_FALSE(stable_at(0.5 * order * pi - 1e-6)) << order << ' ' << size;
@@ -209,10 +211,11 @@ TEST(GrowingModes, RefusesWhatHasNoSymbol) {
                             0.1);
       },
       "linear stability of l1");
-  expect_message([&] { stable(scheme("commensurate_adams_pc"), scalar_equation(0.987654321, -1.0), 1.0); },
-                 "multiples of one 1/M");
+  expect_message(
+      [&] { is_linearly_stable(scheme("commensurate_adams_pc"), scalar_equation(0.987654321, -1.0), 1.0); },
+      "multiples of one 1/M");
   expect_message([&] { real_stability_interval(l1, 2.5); }, "takes orders in");
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // For extremely stiff problems rules of rate 1 are more accurate than rules of rate 2: D^(1/2) y = -1e6 y,
 // h = 0.01, y(1) = 5.642e-7. A rule with a weight of f_0 = lambda y_0 treats the transient, which ends before
 // the first step, as an impulse, and its error is D^g of an impulse, C n^(-1-g)/Gamma(-g), for any large
@@ -11,7 +12,7 @@
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double order = 0.5;
@@ -80,4 +81,4 @@ TEST(Reversal, SecondOrderRulesWinWhereTheyResolveTheTransient) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

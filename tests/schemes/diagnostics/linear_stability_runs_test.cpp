@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs decay inside the stability regions and grow outside.
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 #include "fdebench/schemes/diagnostics/stability_region.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Above order 1.8 the decay ends at about 1e-9, by rounding.
@@ -31,11 +32,11 @@ TEST_P(Interval, EndsWhereRunsBeginToGrow) {
   for (int i = 1; i < 20; ++i) {
     const double order = 0.1 * i, x = real_stability_interval(scheme, order);
     if (std::isinf(x)) {
-      EXPECT_TRUE(decays(late(scheme, test_problem(scheme, order, -1e3), 1.0, steps))) << order;
+      EXPECT_TRUE(decays(late_growth(scheme, test_problem(scheme, order, -1e3), 1.0, steps))) << order;
       continue;
     }
     const auto at = [&](double factor) {
-      return late(scheme, test_problem(scheme, order, -factor * x), 1.0, steps);
+      return late_growth(scheme, test_problem(scheme, order, -factor * x), 1.0, steps);
     };
     EXPECT_TRUE(decays(at(1.0 - tolerance))) << order;
     EXPECT_TRUE(grows(at(1.0 + tolerance))) << order;
@@ -59,12 +60,12 @@ TEST_P(Boundary, IsWhereRunsBeginToGrow) {
   int decaying = 0, growing = 0;
   for (const double order : {0.3, 0.7, 1.3}) {
     for (const double theta : {0.5, 1.5, 2.5}) {
-      for (const ComplexValue z : boundary(*GetParam(), order, theta)) {
+      for (const ComplexValue z : root_locus(*GetParam(), order, theta)) {
         for (const double side : {1.0, -1.0}) {
-          const Problem problem =
-              test_problem(*GetParam(), order, z + side * across(*GetParam(), order, theta, z, 0.01));
-          const bool expected = stable(*GetParam(), problem, 1.0);
-          const LateGrowth x = late(*GetParam(), problem, 1.0, 4000);
+          const Problem problem = test_problem(
+              *GetParam(), order, z + side * boundary_normal(*GetParam(), order, theta, z, 0.01));
+          const bool expected = is_linearly_stable(*GetParam(), problem, 1.0);
+          const LateGrowth x = late_growth(*GetParam(), problem, 1.0, 4000);
           EXPECT_TRUE(expected ? decays(x) : grows(x)) << order << ' ' << theta << ' ' << side;
           ++(expected ? decaying : growing);
         }
@@ -86,8 +87,8 @@ TEST(Chain, LargestStableStepIsWhereRunsBeginToGrow) {
             .problem;
     const Scheme& scheme = *find_scheme("decoupled_multi_order");
     const double h = largest_stable_step(scheme, problem, 0.1, 10.0);
-    EXPECT_TRUE(decays(late(scheme, problem, 0.98 * h, 6000))) << orders.first;
-    EXPECT_TRUE(grows(late(scheme, problem, 1.02 * h, 6000))) << orders.first;
+    EXPECT_TRUE(decays(late_growth(scheme, problem, 0.98 * h, 6000))) << orders.first;
+    EXPECT_TRUE(grows(late_growth(scheme, problem, 1.02 * h, 6000))) << orders.first;
   }
 }
 
@@ -112,11 +113,12 @@ TEST(Chain, ImplicitRulesAreStableWithAnyStep) {
                                                              {"nu", strengths.second}})
                                   .problem;
       for (const auto* id : {"l1", "grunwald_letnikov", "product_trapezoidal"}) {
-        for (const double h : {0.1, 3.0, 1e3}) EXPECT_TRUE(stable(*find_scheme(id), problem, h)) << id << h;
+        for (const double h : {0.1, 3.0, 1e3})
+          EXPECT_TRUE(is_linearly_stable(*find_scheme(id), problem, h)) << id << h;
       }
     }
   }
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The generating functions of the weights, on and inside the unit circle.
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include "fdebench/schemes/diagnostics/stability_region.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -133,7 +134,7 @@ TEST_P(Impulse, RunsGiveTheBoundaryToTenDigits) {
       // The last link evaluates f between y_(n-1) and y_n.
       const double last = order > 1.0 ? order - 1.0 : order;
       if (between) by_run /= 1.0 - 0.5 * last * (1.0 - std::polar(1.0, theta));
-      EXPECT_LT(relative(boundary(*GetParam(), order, theta).front(), by_run), 1e-10)
+      EXPECT_LT(relative(root_locus(*GetParam(), order, theta).front(), by_run), 1e-10)
           << order << ' ' << theta;
     }
   }
@@ -146,4 +147,4 @@ INSTANTIATE_TEST_SUITE_P(ImplicitSchemes, Impulse,
                          id_of_param);
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Growing modes of systems, compared with those of their parts.
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // One problem of uncoupled equations.
@@ -108,4 +109,4 @@ TEST(GrowingModes, AreNotCountedBeyondDouble) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

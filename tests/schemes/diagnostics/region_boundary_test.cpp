@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The boundary of linear stability regions as polylines.
 
 #include "fdebench/schemes/diagnostics/region_boundary.hpp"
@@ -7,7 +8,7 @@
 
 #include <cmath>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // At order 1 the schemes are classical methods.
@@ -29,7 +30,9 @@ TEST(RegionBoundary, OfHeunsMethodIsWhereItsPolynomialHasSizeOne) {
 TEST(RegionBoundary, OfAPredictorHasNoPointInsideOrOutsideOfTheRegion) {
   const Scheme& scheme = *find_scheme("multi_term_pc");
   const double order = 1.5;
-  const auto is_stable = [&](ComplexValue z) { return stable(scheme, test_problem(scheme, order, z), 1.0); };
+  const auto is_stable = [&](ComplexValue z) {
+    return is_linearly_stable(scheme, test_problem(scheme, order, z), 1.0);
+  };
   for (const auto& piece : region_boundary(scheme, order, 12)) {
     ASSERT_GE(piece.size(), 3U);
     const ComplexValue z = piece[1].z, along = piece[2].z - piece[0].z;
@@ -39,4 +42,4 @@ TEST(RegionBoundary, OfAPredictorHasNoPointInsideOrOutsideOfTheRegion) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A warning where the numbers of a solve deserve distrust, and none where they do not.
 
 #include "fdebench/schemes/diagnostics/warnings.hpp"
@@ -14,7 +15,7 @@
 #include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::AllOf;
@@ -193,13 +194,13 @@ TEST_P(DefaultScenes, AreNotWarnedOfWhereTheyAreGood) {
     std::vector<double> late;
     for (const int part : {12, 13, 14, 15, 16}) late.push_back(grid.time(part * steps / 16));
     for (const auto& scheme : schemes()) {
-      if (refusal(scheme, problem, grid)) continue;
+      if (unsupported_reason(scheme, problem, grid)) continue;
       const Options options;
       const auto path = scheme.solve(problem, grid, options);
-      if (path.ending != Ending::finished) continue;
+      if (path.status != SolveStatus::finished) continue;
       if (warnings({scheme, problem, grid, options, path}).empty()) continue;
-      const auto exact =
-          solve("product_trapezoidal", problem, (is_two_sided(problem) ? 8 : 64) * steps, {.at = late});
+      const auto exact = solve("product_trapezoidal", problem, (is_two_sided(problem) ? 8 : 64) * steps,
+                               {.output_times = late});
       EXPECT_GT(largest_difference(path, exact, late), 0.1) << scheme.id << ' ' << steps;
     }
   }
@@ -243,9 +244,9 @@ TEST(Warnings, ChangeNothingThatIsPrinted) {
 }
 
 TEST(Warnings, KnowTheJumpsThatAProblemTells) {
-  EXPECT_THAT(scene_of("bagley_torvik", {{"load_until", 0.25}}).problem.jumps, ElementsAre(0.25));
-  EXPECT_THAT(scene_of("bagley_torvik", {{"load", 0.0}}).problem.jumps, IsEmpty());
-  EXPECT_THAT(scene_of("pendulum").problem.jumps, IsEmpty());
+  EXPECT_THAT(scene_of("bagley_torvik", {{"load_until", 0.25}}).problem.jump_times, ElementsAre(0.25));
+  EXPECT_THAT(scene_of("bagley_torvik", {{"load", 0.0}}).problem.jump_times, IsEmpty());
+  EXPECT_THAT(scene_of("pendulum").problem.jump_times, IsEmpty());
 }
 
 // A pulse between two jumps inside one step, far from the start.
@@ -256,7 +257,7 @@ TEST(Warnings, NameAPulseBetweenTwoJumps) {
                               f = -y;
                               if (t > 0.501 && t < 0.502) f[0] += 1e3;
                             },
-                        .jumps = {0.501, 0.502}};
+                        .jump_times = {0.501, 0.502}};
   const Options options;
   const auto found = [&](int steps) {
     const Grid grid{problem.end, steps};
@@ -265,10 +266,10 @@ TEST(Warnings, NameAPulseBetweenTwoJumps) {
     return warnings({scheme, problem, grid, options, path});
   };
   ASSERT_THAT(found(100), Not(IsEmpty()));
-  EXPECT_EQ(found(100).front().doubt, Doubt::feature);
+  EXPECT_EQ(found(100).front().finding, Finding::feature);
   EXPECT_THAT(found(100).front().text, HasSubstr("from t = 0.501 to 0.502"));
-  for (const auto& warning : found(4000)) EXPECT_NE(warning.doubt, Doubt::feature);
+  for (const auto& warning : found(4000)) EXPECT_NE(warning.finding, Finding::feature);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/block_kernels.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 
 #include "fdebench/schemes/problem/problem.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Real = long double;
@@ -106,7 +107,7 @@ TEST_P(BlockKernels, ScatterAddsEightEntriesAColumnForEachTable) {
                  c = random_matrix(below + 2 * lanes, columns + 1, 3);
     const auto scattered = [&] {
       Matrix result = c;
-      scatter(tables, a.data(), b.data(), columns, below, writing(result));
+      add_outer_product(tables, a.data(), b.data(), columns, below, writing(result));
       return result;
     };
     const Matrix result = scattered();
@@ -186,8 +187,8 @@ TEST_P(BlockKernels, AdvanceKeepsInTheCarryWhatRoundingTook) {
       const auto advanced = [&] {
         Matrix both(rows, 2 * columns);
         both << state, carry;
-        advance(rows, columns, decay.data(), reading(input), {both.data(), rows},
-                {both.data() + columns * rows, rows});
+        advance_states(rows, columns, decay.data(), reading(input), {both.data(), rows},
+                       {both.data() + columns * rows, rows});
         return both;
       };
       const Matrix result = advanced();
@@ -205,7 +206,7 @@ TEST_P(BlockKernels, AdvanceKeepsInTheCarryWhatRoundingTook) {
   }
 }
 
-// The input of each column is a sum of three products; the rest is `advance`.
+// The input of each column is a sum of three products; the rest is `advance_states`.
 TEST_P(BlockKernels, AdvanceIntegralsAddsThePolynomialsOfEachColumn) {
   constexpr Eigen::Index rows = 5 * lanes, columns = 3;
   const Matrix decay = random_matrix(rows, 1, 1), phi = random_matrix(rows, 3, 2),
@@ -221,8 +222,8 @@ TEST_P(BlockKernels, AdvanceIntegralsAddsThePolynomialsOfEachColumn) {
   Matrix input = Matrix::Zero(rows, columns), expected(rows, 2 * columns);
   multiply_add(rows, 3, columns, reading(phi), reading(polynomials), writing(input));
   expected << state, carry;
-  advance(rows, columns, decay.data(), reading(input), {expected.data(), rows},
-          {expected.data() + columns * rows, rows});
+  advance_states(rows, columns, decay.data(), reading(input), {expected.data(), rows},
+                 {expected.data() + columns * rows, rows});
   EXPECT_EQ(advanced(), expected);
   expect_the_bits_of_the_widest(advanced);
 }
@@ -233,7 +234,7 @@ TEST_P(BlockKernels, ApplyDecayMultipliesAndWeighAddsTwoProducts) {
   const auto both = [&] {
     Matrix result(rows, 2);
     apply_decay(rows, a.data(), b.data(), result.data());
-    weigh(rows, a.data(), b.data(), 0.7, c.data(), result.data() + rows);
+    weighted_sum(rows, a.data(), b.data(), 0.7, c.data(), result.data() + rows);
     return result;
   };
   const Matrix result = both();
@@ -255,7 +256,7 @@ TEST_P(BlockKernels, AdvanceLosesNothingOverAMillionSlowDecays) {
   const Matrix input = Vec::LinSpaced(lanes, 0.1, 1.7);
   Matrix state = Matrix::Zero(lanes, 1), carry = state;
   for (int n = 0; n < calls; ++n) {
-    advance(lanes, 1, decay.data(), reading(input), writing(state), writing(carry));
+    advance_states(lanes, 1, decay.data(), reading(input), writing(state), writing(carry));
   }
   const Real d = decay(0), exact = std::expm1(calls * std::log1p(d)) / d;
   for (Eigen::Index i = 0; i < lanes; ++i) {
@@ -272,4 +273,4 @@ TEST(VectorTargets, ThatFuseMultiplyAndAddAreTheWidest) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

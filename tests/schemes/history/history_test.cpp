@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/history.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 #include "fdebench/schemes/history/variable_step_exponentials.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Half a unit in the last place of a double, relative to it.
@@ -244,14 +245,14 @@ INSTANTIATE_TEST_SUITE_P(, HistoriesOnGradedGrids, testing::Values(1.5, 3.0, 6.0
 // In shorter runs the tables of the exponentials cost more than all direct sums (measured by fde_histories).
 TEST(AutomaticHistory, IsDirectForShortRunsOnly) {
   const auto resolved = [](int steps, double grading) {
-    return resolve(HistoryKind::automatic, step_plan({1.0, steps, grading}));
+    return resolved_kind(HistoryKind::automatic, step_plan({1.0, steps, grading}));
   };
   EXPECT_EQ(resolved(16, 1.0), HistoryKind::direct);
   EXPECT_EQ(resolved(512, 1.0), HistoryKind::exponentials);
   EXPECT_EQ(resolved(4, 2.0), HistoryKind::direct);
   EXPECT_EQ(resolved(64, 2.0), HistoryKind::exponentials);
-  EXPECT_EQ(resolve(HistoryKind::direct, equal_steps(512)), HistoryKind::direct);
+  EXPECT_EQ(resolved_kind(HistoryKind::direct, equal_steps(512)), HistoryKind::direct);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

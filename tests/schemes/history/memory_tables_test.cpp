@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The eight exponentials that replace all slow ones within a block.
 
 #include "fdebench/schemes/history/memory_tables.hpp"
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Real = long double;
@@ -28,7 +29,7 @@ TEST(MemoryTables, PointsStandForEverySlowExponentialAtEveryLagOfABlock) {
       for (int t = 0; t <= MemoryTables::recent + MemoryTables::block; ++t) {
         Real sum = 0;
         for (Eigen::Index i = 0; i < tables.points(); ++i)
-          sum += tables.spread(m, i) * std::exp(-Real{tables.together.nodes[i]} * t);
+          sum += tables.spread(m, i) * std::exp(-Real{tables.compressed.nodes[i]} * t);
         const Real exact = std::exp(-Real{tables.nodes[m]} * t);
         EXPECT_LE(std::abs(sum - exact), 3 * unit * exact) << "node " << m << ", t = " << t;
       }
@@ -44,4 +45,4 @@ TEST(MemoryTables, JoinNothingInShortRuns) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Variable steps, rejected steps, and user-defined weight families.
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 
 #include "fdebench/schemes/history/history.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 const WeightTables interpolating_families{
@@ -44,7 +45,7 @@ std::vector<Times> hard_times() {
 StepPlan plan_of(const Times& times) {
   double shortest = times[1];
   for (std::size_t n = 1; n < times.size(); ++n) shortest = std::min(shortest, times[n] - times[n - 1]);
-  return {.end = times.back(), .shortest = shortest};
+  return {.end = times.back(), .min_step = shortest};
 }
 
 Vec sample_at(double t) { return Vec{{1.0 + 0.5 * std::sin(t), 1.3 + 0.2 * std::cos(3.0 * t), 1.0}}; }
@@ -88,7 +89,7 @@ TEST(VariableSteps, OfAnyLengthGiveTheDirectSums) {
 TEST(VariableSteps, LeaveNoTraceWhenTheyAreRejected) {
   for (const auto kind : {HistoryKind::direct, HistoryKind::exponentials}) {
     for (const auto& times : hard_times()) {
-      const double shortest = plan_of(times).shortest;
+      const double shortest = plan_of(times).min_step;
       const auto reject = [&](const History& history, double from, double to) {
         for (const double t : {from + shortest, to + 0.5, from + 2.0 * shortest}) sums_at(history, t);
       };
@@ -109,7 +110,7 @@ TEST(VariableSteps, MayBePushedWithoutBeingAskedFor) {
 TEST(VariableSteps, ThatAreEqualGiveTheSumsOfEqualSteps) {
   const Times times = after_steps(std::vector<double>(300, 0.25));
   StepPlan equal = plan_of(times);
-  equal.equal = true;
+  equal.uniform = true;
   const auto history = make_history(HistoryKind::exponentials, interpolating_families, equal, 1e-15);
   const auto sums = along(times, HistoryKind::exponentials, 1e-15, nothing);
   for (std::size_t n = 1; n < times.size(); ++n) {
@@ -126,7 +127,7 @@ constexpr WeightFamily halving{.id = "halving",
                                .step_factor = [](long double /*g*/) { return 1.0L; }};
 
 TEST(AFamilyOfOnesOwn, IsConvolvedAsItsWeightsSay) {
-  const StepPlan steps{.end = 1000.0, .shortest = 1.0, .equal = true};
+  const StepPlan steps{.end = 1000.0, .min_step = 1.0, .uniform = true};
   const auto history = make_history(HistoryKind::automatic, {{{&halving, 1.0}}}, steps, 1e-15);
   Vec result(1);
   for (int n = 1; n <= 50; ++n) {
@@ -137,11 +138,12 @@ TEST(AFamilyOfOnesOwn, IsConvolvedAsItsWeightsSay) {
 }
 
 TEST(AFamilyOfOnesOwn, IsRefusedWhereItHasNoForm) {
-  const StepPlan equal{.end = 10.0, .shortest = 1.0, .equal = true}, differing{.end = 10.0, .shortest = 1.0};
+  const StepPlan equal{.end = 10.0, .min_step = 1.0, .uniform = true},
+      differing{.end = 10.0, .min_step = 1.0};
   const WeightTables tables{{{&halving, 0.5}}};
   EXPECT_THROW(make_history(HistoryKind::exponentials, tables, equal, 1e-15), std::invalid_argument);
   EXPECT_THROW(make_history(HistoryKind::direct, tables, differing, 1e-15), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Histories of many components, with any number of threads, give the same bits as each component alone.
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int steps = 200;
@@ -95,4 +96,4 @@ TEST(WideMemory, TakesItsStatesAndLittleElse) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An archive restores what was written, to the bit, and rejects everything else.
 
 #include "fdebench/schemes/problem/archive.hpp"
@@ -10,17 +11,17 @@
 #include <stdexcept>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-std::string written(const State& state) {
+std::string written(const fde::StateArchiver& state) {
   std::string bytes;
   WritingArchive archive([&](std::string_view more) { bytes += more; });
   state(archive);
   return bytes;
 }
 
-void read(const std::string& bytes, const State& state) {
+void read(const std::string& bytes, const fde::StateArchiver& state) {
   std::size_t next = 0;
   ReadingArchive archive([&](char* to, std::size_t count) { next += bytes.copy(to, count, next); },
                          bytes.size());
@@ -67,16 +68,16 @@ TEST(Archive, GivesBackWhatHasGrown) {
   few.insert(0, 2) = 4.0;
   few.insert(1, 1) = 5.0;
   read(written([&](Archive& archive) {
-         archive.grown(times);
+         archive.resizable(times);
          archive.first_columns(path, 3);
-         archive.grown(whole);
-         archive.grown(few);
+         archive.resizable(whole);
+         archive.resizable(few);
        }),
        [&](Archive& archive) {
-         archive.grown(no_times);
+         archive.resizable(no_times);
          archive.first_columns(no_path, 3);
-         archive.grown(empty);
-         archive.grown(none);
+         archive.resizable(empty);
+         archive.resizable(none);
        });
   EXPECT_EQ(no_times, times);
   EXPECT_EQ(no_path, path.leftCols(3));
@@ -100,17 +101,17 @@ TEST(Archive, AllocatesNoMoreThanIsLeft) {
   const auto bytes = written([&](Archive& archive) { archive(size); });
   std::vector<double> values;
   Vec vector;
-  EXPECT_THROW(read(bytes, [&](Archive& archive) { archive.grown(values); }), std::invalid_argument);
-  EXPECT_THROW(read(bytes, [&](Archive& archive) { archive.grown(vector); }), std::invalid_argument);
+  EXPECT_THROW(read(bytes, [&](Archive& archive) { archive.resizable(values); }), std::invalid_argument);
+  EXPECT_THROW(read(bytes, [&](Archive& archive) { archive.resizable(vector); }), std::invalid_argument);
   size = -1;
   const auto negative = written([&](Archive& archive) { archive(size); });
-  EXPECT_THROW(read(negative, [&](Archive& archive) { archive.grown(values); }), std::invalid_argument);
+  EXPECT_THROW(read(negative, [&](Archive& archive) { archive.resizable(values); }), std::invalid_argument);
 }
 
 TEST(Archive, TakesNoMatrixWhoseEntriesAreOutside) {
   SparseMatrix few(3, 3), none(3, 3);
   few.insert(2, 2) = 4.0;
-  auto bytes = written([&](Archive& archive) { archive.grown(few); });
+  auto bytes = written([&](Archive& archive) { archive.resizable(few); });
   few.innerIndexPtr()[0] = 3;
   const auto outside = written([&](Archive& archive) {
     // The bytes that the writer would write if it did not check the entries too.
@@ -122,7 +123,7 @@ TEST(Archive, TakesNoMatrixWhoseEntriesAreOutside) {
     archive(one, inner[0], value);
   });
   ASSERT_EQ(outside.size(), bytes.size());
-  EXPECT_THROW(read(outside, [&](Archive& archive) { archive.grown(none); }), std::invalid_argument);
+  EXPECT_THROW(read(outside, [&](Archive& archive) { archive.resizable(none); }), std::invalid_argument);
 }
 
 TEST(Archive, EndsWhereItWasWritten) {
@@ -133,4 +134,4 @@ TEST(Archive, EndsWhereItWasWritten) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Problems built from multi-term equations, and Problem::equations of such a problem.
 
 #include "fdebench/schemes/problem/chain_problem.hpp"
@@ -10,19 +11,19 @@
 
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::ElementsAre;
 
 const std::vector<Term> damping{{0.1, 0.5}, {0.2, 1.0}, {0.3, 1.5}};
 
-Problem driven(const Chain& chain, double force) {
+Problem forced(const Chain& chain, double force) {
   return chain_problem({{.chain = chain, .force = [=](double, In) { return force; }}}, 1.0);
 }
 
 TEST(ChainProblem, LinksAreDerivativesOfEachOtherAndTheLastSolvesTheEquation) {
-  const Problem problem = driven({{2.0, 2.0}, damping, {1.0, -0.3}}, 5.0);
+  const Problem problem = forced({{2.0, 2.0}, damping, {1.0, -0.3}}, 5.0);
   Vec f(4);
   problem.rhs(0.0, (Vec(4) << 1.0, 2.0, 3.0, 4.0).finished(), f);
   EXPECT_EQ(f.head(3), Eigen::Vector3d(2.0, 3.0, 4.0));
@@ -31,7 +32,7 @@ TEST(ChainProblem, LinksAreDerivativesOfEachOtherAndTheLastSolvesTheEquation) {
 
 TEST(ChainProblem, HasDerivativesWhereItsEquationsHaveThem) {
   const Chain chain({2.0, 2.0}, damping, {1.0, -0.3});
-  EXPECT_FALSE(has_jacobian(driven(chain, 5.0)));
+  EXPECT_FALSE(has_jacobian(forced(chain, 5.0)));
   const MultiTermEquation equation{
       .chain = chain, .force = [](double, In y) { return -3.0 * y[0]; }, .derivatives = LinearForce{-3.0}};
   const Matrix linear = std::get<DenseLinearPart>(chain_problem({equation}, 1.0).derivatives).matrix;
@@ -40,17 +41,17 @@ TEST(ChainProblem, HasDerivativesWhereItsEquationsHaveThem) {
 }
 
 TEST(ChainProblem, ChainsAreStoredConsecutively) {
-  EXPECT_THROW(driven({{1.0, 2.0}, damping, {1.0, -0.3}, 1}, 0.0), std::invalid_argument);
+  EXPECT_THROW(forced({{1.0, 2.0}, damping, {1.0, -0.3}, 1}, 0.0), std::invalid_argument);
 }
 
 TEST(ChainProblem, HasItsEquations) {
   const Chain chain({2.0, 2.0}, damping, {1.0, -0.3});
-  const Problem problem = driven(chain, 5.0);
-  const Chain told = chain_of(problem, problem.equations.front());
-  EXPECT_EQ(told.nodes(), chain.nodes());
-  EXPECT_EQ(told.coefficients(), chain.coefficients());
-  EXPECT_THAT(told.initial(), ElementsAre(1.0, -0.3));
-  EXPECT_EQ(told.leading().coefficient, 2.0);
+  const Problem problem = forced(chain, 5.0);
+  const Chain read_back = chain_of(problem, problem.equations.front());
+  EXPECT_EQ(read_back.nodes(), chain.nodes());
+  EXPECT_EQ(read_back.coefficients(), chain.coefficients());
+  EXPECT_THAT(read_back.initial(), ElementsAre(1.0, -0.3));
+  EXPECT_EQ(read_back.leading().coefficient, 2.0);
 }
 
 // Problem::equations agree with the rows of the problem: right-hand side, orders and initial values.
@@ -64,7 +65,7 @@ void expect_equations_of_rows(const Problem& problem) {
     const Chain chain = chain_of(problem, equation);
     double sum = 0.0;
     for (const auto& [coefficient, order] : equation.terms) sum += coefficient * y[*chain.row(order)];
-    const double highest = f[chain.first() + chain.size() - 1];
+    const double highest = f[chain.first_row() + chain.size() - 1];
     EXPECT_NEAR(equation.leading.coefficient * highest + equation.factor(t, y) * sum, equation.force(t, y),
                 1e-14);
     const auto components = chain.components();
@@ -89,4 +90,4 @@ TEST(ChainProblem, EquationsOfEveryChainSceneAreThoseOfItsRows) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

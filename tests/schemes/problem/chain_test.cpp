@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/chain.hpp"
 
 #include <gmock/gmock.h>
@@ -7,7 +8,7 @@
 
 #include "fdebench/schemes/stepping/order_splitting.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::DoubleNear;
@@ -84,7 +85,7 @@ Problem order_and_half() {
 TEST(Splitting, OrdersAboveOneBecomeLinks) {
   const auto links = splitting_up_to_one(order_and_half());
   EXPECT_THAT(links, ElementsAre(ElementsAre(1.0, 0.5), ElementsAre(0.5)));
-  const auto problem = split(order_and_half(), links);
+  const auto problem = split_orders(order_and_half(), links);
   EXPECT_THAT(orders(problem.components), ElementsAre(1.0, 0.5, 0.5));
   EXPECT_THAT(starts(problem.components), ElementsAre(1.0, 2.0, 3.0));
   Vec f(3);
@@ -97,10 +98,10 @@ TEST(Splitting, TheCommensurateExpansionHasManyStates) {
   const Chain chain({1.0, 2.0}, {{0.1, 0.1}, {0.3, 1.9}}, {1.0, -0.3});
   const Problem problem{.components = chain.components(), .rhs = {}};
   const auto links = commensurate_splitting(problem).value();
-  EXPECT_EQ(split(problem, links).components.size(), 20U);
+  EXPECT_EQ(split_orders(problem, links).components.size(), 20U);
   const Problem eighths{.components = {{0.375, {0.0}}, {1.0, {0.0}}}, .rhs = {}};
   EXPECT_THAT(commensurate_splitting(eighths)->at(0), Pointwise(DoubleNear(1e-15), {0.125, 0.125, 0.125}));
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

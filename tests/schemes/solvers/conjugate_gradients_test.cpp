@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Conjugate gradients preconditioned by fast sine transforms: the number of iterations does not depend on the
 // number of points, results are as accurate as by Cholesky factors, and the factors take over where they are
 // cheaper.
@@ -10,7 +11,7 @@
 
 #include "fdebench/benchmarks/programs/large/step_matrix.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 double none(double /*x*/, double /*y*/) { return 0.0; }
@@ -56,7 +57,7 @@ TEST_P(Coefficients, TakeAsManyIterationsForAnyNumberOfPoints) {
     Vec x = load(a.rows());
     solver.solve(x);
     EXPECT_LE(solver.iterations(), GetParam().most_iterations) << n;
-    EXPECT_EQ(solver.name(), "conjugate_gradients");
+    EXPECT_EQ(solver.active_method(), "conjugate_gradients");
   }
 }
 
@@ -88,16 +89,16 @@ TEST(ConjugateGradients, GiveWayToFactorsWhenTheseWouldHaveCostLess) {
   const Vec b = load(a.rows());
   Vec first = b;
   solver.solve(first);
-  EXPECT_EQ(solver.name(), "conjugate_gradients");
+  EXPECT_EQ(solver.active_method(), "conjugate_gradients");
   for (int again = 0; again < 10; ++again) {
     Vec x = b;
     solver.solve(x);
     EXPECT_LT((x - first).cwiseAbs().maxCoeff(), 1e-12);
   }
-  EXPECT_EQ(solver.name(), "cholesky");
+  EXPECT_EQ(solver.active_method(), "cholesky");
   // A new matrix resets the count of iterations.
   ASSERT_TRUE(solver.factorise(step_matrix(60, 60, 0.02, smooth, none)));
-  EXPECT_EQ(solver.name(), "conjugate_gradients");
+  EXPECT_EQ(solver.active_method(), "conjugate_gradients");
 }
 
 TEST(ConjugateGradients, RefuseIndefiniteMatrices) {
@@ -108,11 +109,11 @@ TEST(ConjugateGradients, RefuseIndefiniteMatrices) {
 
 TEST(ConjugateGradients, AreTakenForManyUnknownsAndCholeskysFactorsForFew) {
   const auto method = [](Eigen::Index n) {
-    return std::string(sparse_factors(step_matrix(n, n, 0.03, smooth, none))->name());
+    return std::string(sparse_factors(step_matrix(n, n, 0.03, smooth, none))->active_method());
   };
   EXPECT_EQ(method(44), "cholesky");
   EXPECT_EQ(method(45), "conjugate_gradients");
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

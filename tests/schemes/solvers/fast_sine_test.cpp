@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Constant coefficients in a rectangle are solved by sine transforms, in agreement with the known
 // eigenvectors and with elimination.
 
@@ -13,7 +14,7 @@
 #include "fdebench/schemes/solvers/fast_sine_solver.hpp"
 #include "fdebench/schemes/solvers/sparse_factors.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Complex = std::complex<double>;
@@ -65,7 +66,7 @@ TEST_P(Length, IsSolvedAsByElimination) {
     if (along * across > 20'000) continue;
     const SparseMatrix matrix = step_matrix(along, across, 0.03);
     const auto factors = sparse_factors(matrix);
-    ASSERT_EQ(factors->name(), "fast_sine");
+    ASSERT_EQ(factors->active_method(), "fast_sine");
     CholeskyFactors cholesky(matrix);
     ASSERT_TRUE(cholesky.factorise(matrix));
     Vec one = rough(matrix.rows()), other = one;
@@ -75,9 +76,9 @@ TEST_P(Length, IsSolvedAsByElimination) {
   }
 }
 
-TEST(FastSine, SolvesForEigenvectorsByTheirEigenvalues) {
+TEST(FastSineSolver, SolvesForEigenvectorsByTheirEigenvalues) {
   constexpr Eigen::Index n = 12, m = 31;
-  const FastSine sines(n, m);
+  const FastSineSolver sines(n, m);
   const Stencil<double> stencil{5.0, -1.5, -0.5};
   const Stencil<Complex> complex{{5.0, 2.0}, {-1.5, -0.5}, {-0.5, 0.25}};
   const auto wave = [](Eigen::Index points, int k) {
@@ -90,7 +91,7 @@ TEST(FastSine, SolvesForEigenvectorsByTheirEigenvalues) {
     const Vec mode = (wave(n, k) * wave(m, l).transpose()).reshaped();
     const auto eigenvalue = [&, of_n = std::cos(std::numbers::pi * k / 13.0),
                              of_m = std::cos(std::numbers::pi * l / 32.0)](const auto& s) {
-      return s.diagonal + 2.0 * of_n * s.along + 2.0 * of_m * s.across;
+      return s.diagonal + 2.0 * of_n * s.line_coupling + 2.0 * of_m * s.cross_coupling;
     };
     Vec real = mode;
     sines.solve(stencil, real);
@@ -101,16 +102,16 @@ TEST(FastSine, SolvesForEigenvectorsByTheirEigenvalues) {
   }
 }
 
-TEST(FastSine, IsRecognisedFromTheEntries) {
+TEST(FastSineSolver, IsRecognisedFromTheEntries) {
   const SparseMatrix matrix = step_matrix(9, 6, 0.1);
   const auto with = [&](Eigen::Index i, Eigen::Index k, double value) {
     SparseMatrix other = matrix;
     other.coeffRef(i, k) = value;
     if (i != k) other.coeffRef(k, i) = value;
     other.makeCompressed();
-    return std::string(sparse_factors(other)->name());
+    return std::string(sparse_factors(other)->active_method());
   };
-  EXPECT_EQ(sparse_factors(matrix)->name(), "fast_sine");
+  EXPECT_EQ(sparse_factors(matrix)->active_method(), "fast_sine");
   const double own = matrix.coeff(7, 7);
   EXPECT_EQ(with(7, 7, own * (1.0 + 1e-15)), "fast_sine");  // equal up to rounding
   EXPECT_EQ(with(7, 7, own * (1.0 + 1e-13)), "cholesky");
@@ -120,7 +121,7 @@ TEST(FastSine, IsRecognisedFromTheEntries) {
 }
 
 // (1, 1) is the first mode of 1 - kappa (A + c) to become negative, c the growth.
-TEST(FastSine, KnowsTheSignOfItsDeterminant) {
+TEST(FastSineSolver, KnowsTheSignOfItsDeterminant) {
   for (const Eigen::Index m : {6, 7}) {
     const SparseMatrix matrix = step_matrix(5, m, 0.2);
     for (const double growth : {0.0, 3.0, 8.0, 50.0, 1e3, 1e5}) {
@@ -132,12 +133,12 @@ TEST(FastSine, KnowsTheSignOfItsDeterminant) {
   }
 }
 
-TEST(FastSine, RefusesUnstableElimination) {
+TEST(FastSineSolver, RefusesUnstableElimination) {
   SparseMatrix indefinite = step_matrix(9, 6, 0.1);
   const auto factors = sparse_factors(indefinite);
   indefinite.diagonal().array() -= 20.0;
   EXPECT_FALSE(factors->factorise(indefinite));
-  EXPECT_EQ(sparse_factors(indefinite)->name(), "lu");
+  EXPECT_EQ(sparse_factors(indefinite)->active_method(), "lu");
 }
 
 struct ComplexCase {
@@ -169,4 +170,4 @@ TEST_P(ComplexMatrixOf, IsSolvedAsByDenseElimination) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/solvers/gmres.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // A fixed matrix, identity and a part that is not symmetric.
@@ -50,4 +51,4 @@ TEST(Gmres, StopsAtTheApplicationsAllowed) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

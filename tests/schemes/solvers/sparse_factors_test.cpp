@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A sparse matrix is factorised by the fastest applicable method, and the results equal those of dense
 // elimination.
 
@@ -9,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // 1 - kappa times second differences on n points, or n x n.
@@ -60,7 +61,7 @@ TEST_P(SparseMatrixOf, IsSolvedByTheQuickestMethodThatMay) {
   const auto& [name, method, matrix, sign] = GetParam();
   const auto factors = sparse_factors(matrix.sparseView());
   ASSERT_NE(factors, nullptr);
-  EXPECT_EQ(factors->name(), method);
+  EXPECT_EQ(factors->active_method(), method);
   const Vec x = Vec::LinSpaced(matrix.rows(), -1.0, 2.0);
   Vec b = matrix * x;
   factors->solve(b);
@@ -105,4 +106,4 @@ TEST(SparseFactors, AreNoneOfASingularMatrixOrOneThatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

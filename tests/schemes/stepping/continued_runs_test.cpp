@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A run that is ended between two steps and continued from its state returns the bits of an uninterrupted
 // run.
 
@@ -12,12 +13,12 @@
 #include "schemes/stepping/interrupted.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::vector<const Scheme*> keeping_schemes() {
   auto some = all_schemes();
-  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.checkpoints; });
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->capabilities.checkpoints; });
   return some;
 }
 
@@ -29,19 +30,22 @@ std::vector<std::uint64_t> bits(const Matrix& values) {
 }
 
 void expect_same(const Trajectory& continued, const Trajectory& whole, const std::string& what) {
-  EXPECT_EQ(continued.ending, whole.ending) << what;
+  EXPECT_EQ(continued.status, whole.status) << what;
   EXPECT_EQ(continued.times, whole.times) << what;
   EXPECT_EQ(bits(continued.y), bits(whole.y)) << what;
-  EXPECT_EQ(continued.reached, whole.reached) << what;
+  EXPECT_EQ(continued.last_time, whole.last_time) << what;
   EXPECT_EQ(continued.steps, whole.steps) << what;
   EXPECT_EQ(continued.cost.rhs_calls, whole.cost.rhs_calls) << what;
   EXPECT_EQ(continued.cost.newton_iterations, whole.cost.newton_iterations) << what;
   EXPECT_EQ(continued.cost.rejected_steps, whole.cost.rejected_steps) << what;
   EXPECT_EQ(continued.cost.linear_solver, whole.cost.linear_solver) << what;
-  ASSERT_EQ(bool(continued.dense), bool(whole.dense)) << what;
-  if (!whole.dense) return;
-  for (const double part : {0.1, 0.77, 1.0})
-    EXPECT_EQ(bits(continued.dense(part * whole.reached)), bits(whole.dense(part * whole.reached))) << what;
+  ASSERT_EQ(bool(continued.dense_output), bool(whole.dense_output)) << what;
+  if (!whole.dense_output) return;
+  for (const double part : {0.1, 0.77, 1.0}) {
+    EXPECT_EQ(bits(continued.dense_output(part * whole.last_time)),
+              bits(whole.dense_output(part * whole.last_time)))
+        << what;
+  }
 }
 
 // Runs that end at the n-th offered state for each n of `ends`, each continued from the state of the one
@@ -57,7 +61,7 @@ Trajectory interrupted(const Scheme& scheme, const Problem& problem, const Resol
       EXPECT_GT(n, 1) << "no state is offered before a step";
       return path;
     } catch (const RunInterrupted&) {
-      kept = checkpoints.kept();
+      kept = checkpoints.saved_state();
       EXPECT_FALSE(kept.empty());
     }
   }
@@ -73,7 +77,9 @@ class ContinuedRuns : public testing::TestWithParam<const Scheme*> {
   // Interrupted at the start, next to the end of a block of the exponentials, and far from it.
   static void expect_same_bits(const Problem& problem, const Resolution& resolution, const Options& options,
                                const std::string& what) {
-    if (refusal(scheme(), problem, resolution) || refusal_of_checkpoints(scheme(), problem)) return;
+    if (unsupported_reason(scheme(), problem, resolution) ||
+        unsupported_checkpoints_reason(scheme(), problem))
+      return;
     const auto whole = scheme().solve(problem, resolution, options);
     for (const auto& ends : std::vector<std::vector<int>>{{1}, {2, 2, 3, 5}, {33, 2}, {50}})
       expect_same(interrupted(scheme(), problem, resolution, options, ends), whole, what);
@@ -88,7 +94,7 @@ class ContinuedRuns : public testing::TestWithParam<const Scheme*> {
       }
     }
     expect_same_bits(problem, Tolerance{1e-3, 1e-3}, {}, what + ", 1e-3");
-    expect_same_bits(problem, Tolerance{1e-3, 1e-3}, {.at = {0.2 * problem.end, 0.9 * problem.end}},
+    expect_same_bits(problem, Tolerance{1e-3, 1e-3}, {.output_times = {0.2 * problem.end, 0.9 * problem.end}},
                      what + ", 1e-3 at two times");
   }
   static void expect_same_bits(const std::string& scene) {
@@ -168,8 +174,8 @@ TEST(ContinuedRunsOfConjugateGradients, GoOnWithWhatIsSpent) {
 TEST_P(ContinuedRuns, ReturnTheTimesAskedFor) {
   const Problem problem = scene_of("relaxation").problem;
   const Grid grid{problem.end, 75};
-  if (refusal(scheme(), problem, grid)) GTEST_SKIP();
-  const Options options{.at = {grid.time(1), grid.time(20), grid.time(74)}};
+  if (unsupported_reason(scheme(), problem, grid)) GTEST_SKIP();
+  const Options options{.output_times = {grid.time(1), grid.time(20), grid.time(74)}};
   const auto whole = scheme().solve(problem, grid, options);
   for (const int n : {2, 20, 21, 22, 75})
     expect_same(interrupted(scheme(), problem, grid, options, {n}), whole, fmt::format("state {}", n));
@@ -178,15 +184,16 @@ TEST_P(ContinuedRuns, ReturnTheTimesAskedFor) {
 TEST_P(ContinuedRuns, TakeNoStateOfOtherUnknowns) {
   const Problem one = scene_of("relaxation").problem, two = scene_of("relaxation_pair").problem;
   const Grid grid{one.end, 75};
-  if (refusal(scheme(), one, grid)) GTEST_SKIP();
+  if (unsupported_reason(scheme(), one, grid)) GTEST_SKIP();
   InterruptingCheckpoints first(40);
   EXPECT_THROW(scheme().solve(one, grid, {.checkpoints = &first}), RunInterrupted);
-  InterruptingCheckpoints other(0, first.kept()), cut(0, first.kept().substr(0, first.kept().size() - 1));
-  if (!refusal(scheme(), two, grid)) {
+  InterruptingCheckpoints other(0, first.saved_state()),
+      cut(0, first.saved_state().substr(0, first.saved_state().size() - 1));
+  if (!unsupported_reason(scheme(), two, grid)) {
     EXPECT_THROW(scheme().solve(two, grid, {.checkpoints = &other}), std::invalid_argument);
   }
   EXPECT_THROW(scheme().solve(one, grid, {.checkpoints = &cut}), std::invalid_argument);
-  InterruptingCheckpoints more(0, first.kept() + "more");
+  InterruptingCheckpoints more(0, first.saved_state() + "more");
   EXPECT_THROW(scheme().solve(one, grid, {.checkpoints = &more}), std::invalid_argument);
 }
 
@@ -195,7 +202,7 @@ TEST(ContinuedRunsOfManyThreads, AreThoseOfOne) {
   const Problem problem = make_scene(read_variant("fractional_diffusion:components=20000", {})).problem;
   const Scheme& scheme = *find_scheme("l1");
   const Grid grid{problem.end, 48};
-  const Options options{.history = HistoryKind::exponentials, .at = {grid.time(20), problem.end}};
+  const Options options{.history = HistoryKind::exponentials, .output_times = {grid.time(20), problem.end}};
   const auto whole = scheme.solve(problem, grid, options);
   Options of_two = options;
   of_two.threads = 2;
@@ -203,7 +210,7 @@ TEST(ContinuedRunsOfManyThreads, AreThoseOfOne) {
   InterruptingCheckpoints first(40);
   of_two.checkpoints = &first;
   EXPECT_THROW(scheme.solve(problem, grid, of_two), RunInterrupted);
-  InterruptingCheckpoints second(0, first.kept());
+  InterruptingCheckpoints second(0, first.saved_state());
   Options of_one = options;
   of_one.checkpoints = &second;
   expect_same(scheme.solve(problem, grid, of_one), whole, "two threads, then one");
@@ -211,9 +218,9 @@ TEST(ContinuedRunsOfManyThreads, AreThoseOfOne) {
 
 TEST(CheckpointStore, AreRefusedWhereAllTimesAreSolvedAtOnce) {
   const Scheme& scheme = *find_scheme("grunwald_letnikov");
-  EXPECT_EQ(refusal_of_checkpoints(scheme, scene_of("relaxation").problem), std::nullopt);
-  EXPECT_NE(refusal_of_checkpoints(scheme, scene_of("two_sided_constraint").problem), std::nullopt);
+  EXPECT_EQ(unsupported_checkpoints_reason(scheme, scene_of("relaxation").problem), std::nullopt);
+  EXPECT_NE(unsupported_checkpoints_reason(scheme, scene_of("two_sided_constraint").problem), std::nullopt);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Event location (zeros of functions along the solution) in every scheme with adaptive step size.
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include "support/adaptive_schemes.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class Events : public testing::TestWithParam<const Scheme*> {
@@ -54,7 +55,7 @@ TEST_P(Events, AreLocatedAsWellAsTheSolutionIsKnown) {
     const Problem problem{.components = {{order, {1.0}}},
                           .rhs = [](double, In y, Out f) { f = -y; },
                           .derivatives = DenseLinearPart{-Matrix::Identity(1, 1)}};
-    const double level = mittag_leffler(order, 1.0, -std::pow(at, order));
+    const double level = reference::mittag_leffler(order, 1.0, -std::pow(at, order));
     const auto path = run(problem, accuracy, {.events = {reaches(level)}});
     ASSERT_EQ(path.events.size(), 1U) << order;
     EXPECT_NEAR(path.events[0].t, at, 20.0 * accuracy) << order;
@@ -91,7 +92,7 @@ TEST_P(Events, AreFoundWhereAFunctionJumps) {
   const auto path = run(half_integral(), 1e-5, {.events = {jumps}});
   ASSERT_EQ(path.events.size(), 1U);
   EXPECT_NEAR(path.events[0].t, 0.123456, ulps);
-  EXPECT_EQ(run(half_integral(), 1e-3, {.events = {noise}}).ending, Ending::finished);
+  EXPECT_EQ(run(half_integral(), 1e-3, {.events = {noise}}).status, SolveStatus::finished);
 }
 
 // cos t, of order 2: rising where the sine is negative.
@@ -127,7 +128,7 @@ TEST_P(Events, AreNoneAtTheStartNorWhereAFunctionIsTouchedOrFlat) {
 
 TEST_P(Events, AtAStepAreFoundOnce) {
   Problem problem = half_integral();
-  problem.jumps = {0.5, 1.0};
+  problem.jump_times = {0.5, 1.0};
   const Event at_jump{.value = [](double t, In) { return t - 0.5; }};
   const auto path = run(problem, 1e-6, {.events = {at_jump}});
   ASSERT_EQ(path.events.size(), 1U);
@@ -136,26 +137,26 @@ TEST_P(Events, AtAStepAreFoundOnce) {
 
 TEST_P(Events, EndARunWhereTheyAre) {
   Event last = reaches(1.0);
-  last.ends = true;
+  last.terminal = true;
   std::vector<double> heard;
   Options options{.events = {reaches(1.5), last, reaches(0.5)}};
   options.observer = [&](double t, In) { heard.push_back(t); };
   const auto path = run(half_integral(), 1e-6, options);
-  EXPECT_EQ(path.ending, Ending::event);
+  EXPECT_EQ(path.status, SolveStatus::terminal_event);
   ASSERT_EQ(path.events.size(), 2U);
   EXPECT_EQ(path.events[1].event, 1U);
-  EXPECT_NEAR(path.reached, M_PI / 4.0, 4 * ulps);
-  EXPECT_EQ(path.times.back(), path.reached);
+  EXPECT_NEAR(path.last_time, M_PI / 4.0, 4 * ulps);
+  EXPECT_EQ(path.times.back(), path.last_time);
   EXPECT_NEAR(path.y(0, path.y.cols() - 1), 1.0, 4 * ulps);
   EXPECT_EQ(heard, path.times);
   for (const double t : {0.01, 0.3, 0.7})
-    EXPECT_NEAR(path.dense(t)[0], 2.0 * std::sqrt(t / M_PI), 1e-14) << t;
+    EXPECT_NEAR(path.dense_output(t)[0], 2.0 * std::sqrt(t / M_PI), 1e-14) << t;
 }
 
 TEST_P(Events, EndARunAfterTheRequestedTimes) {
   Event last = reaches(1.0);
-  last.ends = true;
-  const auto path = run(half_integral(), 1e-6, {.at = {0.1, 0.7, 0.8, 2.0}, .events = {last}});
+  last.terminal = true;
+  const auto path = run(half_integral(), 1e-6, {.output_times = {0.1, 0.7, 0.8, 2.0}, .events = {last}});
   EXPECT_EQ(path.times, (std::vector{0.1, 0.7}));
   EXPECT_EQ(path.y.cols(), 2);
 }
@@ -171,9 +172,9 @@ TEST_P(Events, EndAFallAtTheGround) {
                         .end = 5.0};
   Event ground = reaches(0.0);
   ground.crossing = Crossing::falling;
-  ground.ends = true;
+  ground.terminal = true;
   const auto path = run(problem, 1e-8, {.events = {ground}});
-  EXPECT_NEAR(path.reached, 1.0, 1e-7);
+  EXPECT_NEAR(path.last_time, 1.0, 1e-7);
   EXPECT_NEAR(path.y(1, path.y.cols() - 1), -1.0, 1e-7);
 }
 
@@ -193,7 +194,7 @@ TEST_P(Events, AreLocatedAfterASwitch) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },
                         .end = 2.0,
-                        .switches = {[](double, In y) { return y[0] - 1.0; }}};
+                        .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
   const double at = 1.1, level = 2.0 * (std::sqrt(at) + std::sqrt(at - M_PI / 4.0)) / std::sqrt(M_PI);
   const auto path = run(problem, 1e-6, {.events = {reaches(level)}});
   ASSERT_EQ(path.events.size(), 1U);
@@ -207,4 +208,4 @@ TEST(EventsOverAGrid, AreRefused) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <stdexcept>
@@ -5,7 +6,7 @@
 
 #include "fdebench/schemes/stepping/checkpoints.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // Ends a run.
 struct RunInterrupted : std::exception {};
@@ -14,32 +15,34 @@ struct RunInterrupted : std::exception {};
 // a state to resume from; empty: none.
 class InterruptingCheckpoints final : public CheckpointStore {
  public:
-  explicit InterruptingCheckpoints(int n, std::string kept = {}) : left_(n), kept_(std::move(kept)) {}
+  explicit InterruptingCheckpoints(int n, std::string saved_state = {})
+      : left_(n), saved_state_(std::move(saved_state)) {}
 
-  bool resume(const State& state) override {
-    if (kept_.empty()) return false;
+  bool resume(const fde::StateArchiver& state) override {
+    if (saved_state_.empty()) return false;
     std::size_t next = 0;
-    ReadingArchive archive([&](char* bytes, std::size_t count) { next += kept_.copy(bytes, count, next); },
-                           kept_.size());
+    ReadingArchive archive(
+        [&](char* bytes, std::size_t count) { next += saved_state_.copy(bytes, count, next); },
+        saved_state_.size());
     state(archive);
     archive.end();
     return true;
   }
 
-  void offer(const State& state) override {
+  void offer(const fde::StateArchiver& state) override {
     if (--left_ != 0) return;
-    kept_.clear();
-    WritingArchive archive([&](std::string_view bytes) { kept_ += bytes; });
+    saved_state_.clear();
+    WritingArchive archive([&](std::string_view bytes) { saved_state_ += bytes; });
     state(archive);
     throw RunInterrupted();
   }
 
   // The stored state; empty if the run ended before.
-  [[nodiscard]] const std::string& kept() const { return kept_; }
+  [[nodiscard]] const std::string& saved_state() const { return saved_state_; }
 
  private:
   int left_;
-  std::string kept_;
+  std::string saved_state_;
 };
 
-}  // namespace fde
+}  // namespace fde::bench

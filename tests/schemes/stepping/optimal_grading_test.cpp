@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The optimal grading for given orders, against published values and against the rates of a solution.
 
 #include "fdebench/schemes/stepping/optimal_grading.hpp"
@@ -9,7 +10,7 @@
 #include "fdebench/schemes/stepping/rates.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 double grading_for(const char* scheme, double order) {
@@ -61,7 +62,7 @@ TEST(OptimalGrading, IsTheLeastWithTheLargestRate) {
   for (const auto* scheme : grid_schemes()) {
     for (const auto* id : {"relaxation", "brusselator", "pendulum", "multi_term"}) {
       const auto scene = scene_of(id);
-      if (refusal(*scheme, scene.problem, Grid{1.0, 8, 2.0})) continue;
+      if (unsupported_reason(*scheme, scene.problem, Grid{1.0, 8, 2.0})) continue;
       const double grading = optimal_grading(*scheme, scene.problem);
       const Smoothness starts = generic_smoothness(scene.problem);
       const auto rate = [&](double r) {
@@ -76,4 +77,4 @@ TEST(OptimalGrading, IsTheLeastWithTheLargestRate) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/weights/families/increment_family.hpp"
 #include "fdebench/schemes/history/weights/families/product_rules.hpp"
 
@@ -18,14 +19,14 @@ ComplexValue regular_part(double g, ComplexValue mu) {
 
 }  // namespace
 
-constinit const WeightFamily families::l1 =
-    increment_family({.id = "l1",
-                      .title = "L1 rule on the increments of y, g <= 1: (k+1)^(1-g) - k^(1-g)",
-                      .weight = [](Real g, Real k) { return power_difference(1 - g, k + 1); },
-                      .coefficient = coefficient,
-                      .regular_part = regular_part,
-                      .ends = [](double /*before*/, double after, double length) -> EndpointValues {
-                        return {after / length, after / length};
-                      }});
+constinit const WeightFamily families::l1 = increment_family(
+    {.id = "l1",
+     .title = "L1 rule on the increments of y, g <= 1: (k+1)^(1-g) - k^(1-g)",
+     .weight = [](Real g, Real k) { return power_difference(1 - g, k + 1); },
+     .coefficient = coefficient,
+     .regular_part = regular_part,
+     .endpoint_values = [](double /*before*/, double after, double length) -> EndpointValues {
+       return {after / length, after / length};
+     }});
 
 }  // namespace fde

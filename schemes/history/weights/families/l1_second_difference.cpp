@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/weights/families/increment_family.hpp"
 #include "fdebench/schemes/history/weights/families/second_difference.hpp"
 
@@ -12,13 +13,13 @@ double coefficient(double g, double node, double kernel) {
 
 }  // namespace
 
-constinit const WeightFamily families::l1_bend =
-    increment_family({.id = "l1_bend",
-                      .title = "what L1-2 adds to l1: a parabola in place of each line, g <= 1",
-                      .weight = [](Real g, Real k) { return second_difference_weight(g, k + 1); },
-                      .coefficient = coefficient,
-                      .ends = [](double /*before*/, double after, double length) -> EndpointValues {
-                        return {-after / length, after / length};
-                      }});
+constinit const WeightFamily families::l1_second_difference = increment_family(
+    {.id = "l1_second_difference",
+     .title = "what L1-2 adds to l1: a parabola in place of each line, g <= 1",
+     .weight = [](Real g, Real k) { return second_difference_weight(g, k + 1); },
+     .coefficient = coefficient,
+     .endpoint_values = [](double /*before*/, double after, double length) -> EndpointValues {
+       return {-after / length, after / length};
+     }});
 
 }  // namespace fde

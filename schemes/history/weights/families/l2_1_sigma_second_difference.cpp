@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/weights/families/increment_family.hpp"
 #include "fdebench/schemes/history/weights/families/second_difference.hpp"
 
@@ -14,8 +15,8 @@ double coefficient(double g, double node, double kernel) {
 
 }  // namespace
 
-constinit const WeightFamily families::l2_1_sigma_bend = increment_family(
-    {.id = "l2_1_sigma_bend",
+constinit const WeightFamily families::l2_1_sigma_second_difference = increment_family(
+    {.id = "l2_1_sigma_second_difference",
      .title = "what parabolas add to l2_1_sigma, lag k for the bend of the step before, g <= 1",
      .weight = [](Real g, Real k) { return second_difference_weight(g, k + 2 - g / 2); },
      .coefficient = coefficient});

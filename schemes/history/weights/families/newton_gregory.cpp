@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/weights/families/multistep_family.hpp"
 
 namespace fde {

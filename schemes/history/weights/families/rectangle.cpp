@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/weights/families/product_rules.hpp"
 #include "fdebench/schemes/history/weights/family.hpp"
 
@@ -25,7 +26,7 @@ constinit const WeightFamily families::rectangle{
     .step_factor = [](long double g) { return 1 / std::tgamma(g + 1); },
     .coefficient = coefficient,
     .regular_part = regular_part,
-    .ends = [](double before, double /*after*/, double /*length*/) -> EndpointValues {
+    .endpoint_values = [](double before, double /*after*/, double /*length*/) -> EndpointValues {
       return {before, before};
     }};
 

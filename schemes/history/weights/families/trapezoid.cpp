@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/weights/families/product_rules.hpp"
 #include "fdebench/schemes/history/weights/family.hpp"
 
@@ -70,7 +71,7 @@ constinit const WeightFamily families::trapezoid{
     .coefficient = coefficient,
     .first_sample_coefficient = first_sample_coefficient,
     .regular_part = regular_part,
-    .ends = [](double before, double after, double /*length*/) -> EndpointValues {
+    .endpoint_values = [](double before, double after, double /*length*/) -> EndpointValues {
       return {before, after};
     }};
 

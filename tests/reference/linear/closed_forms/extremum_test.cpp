@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Agrawal's extremum against quadrature of its integral and the case alpha = 1, and its smoothness where the
 // series changes.
 
@@ -12,7 +13,7 @@
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Workspace = std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)>;
@@ -89,4 +90,4 @@ TEST(Extremum, RefusesWhatIsOutside) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The undamped pendulum in closed form: first integral, equation, limits, and its own digits.
 
 #include <gmock/gmock.h>
@@ -10,11 +11,11 @@
 
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
-Scene free_pendulum(double g, double phi0, double dphi0) {
-  return scene_of(
+bench::Scene free_pendulum(double g, double phi0, double dphi0) {
+  return bench::scene_of(
       "pendulum",
       {{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}, {"g_over_L", g}, {"phi0", phi0}, {"dphi0", dphi0}});
 }
@@ -30,7 +31,7 @@ const std::vector<Start> starts{{1.0, 1.0, -0.3},   {1.0, 1.0, -3.0}, {-2.0, 10.
 
 class FreePendulum : public testing::TestWithParam<Start> {
  protected:
-  const Scene scene_ = free_pendulum(GetParam().g, GetParam().phi0, GetParam().dphi0);
+  const bench::Scene scene_ = free_pendulum(GetParam().g, GetParam().phi0, GetParam().dphi0);
 };
 
 TEST_P(FreePendulum, StartsWhereItIsPut) {
@@ -122,4 +123,4 @@ TEST(FreePendulumAtItsTop, FallsFromTheDoubleAndNotFromPi) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

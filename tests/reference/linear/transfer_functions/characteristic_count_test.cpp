@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The number of zeros of a characteristic function in a rectangle of log s.
 
 #include "fdebench/reference/linear/transfer_functions/characteristic_count.hpp"
@@ -6,7 +7,7 @@
 
 #include <numbers>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 // (s^2 + 1)(s^2 + 1 + apart) = s^4 + (2 + apart) s^2 + 1 + apart.
@@ -41,4 +42,4 @@ TEST(CharacteristicCount, TwoZerosCloseToEachOtherNextToASideAreTwo) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The characteristic function of a linear problem: its value and its rounding error.
 
 #include "fdebench/reference/linear/transfer_functions/characteristic_function.hpp"
@@ -6,7 +7,7 @@
 
 #include <cmath>
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 // 10^k (s - 3) divided by its largest term at log s = 1.0986122886682 (a double): 1 - 3/s is
@@ -20,11 +21,12 @@ TEST(CharacteristicFunction, ItsNoiseKnowsTheRoundingOfLargeCoefficients) {
     LinearTransform transform;
     add_term(transform.characteristic, Rational(1), size);
     add_term(transform.characteristic, Rational(0), Rational(-3 * size));
-    const auto [value, noise, digits] = CharacteristicFunction(transform).direction({1.0986122886682, 0.0L});
+    const auto [value, noise, digits] =
+        CharacteristicFunction(transform).scaled_value({1.0986122886682, 0.0L});
     EXPECT_LE(std::abs(value - exact), noise + 1e-18L * exact) << k << ' ' << digits;
     EXPECT_LT(noise, 1e-14L) << k;
   }
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The second method of nonlinear references: its parts, and its results against exact solutions.
 
 #include <gmock/gmock.h>
@@ -13,7 +14,7 @@
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using ::testing::HasSubstr;
@@ -87,7 +88,7 @@ TEST_P(SolutionOfOrder, IsTheMittagLefflerFunction) {
 }
 
 TEST_P(SolutionOfOrder, IsThatOfDiethelmFordAndFreed) {
-  const auto scene = scene_of("diethelm", {{"gamma", GetParam()}});
+  const auto scene = bench::scene_of("diethelm", {{"gamma", GetParam()}});
   const auto solution = diffusive_solution(scene.problem, {}, {0.1, 0.5, 0.9});
   for (std::size_t k = 0; k < solution.times.size(); ++k) {
     const double t = solution.times[k];
@@ -98,7 +99,7 @@ TEST_P(SolutionOfOrder, IsThatOfDiethelmFordAndFreed) {
 
 TEST_P(SolutionOfOrder, IsAPowerOfTime) {
   for (const double p : {2.5, 7.0}) {
-    const auto scene = scene_of("power", {{"gamma", GetParam()}, {"p", p}});
+    const auto scene = bench::scene_of("power", {{"gamma", GetParam()}, {"p", p}});
     EXPECT_NEAR(diffusive_solution(scene.problem).values.back()[0], 1.0, 1e-14) << p;
   }
 }
@@ -124,8 +125,8 @@ TEST_P(RateOfOrder, IsThatOfTheMethod) {
     const double length = problem.end / steps;
     Vec y = Vec::Zero(1);
     for (int n = 0; n < steps; ++n) {
-      const auto stages = equations.solve(memory.past(length), {memory.weights(0, length)}, n * length,
-                                          length, Vec::Zero(1), Vec::Ones(1));
+      const auto stages = equations.solve(memory.history_term(length), {memory.weights(0, length)},
+                                          n * length, length, Vec::Zero(1), Vec::Ones(1));
       memory.advance(length, stages.value().rhs);
       y = stages->y.bottomRows<1>().transpose();
     }
@@ -138,7 +139,7 @@ TEST_P(RateOfOrder, IsThatOfTheMethod) {
 INSTANTIATE_TEST_SUITE_P(, RateOfOrder, testing::Values(0.3, 0.5, 0.8, 1.0, 1.3, 1.7, 2.0));
 
 TEST(DiffusiveSolution, MeetsItsStops) {
-  const auto scene = scene_of("pendulum");
+  const auto scene = bench::scene_of("pendulum");
   const auto solution = diffusive_solution(scene.problem, {}, {1e-7, 1.0, std::numbers::pi, 20.0});
   for (const double stop : {1e-7, 1.0, std::numbers::pi, 20.0})
     EXPECT_EQ(std::ranges::count(solution.times, stop), 1) << stop;
@@ -154,4 +155,4 @@ TEST(DiffusiveSolution, NamesTheTimeOfABlowUp) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

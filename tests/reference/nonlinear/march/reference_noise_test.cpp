@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // References for right-hand sides that consist of rounding errors, entirely or in part.
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -82,14 +83,14 @@ TEST(ReferenceOfNoise, PassesItOnWithinTheBound) {
   }
 }
 
-class SphericalKnifeEdge : public testing::TestWithParam<ParameterValues> {};
+class SphericalKnifeEdge : public testing::TestWithParam<bench::ParameterValues> {};
 
 // Without gravity, and without memory (b = 0) or with the derivative of order 1 (alpha = 1), theta' and
 // phi' sin theta / k are the same constant: phi = k log(tan(theta / 2) / tan(theta(0) / 2)).
 TEST_P(SphericalKnifeEdge, WithoutGravityIsALoxodrome) {
   auto values = GetParam();
   values.insert({{"surface", "sphere"}, {"g", 0.0}});
-  const Reference reference = reference_of(scene_of("fractional_knife_edge", values));
+  const Reference reference = reference_of(bench::scene_of("fractional_knife_edge", values));
   for (const double t : {1e-6, 0.5, 1.0, 2.0}) {
     const ReferenceValue known = reference.at(t);
     const double down = 0.5 / std::hypot(1.0, 0.5), theta = 0.7 + down * t;
@@ -101,14 +102,14 @@ TEST_P(SphericalKnifeEdge, WithoutGravityIsALoxodrome) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, SphericalKnifeEdge,
-                         testing::Values(ParameterValues{{"b", 0.0}},
-                                         ParameterValues{{"b", 0.0}, {"alpha", 0.3}},
-                                         ParameterValues{{"alpha", 1.0}}));
+                         testing::Values(bench::ParameterValues{{"b", 0.0}},
+                                         bench::ParameterValues{{"b", 0.0}, {"alpha", 0.3}},
+                                         bench::ParameterValues{{"alpha", 1.0}}));
 
 // The speed is not conserved, but a reference exists.
 TEST(ReferenceOfNoise, TakesMemoryOnASphereWithoutGravity) {
   const Reference reference =
-      reference_of(scene_of("fractional_knife_edge", {{"surface", "sphere"}, {"g", 0.0}}));
+      reference_of(bench::scene_of("fractional_knife_edge", {{"surface", "sphere"}, {"g", 0.0}}));
   EXPECT_LT(reference.at(1.0).bound.maxCoeff(), 2e-14);
 }
 
@@ -117,9 +118,9 @@ TEST(ReferenceOfNoise, TakesNoJumpForRounding) {
   const auto start = std::chrono::steady_clock::now();
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double t, In, Out f) { f[0] = std::floor(std::sin(1e9 * t) + 1.0); }};
-  expect_message([&] { reference_solution(problem); }, "t = ");
+  bench::expect_message([&] { reference_solution(problem); }, "t = ");
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 struct Case {
@@ -49,7 +50,7 @@ BigComplex sum_with_residues(const Case& x, const Contour<BigReal>& contour,
   for (const auto& node : contour.nodes())
     sum += node.weight * transform(node.log_s) + conj(node.weight) * transform(conj(node.log_s));
   for (const auto& root : roots) {
-    if (!ContourBound::counts(root, distance)) continue;
+    if (!ContourBound::includes_residue(root, distance)) continue;
     const double sheet =
         std::round((std::arg(root) * 2.0 * x.alpha - std::arg(x.z)) / (2.0 * std::numbers::pi));
     const BigComplex log_pole = (log(z) + BigComplex(0, 2 * sheet * pi<BigReal>())) / alpha;
@@ -72,7 +73,7 @@ TEST_P(OnCoarseContours, WhatIsNeglectedIsBounded) {
                                       .roots = {}};
       const auto roots = roots_of(x, shape.mu, quotient.nearest_other_argument);
       quotient.roots = roots;
-      const auto [log_bound, distance] = ContourBound(shape).at(quotient);
+      const auto [log_bound, distance] = ContourBound(shape).bound_for(quotient);
       const Precision precision(60);
       const Contour<BigReal> contour(shape.mu, omega, omega, shifted);
       const BigComplex off =
@@ -140,4 +141,4 @@ TEST(LineIntegrals, InterpolationIsAnUpperBound) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

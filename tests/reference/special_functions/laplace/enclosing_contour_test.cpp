@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -5,7 +6,7 @@
 
 #include "fdebench/reference/special_functions/laplace/enclosed_transform.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Point = EnclosingContour::Point;
@@ -49,7 +50,7 @@ TEST_P(EnclosingContourOf, InvertsWithinItsBound) {
   for (const int digits : {5, 16, 50, 150}) {
     const EnclosingContour contour(x.singularities, digits, {.order = 3.0L});
     const Precision precision(contour.working_digits());
-    Sum<BigReal> sum;
+    BoundedSum<BigReal> sum;
     for (const auto& node : x.real ? contour.upper_nodes() : contour.nodes())
       sum.add(BigComplex(node.weight * transform(x, node)), BigReal(100 * epsilon<BigReal>()));
     const BigComplex value = x.real ? BigComplex(2 * real_part<BigReal>(sum.value)) : sum.value;
@@ -130,7 +131,7 @@ TEST(EnclosedTransform, SaysWhereThereIsNoBound) {
   for (const long double off : {std::numeric_limits<long double>::max(), std::nanl("")}) {
     EnclosedTransform transform{.singularities = {0.0L}, .real = true};
     transform.prepare = [] {
-      return [](const EnclosingContour::Node& node, std::vector<Sum<BigReal>>& sums) {
+      return [](const EnclosingContour::Node& node, std::vector<BoundedSum<BigReal>>& sums) {
         sums.resize(1);
         sums.front().add(BigComplex(node.weight / node.s), epsilon<BigReal>());
       };
@@ -150,4 +151,4 @@ TEST(EnclosedTransform, SaysWhereThereIsNoBound) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

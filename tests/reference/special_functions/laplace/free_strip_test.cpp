@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/laplace/free_strip.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/shifted_contours.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 struct Case {
@@ -45,13 +46,13 @@ TEST_P(OnCoarseShiftedContours, WhatIsNeglectedIsBounded) {
   const auto exact =
       prabhakar(text(x.alpha), text(x.beta), text(x.gamma), text(x.z.real()), text(x.z.imag()), 45);
   const SingularityRoots roots(x.alpha, std::log(x.z), -max_sheet);
-  const FreeStrip::Factor factor = roots.factor(x.gamma);
+  const SingularityFreeStrip::Factor factor = roots.factor(x.gamma);
   int bounded = 0;
   for (const ShiftedShape& shape :
        {ShiftedShape{0.0, 6.0, 40.0, 40.0}, ShiftedShape{0.0, 16.0, 90.0, 50.0},
         ShiftedShape{-14.0, 30.0, 150.0, 30.0}, ShiftedShape{-14.0, 30.0, 250.0, 30.0},
         ShiftedShape{-44.0, 60.0, 500.0, 12.0}}) {
-    const auto strip = FreeStrip(shape).at(
+    const auto strip = SingularityFreeStrip(shape).bound_for(
         {.exponent = x.alpha * x.gamma - x.beta, .alpha = x.alpha, .factors = {&factor, 1}});
     if (!strip || strip->outside) continue;
     ++bounded;
@@ -63,7 +64,7 @@ TEST_P(OnCoarseShiftedContours, WhatIsNeglectedIsBounded) {
   EXPECT_GE(bounded, 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(FreeStrip, OnCoarseShiftedContours,
+INSTANTIATE_TEST_SUITE_P(SingularityFreeStrip, OnCoarseShiftedContours,
                          testing::Values(Case{"NoSingularity", 0.5, 1.0, 1.5, -1.0},
                                          Case{"FarUp", 1.75, 1.0, 1.5, -100.0},
                                          Case{"OnTheImaginaryAxis", 2.0, 1.0, 0.5, -100.0},
@@ -76,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(FreeStrip, OnCoarseShiftedContours,
                          [](const testing::TestParamInfo<Case>& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "certificate/enclosure.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +7,7 @@
 #include <cmath>
 #include <complex>
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 namespace {
 
 using Value = std::complex<double>;
@@ -105,4 +106,4 @@ TEST(Enclosure, IsExactAtTheOrigin) {
 }
 
 }  // namespace
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Poles s^alpha = z of large modulus in the left half-plane, close to every contour there: e^s is negligible,
 // and the value is the asymptotic expansion -sum_k z^-k / Gamma(beta - k alpha).
 
@@ -7,7 +8,7 @@
 
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 TEST(FarPoles, LeaveTheExpansionForLargeArguments) {
@@ -29,4 +30,4 @@ TEST(FarPoles, AreNothingHoweverFar) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

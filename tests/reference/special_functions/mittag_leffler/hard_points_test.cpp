@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 
 #include "certificate/point_check.hpp"
 
-namespace fde::certificate {
+namespace fde::reference::certificate {
 namespace {
 
 using Value = std::complex<double>;
@@ -62,12 +63,12 @@ std::vector<Point> near_zeros() {
 class HardPoints : public testing::TestWithParam<Hard> {};
 
 // In double the error is at most 8 ulp and within the stated bound; for 50 digits within its bound
-// (judge.hpp).
+// (point_check.hpp).
 TEST_P(HardPoints, AreRight) {
   for (const Point& point : GetParam().points) {
     if (point.z == 0.0) continue;  // the value is 1/Gamma(beta); Arb's integral does not apply
-    const PointCheck row = judge(point, 50);
-    EXPECT_THAT(row.faults, testing::IsEmpty())
+    const PointCheck row = check_point(point, 50);
+    EXPECT_THAT(row.failures, testing::IsEmpty())
         << fmt::format("E_{{{},{}}}({}{:+}i)", point.alpha, point.beta, point.z.real(), point.z.imag());
   }
 }
@@ -91,4 +92,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace fde::certificate
+}  // namespace fde::reference::certificate

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 #include "fdebench/reference/special_functions/mittag_leffler/quick.hpp"
 #include "fdebench/schemes/history/block_kernels.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Value = std::complex<double>;
@@ -90,17 +91,19 @@ TEST(MittagLefflerQuick, IsNotThereWhereThePhaseOfAPoleIsUnknown) {
 // Tiny orders next to the zeros of 1/Gamma: power series for |z| < 1, otherwise
 // -sum z^-k / Gamma(beta - alpha k), in mpmath with 420 digits.
 TEST(MittagLefflerQuick, TakesTinyOrdersNextToTheZerosOfTheReciprocalGammaFunction) {
-  struct Known {
+  struct KnownCase {
     double alpha, beta;
     Value z, value;
   };
   for (const auto& [alpha, beta, z, value] :
-       {Known{1e-40, -3.0, 0.5, -1.1999999999999999e-39}, Known{1e-300, 0.0, -2.0, -2.2222222222222223e-301},
-        Known{1e-31, -20.0, -3.0, -4.5616912653312004e-14}, Known{1e-40, 1e-50, 0.5, 2.0000000001999999e-40},
-        Known{1e-310, -150.0, -1.5, -1.3712121495470009e-48},
-        Known{1e-40, -1.0, {3.0, 4.0}, {-6.9999999999999995e-42, 2.3999999999999998e-41}},
-        Known{1e-32, 3e-33, {-0.5, 0.25}, {-4.4996347699050404e-34, 6.4572680788897009e-34}},
-        Known{1e-200, -2.0, {1e20, 1e-3}, {2e-220, -2e-243}}}) {
+       {KnownCase{1e-40, -3.0, 0.5, -1.1999999999999999e-39},
+        KnownCase{1e-300, 0.0, -2.0, -2.2222222222222223e-301},
+        KnownCase{1e-31, -20.0, -3.0, -4.5616912653312004e-14},
+        KnownCase{1e-40, 1e-50, 0.5, 2.0000000001999999e-40},
+        KnownCase{1e-310, -150.0, -1.5, -1.3712121495470009e-48},
+        KnownCase{1e-40, -1.0, {3.0, 4.0}, {-6.9999999999999995e-42, 2.3999999999999998e-41}},
+        KnownCase{1e-32, 3e-33, {-0.5, 0.25}, {-4.4996347699050404e-34, 6.4572680788897009e-34}},
+        KnownCase{1e-200, -2.0, {1e20, 1e-3}, {2e-220, -2e-243}}}) {
     const auto quick = mittag_leffler_quick(alpha, {beta, 0.0}, z);
     ASSERT_TRUE(quick) << alpha << ' ' << beta;
     EXPECT_LE(quick->error, quick_tolerance * std::abs(quick->value)) << alpha << ' ' << beta;
@@ -156,4 +159,4 @@ INSTANTIATE_TEST_SUITE_P(MittagLeffler, NearZero,
                          [](const auto& test) { return std::to_string(test.index); });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Value = std::complex<double>;
@@ -30,7 +31,7 @@ struct Worst {
   double ratio = 0.0;
   std::string row;
 
-  void see(double error, double allowed, const std::string& name) {
+  void update(double error, double allowed, const std::string& name) {
     const double now = error == 0.0 ? 0.0 : error / allowed;
     if (!(now <= ratio)) *this = {now, fmt::format("{}: error {:.3g}, allowed {:.3g}", name, error, allowed)};
   }
@@ -38,14 +39,14 @@ struct Worst {
 
 void expect_within(const Worst& worst) { EXPECT_LE(worst.ratio, 1.0) << worst.row; }
 
-struct Known {
+struct KnownCase {
   double alpha, beta;
   Value z, value;
 };
 
 // mpmath 1.3: the power series summed at 60 to 300 digits, and for E_0.05 and the last two, where it cannot
 // be summed, 400 terms of the asymptotic series at 60 digits. The doubles are taken exactly, not as decimals.
-const std::vector<Known> known_values{
+const std::vector<KnownCase> known_values{
     {0.5, 1.0, -1.0, 0.42758357615580700441},
     {0.125, 1.0, -1.2, 0.43641412131788405507},
     {0.05, 1.0, -1e4, 9.6941225691853229059e-05},
@@ -70,8 +71,8 @@ const std::vector<Known> known_values{
 TEST(MittagLeffler, MeetsValuesFromAnIndependentSummation) {
   Worst worst;
   for (const auto& [alpha, beta, z, value] : known_values) {
-    worst.see(std::abs(mittag_leffler(alpha, beta, z).value - value), 4e-16 * std::abs(value),
-              name_of(alpha, beta, z));
+    worst.update(std::abs(mittag_leffler(alpha, beta, z).value - value), 4e-16 * std::abs(value),
+                 name_of(alpha, beta, z));
   }
   expect_within(worst);
 }
@@ -82,7 +83,7 @@ TEST(MittagLeffler, BoundsItsError) {
     const auto [computed, bound] = mittag_leffler(alpha, beta, z);
     EXPECT_LE(bound, 1e-15 * std::abs(value)) << name_of(alpha, beta, z);
     // The values of the table are themselves rounded to double.
-    worst.see(std::abs(computed - value), bound + 2e-16 * std::abs(value), name_of(alpha, beta, z));
+    worst.update(std::abs(computed - value), bound + 2e-16 * std::abs(value), name_of(alpha, beta, z));
   }
   expect_within(worst);
 }
@@ -104,8 +105,8 @@ TEST_P(MittagLefflerElementary, IsExactToTheLastDigits) {
   for (const double x : {0.0078125, 0.25, 1.0, 1.5, 3.0, 7.25, 20.0, 25.5}) {
     const double z = argument(x);  // exact: x has few bits
     const auto exact = value(Wide(x)).convert_to<double>();
-    worst.see(std::abs(mittag_leffler(alpha, beta, z) - exact), 4e-16 * std::abs(exact),
-              name_of(alpha, beta, z));
+    worst.update(std::abs(mittag_leffler(alpha, beta, z) - exact), 4e-16 * std::abs(exact),
+                 name_of(alpha, beta, z));
   }
   expect_within(worst);
 }
@@ -171,7 +172,7 @@ TEST(MittagLeffler, FacesAgree) {
         mittag_leffler(exactly(alpha), exactly(beta), exactly(z.real()), exactly(z.imag()), 25);
     const Wide off_re = Wide(digits.re) - value.real(), off_im = Wide(digits.im) - value.imag();
     const auto error = hypot(off_re, off_im).convert_to<double>();
-    worst.see(error, std::min(bound * 1.001, 1e-15 * std::abs(value)), name_of(alpha, beta, z));
+    worst.update(error, std::min(bound * 1.001, 1e-15 * std::abs(value)), name_of(alpha, beta, z));
   }
   expect_within(worst);
 }
@@ -192,7 +193,7 @@ TEST(MittagLeffler, SatisfiesTheRecurrence) {
                 next = z * mittag_leffler(alpha, alpha + beta, z).value;
     const double head = 1.0 / std::tgamma(beta);
     const double size = std::abs(left) + std::abs(next) + std::abs(head);  // alpha + beta is rounded as well
-    worst.see(std::abs(head + next - left), 2e-14 * size, name_of(alpha, beta, z));
+    worst.update(std::abs(head + next - left), 2e-14 * size, name_of(alpha, beta, z));
   }
   expect_within(worst);
 }
@@ -204,8 +205,8 @@ TEST(MittagLeffler, SatisfiesTheDuplicationFormula) {
     for (const Value z : {Value(-1.5), Value(0.0, 2.0), Value(0.5, -1.5)}) {
       const Value plus = mittag_leffler(alpha, 0.75, z).value, minus = mittag_leffler(alpha, 0.75, -z).value;
       const double size = std::abs(plus) + std::abs(minus);
-      worst.see(std::abs(mittag_leffler(2.0 * alpha, 0.75, z * z).value - 0.5 * (plus + minus)), 1e-15 * size,
-                name_of(alpha, 0.75, z));
+      worst.update(std::abs(mittag_leffler(2.0 * alpha, 0.75, z * z).value - 0.5 * (plus + minus)),
+                   1e-15 * size, name_of(alpha, 0.75, z));
     }
   }
   expect_within(worst);
@@ -220,7 +221,7 @@ TEST(MittagLeffler, HasTheRightDerivative) {
     const auto at = [&](double x) { return mittag_leffler(alpha, beta, x); };
     const double slope = (8.0 * (at(z + h) - at(z - h)) - (at(z + 2.0 * h) - at(z - 2.0 * h))) / (12.0 * h);
     const double right = mittag_leffler(alpha, beta - 1.0, z) - (beta - 1.0) * at(z);
-    worst.see(std::abs(alpha * z * slope - right), 1e-9 * std::abs(right), name_of(alpha, beta, z));
+    worst.update(std::abs(alpha * z * slope - right), 1e-9 * std::abs(right), name_of(alpha, beta, z));
   }
   expect_within(worst);
 }
@@ -254,7 +255,7 @@ TEST(MittagLeffler, OverflowsWithoutAContourWhereThePhaseIsKnown) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   mittag_leffler(0.5, 1.0, -1.0);  // computes the tables
   std::size_t work = 0;
-  const ProgressScope listening([&](std::size_t, std::size_t) { ++work; });
+  const ProgressScope scope([&](std::size_t, std::size_t) { ++work; });
   EXPECT_EQ(mittag_leffler(0.05625, 1.0, {6.5e91, 1e-231}).value, Value(infinity, infinity));
   EXPECT_EQ(mittag_leffler(0.05625, 1.0, {6.5e91, 1e80}).value, Value(-infinity, -infinity));
   EXPECT_EQ(work, 0U);
@@ -319,7 +320,7 @@ TEST(MittagLeffler, TakesTheSmallestOrders) {
 // s = beta (1 + i x)^2, with s* on another sheet, to the left of it, or with a negligible e^s*.
 TEST(MittagLeffler, VanishesWithoutWorkForALargeBeta) {
   std::size_t work = 0;
-  const ProgressScope listening([&](std::size_t, std::size_t) { ++work; });
+  const ProgressScope scope([&](std::size_t, std::size_t) { ++work; });
   for (const auto& [alpha, beta, z] : {std::tuple{0.5, 500.0, std::complex(-3.0)},
                                        {0.01, 9000.0, {0.3, 400.0}},
                                        {2.0, 200.5, {50.0, -70.0}},
@@ -364,4 +365,4 @@ TEST(MittagLeffler, RejectsArgumentsItIsNotDefinedFor) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

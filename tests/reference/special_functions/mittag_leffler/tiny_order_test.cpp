@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Orders so small that E_{alpha,beta}(z) is 1 / ((1-z) Gamma(beta)) or, at a zero of 1/Gamma,
 // alpha (1/Gamma)'(beta) z/(1-z)^2, for every |beta|.
 
@@ -11,13 +12,13 @@
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Value = std::complex<double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct Known {
+struct KnownCase {
   double alpha, beta;
   Value z, value;
 };
@@ -26,7 +27,7 @@ struct Known {
 template <class Call>
 std::size_t work_of(const Call& call) {
   std::size_t work = 0;
-  const ProgressScope listening([&](std::size_t, std::size_t) { ++work; });
+  const ProgressScope scope([&](std::size_t, std::size_t) { ++work; });
   call();
   return work;
 }
@@ -34,15 +35,15 @@ std::size_t work_of(const Call& call) {
 // The power series for |z| < 1, otherwise -sum z^-k / Gamma(beta - alpha k), in mpmath with 420 digits.
 TEST(TinyOrders, MeetSeriesWithoutWork) {
   for (const auto& [alpha, beta, z, value] :
-       {Known{2.0851374e-317, 168.00402843958, {3.0, 1.390671161592297e-309}, -3.2574186930803867e-301},
-        Known{5e-324, -182.0, {-0.5, 2.0}, {-9312065658.7324719, -5440757463.5290847}},
-        Known{1e-300, 150.5, -3.0, 5.3635722933518037e-263},
-        Known{1e-310, -160.25, 0.5, -7.555701904967478e+284},
-        Known{1e-40, -1e-12, -5.0, -1.6666666666657046e-13},
-        Known{1e-25, -3.0, {2.0, 1e-22}, {-1.2e-24, 1.8e-46}},
-        Known{1e-32, 0.75, {1.001, 1e-20}, {-816.04893909835286, 8.1604893909844269e-15}},
-        Known{3e-60, 6e-60, {0.0, 1e5}, {5.9999999988004e-80, 3.0000000003e-65}},
-        Known{1e-50, 170.0, {1e200, 1e180}, 0.0}}) {
+       {KnownCase{2.0851374e-317, 168.00402843958, {3.0, 1.390671161592297e-309}, -3.2574186930803867e-301},
+        KnownCase{5e-324, -182.0, {-0.5, 2.0}, {-9312065658.7324719, -5440757463.5290847}},
+        KnownCase{1e-300, 150.5, -3.0, 5.3635722933518037e-263},
+        KnownCase{1e-310, -160.25, 0.5, -7.555701904967478e+284},
+        KnownCase{1e-40, -1e-12, -5.0, -1.6666666666657046e-13},
+        KnownCase{1e-25, -3.0, {2.0, 1e-22}, {-1.2e-24, 1.8e-46}},
+        KnownCase{1e-32, 0.75, {1.001, 1e-20}, {-816.04893909835286, 8.1604893909844269e-15}},
+        KnownCase{3e-60, 6e-60, {0.0, 1e5}, {5.9999999988004e-80, 3.0000000003e-65}},
+        KnownCase{1e-50, 170.0, {1e200, 1e180}, 0.0}}) {
     const auto work = work_of([&, alpha = alpha, beta = beta, z = z, value = value] {
       const auto [found, bound] = mittag_leffler(alpha, beta, z);
       EXPECT_LE(std::abs(found - value), bound + 2e-16 * std::abs(value)) << alpha << ' ' << beta;
@@ -85,4 +86,4 @@ TEST(TinyOrders, TellPolesOnBothSidesOfTheImaginaryAxis) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

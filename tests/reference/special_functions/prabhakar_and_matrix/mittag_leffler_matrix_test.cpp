@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Value = std::complex<double>;
@@ -250,7 +251,7 @@ TEST(MittagLefflerOfAMatrix, HasZerosByStructureWithSmallBounds) {
 }
 
 TEST(MittagLefflerOfAMatrix, SaysWhereDigitsRunOut) {
-  expect_message(
+  bench::expect_message(
       [] {
         mittag_leffler("0.5", "-2000.25", {{"-1", "0", "0"}}, 2);
       },
@@ -259,21 +260,21 @@ TEST(MittagLefflerOfAMatrix, SaysWhereDigitsRunOut) {
 
 TEST(MittagLefflerOfAMatrix, SaysWhatIsWrong) {
   const MatrixXd one = MatrixXd::Ones(2, 2);
-  expect_message([&] { mittag_leffler(0.0, 1.0, one); }, "alpha = 0 has to be in (0, 5]");
-  expect_message([&] { mittag_leffler(1.0, NAN, one); }, "beta = nan has to be in [-10000, 10000]");
-  expect_message(
+  bench::expect_message([&] { mittag_leffler(0.0, 1.0, one); }, "alpha = 0 has to be in (0, 5]");
+  bench::expect_message([&] { mittag_leffler(1.0, NAN, one); }, "beta = nan has to be in [-10000, 10000]");
+  bench::expect_message(
       [] {
         mittag_leffler("0.5", "1e300", {{"1", "0", "0"}}, 10);
       },
       "beta = 1e+300 has to be in [-10000, 10000]");
-  expect_message([] { mittag_leffler(1.0, 1.0, MatrixXd(MatrixXd::Ones(2, 3))); },
-                 "a matrix of 2 x 3 has to be square");
-  expect_message([] { mittag_leffler(1.0, 1.0, MatrixXd(MatrixXd::Zero(65, 65))); },
-                 "has 65 rows, but has to have 1 to 64");
-  expect_message([&] { mittag_leffler(1.0, 1.0, MatrixXd(one * INFINITY)); },
-                 "entries of the matrix have to be finite");
-  expect_message([&] { mittag_leffler(1.0, 1.0, MatrixXd(one * 1e3)); }, "entry 1 1 is beyond double");
-  expect_message(
+  bench::expect_message([] { mittag_leffler(1.0, 1.0, MatrixXd(MatrixXd::Ones(2, 3))); },
+                        "a matrix of 2 x 3 has to be square");
+  bench::expect_message([] { mittag_leffler(1.0, 1.0, MatrixXd(MatrixXd::Zero(65, 65))); },
+                        "has 65 rows, but has to have 1 to 64");
+  bench::expect_message([&] { mittag_leffler(1.0, 1.0, MatrixXd(one * INFINITY)); },
+                        "entries of the matrix have to be finite");
+  bench::expect_message([&] { mittag_leffler(1.0, 1.0, MatrixXd(one * 1e3)); }, "entry 1 1 is beyond double");
+  bench::expect_message(
       [] {
         mittag_leffler("1", "1", {{"one", "0", "0"}}, 10);
       },
@@ -281,4 +282,4 @@ TEST(MittagLefflerOfAMatrix, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_quick.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::reference {
 namespace {
 
 using Value = std::complex<double>;
@@ -27,7 +28,7 @@ void expect_same(const MittagLefflerValue& a, Value b, double bound, const std::
 
 Precise decimal(double x) { return Precise(fmt::format("{:.12g}", x)); }
 
-struct Known {
+struct KnownCase {
   double alpha, beta, gamma;
   Value z, value;
 };
@@ -37,7 +38,7 @@ std::string name_of(double alpha, double beta, double gamma, Value z) {
 }
 
 // mpmath 1.3: the power series at 60 digits plus the number of digits of its largest term.
-const std::vector<Known> by_power_series{
+const std::vector<KnownCase> by_power_series{
     {0.7, 1.0, 1.5, -3.0, 0.02218924634849091735},
     {0.7, 1.0, 1.5, {-3.0, 4.0}, {-0.0081601223865187107174, -0.00050076425239855378033}},
     {0.3, 0.3, 2.5, {0.5, 1.0}, {0.1267282342141331212, -1.0998070644639930879}},
@@ -64,7 +65,7 @@ TEST(Prabhakar, MeetsValuesFromAnIndependentSummation) {
 // mpmath 1.3: the power series at 200 digits. One point for each case of the contours in double-double: no
 // singularity on the sheet, one of large imaginary part inside, one on the positive axis, one so far to the
 // left that it is negligible.
-const std::vector<Known> on_a_contour{
+const std::vector<KnownCase> on_a_contour{
     {0.75, 1, 1.5, -20.0, -0.0011599938916278277578},
     {0.5, 0.5, 0.25, -3.0, 0.32428117250747484299},
     {1.5, 1, 1.5, -100.0, 0.00034750430056852317827},
@@ -114,7 +115,7 @@ TEST(Prabhakar, KeepsASmallSecondParameter) {
 
 // mpmath 1.3: hyp1f1(gamma, beta, z) / gamma(beta) at 30 digits.
 TEST(Prabhakar, OfOrderOneIsKummersFunction) {
-  const std::vector<Known> rows{
+  const std::vector<KnownCase> rows{
       {1.0, 1.5, 0.5, -3.0, 0.56909076642393639986},
       {1.0, 0.5, 1.75, -12.5, 0.0046604294995437893515},
       {1.0, 3.25, 2.5, 4.0, 10.966470185051593351},
@@ -275,26 +276,29 @@ TEST(Prabhakar, OfAZeroIsZeroWithASmallBound) {
 }
 
 TEST(Prabhakar, SaysWhereDigitsRunOut) {
-  expect_message([] { prabhakar("0.5", "-2000.25", "1", "-1", "0", 2); },
-                 "prabhakar(0.5, -2000.25, 1, z = -1 + 0 i): no accurate value in reach: bound ");
+  bench::expect_message([] { prabhakar("0.5", "-2000.25", "1", "-1", "0", 2); },
+                        "prabhakar(0.5, -2000.25, 1, z = -1 + 0 i): no accurate value in reach: bound ");
 }
 
 TEST(Prabhakar, SaysWhatIsWrong) {
   const double infinity = std::numeric_limits<double>::infinity();
-  expect_message([] { prabhakar(5.5, 1.0, 1.0, 1.0); }, "alpha = 5.5 has to be in (0, 5]");
-  expect_message([&] { prabhakar(0.5, infinity, 1.0, 1.0); }, "beta = inf has to be in [-10000, 10000]");
-  expect_message([&] { prabhakar(0.5, 1.0, infinity, 1.0); }, "gamma = inf has to be in [-10000, 10000]");
-  expect_message([&] { prabhakar(0.5, 1.0, 1.0, {0.0, infinity}); }, "z = 0 +inf i has to be finite");
-  expect_message([] { mittag_leffler_derivative(-1, 0.5, 1.0, 1.0); }, "k = -1 has to be in [0, 1000]");
-  expect_message([] { prabhakar("0.5", "x", "1", "1", "0", 10); },
-                 "prabhakar: beta: 'x' is not a finite decimal number");
-  expect_message([] { mittag_leffler_derivative(1, "x", "1", "1", "0", 10); },
-                 "mittag_leffler_derivative: alpha: 'x' is not a finite decimal number");
-  expect_message([] { prabhakar("0.5", "1", "1", "1", "0", 0); }, "digits = 0 has to be positive");
+  bench::expect_message([] { prabhakar(5.5, 1.0, 1.0, 1.0); }, "alpha = 5.5 has to be in (0, 5]");
+  bench::expect_message([&] { prabhakar(0.5, infinity, 1.0, 1.0); },
+                        "beta = inf has to be in [-10000, 10000]");
+  bench::expect_message([&] { prabhakar(0.5, 1.0, infinity, 1.0); },
+                        "gamma = inf has to be in [-10000, 10000]");
+  bench::expect_message([&] { prabhakar(0.5, 1.0, 1.0, {0.0, infinity}); }, "z = 0 +inf i has to be finite");
+  bench::expect_message([] { mittag_leffler_derivative(-1, 0.5, 1.0, 1.0); },
+                        "k = -1 has to be in [0, 1000]");
+  bench::expect_message([] { prabhakar("0.5", "x", "1", "1", "0", 10); },
+                        "prabhakar: beta: 'x' is not a finite decimal number");
+  bench::expect_message([] { mittag_leffler_derivative(1, "x", "1", "1", "0", 10); },
+                        "mittag_leffler_derivative: alpha: 'x' is not a finite decimal number");
+  bench::expect_message([] { prabhakar("0.5", "1", "1", "1", "0", 0); }, "digits = 0 has to be positive");
   EXPECT_THROW(prabhakar(0.5, 1.0, 1.5, 1e3), std::runtime_error);    // e^1000000
   EXPECT_THROW(prabhakar(2.0, 1.0, 1.5, -1e13), std::runtime_error);  // too far from the axis
   EXPECT_THROW(prabhakar(0.05, 1.0, 1.5, 1e300), std::runtime_error);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::reference

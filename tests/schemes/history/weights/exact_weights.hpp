@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -9,7 +10,7 @@
 
 #include "fdebench/schemes/history/weights/weights.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // 70 digits: 50 remain after the 1e18-fold cancellation at k = 1e9.
 using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<70>>;
@@ -26,17 +27,18 @@ inline Exact published_second_difference(const Exact& g, const Exact& near) {
 }
 
 // The weights by the published formulas. Throws std::invalid_argument naming the family where there is none.
-inline Exact printed(const WeightTable& table, std::int64_t lag) {
+inline Exact published_weight(const WeightTable& table, std::int64_t lag) {
   const Exact g = table.order, k = lag;
   if (table.family == &families::rectangle) return power(k, g) - power(k - 1, g);
   if (table.family == &families::trapezoid)
     return power(k + 1, g + 1) - 2 * power(k, g + 1) + power(k - 1, g + 1);
   if (table.family == &families::grunwald_letnikov) return exp(lgamma(k + g) - lgamma(g) - lgamma(k + 1));
   if (table.family == &families::l1) return pow(k + 1, 1 - g) - pow(k, 1 - g);
-  if (table.family == &families::l1_bend) return published_second_difference(g, k);
+  if (table.family == &families::l1_second_difference) return published_second_difference(g, k);
   const Exact sigma = 1 - g / 2;
   if (table.family == &families::l2_1_sigma) return pow(k + sigma, 1 - g) - pow(k - 1 + sigma, 1 - g);
-  if (table.family == &families::l2_1_sigma_bend) return published_second_difference(g, k + sigma);
+  if (table.family == &families::l2_1_sigma_second_difference)
+    return published_second_difference(g, k + sigma);
   throw std::invalid_argument(std::string(table.family->id));
 }
 
@@ -52,4 +54,4 @@ inline double ulps(double value, const Exact& exact) {
   return static_cast<double>(abs(Exact(value) - exact) / ulp);
 }
 
-}  // namespace fde
+}  // namespace fde::bench

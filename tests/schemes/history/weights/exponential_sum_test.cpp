@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/weights/exponential_sum.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 #include "fdebench/schemes/history/weights/weight_transform.hpp"
 #include "schemes/history/weights/exact_weights.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // Half a unit in the last place of a double, relative to it.
@@ -51,7 +52,7 @@ double relative_error(const Exact& value, const Exact& exact) {
 // The largest ratio of error and allowed error; once NaN it stays NaN.
 struct Worst {
   double error = 0.0, ratio = 0.0, at = 0.0;
-  void see(double candidate, double allowed, double where) {
+  void update(double candidate, double allowed, double where) {
     if (candidate <= ratio * allowed || std::isnan(ratio)) return;
     *this = {candidate, candidate / allowed, where};
   }
@@ -71,7 +72,7 @@ class ExponentialSums : public testing::TestWithParam<double> {
     Worst worst;
     for (const double t : geometric(range.low, range.high, 1.6)) {
       const Exact kernel = scale * pow(Exact(t), a - 1);
-      worst.see(relative_error(value(sum.coefficients, sum.nodes, t), kernel), allowed, t);
+      worst.update(relative_error(value(sum.coefficients, sum.nodes, t), kernel), allowed, t);
     }
     return worst;
   }
@@ -210,7 +211,7 @@ class WeightTransform : public testing::Test {
       for (const double lag : geometric(9.0, longest, 1.7)) {
         const auto k = static_cast<std::int64_t>(lag);
         const double error = relative_error(value(coefficients, sum.nodes, k), weighed(table, k, exact));
-        worst.see(error, allowed(sum.bound), lag);
+        worst.update(error, allowed(sum.bound), lag);
       }
       EXPECT_LE(worst.ratio, 1.0) << "order " << table.order << ", tolerance " << tolerance << ": error "
                                   << worst.error << ", k = " << worst.at;
@@ -222,7 +223,7 @@ class WeightTransforms : public WeightTransform, public testing::WithParamInterf
 
 TEST_P(WeightTransforms, GiveTheWeights) {
   for (const auto& table : tables(*GetParam())) {
-    expect_weights(table, weight_coefficients, [&](std::int64_t k) { return printed(table, k); });
+    expect_weights(table, weight_coefficients, [&](std::int64_t k) { return published_weight(table, k); });
   }
 }
 
@@ -234,16 +235,16 @@ INSTANTIATE_TEST_SUITE_P(, WeightTransforms,
 // These weights are differences of means over the two halves of a step, so their error is relative to the sum
 // of both means.
 TEST_F(WeightTransform, GivesBendsAsWellAsTheLinesBesideThem) {
-  for (const auto& [bend, line] :
-       {std::pair{&families::l1_bend, &families::l1}, {&families::l2_1_sigma_bend, &families::l2_1_sigma}}) {
+  for (const auto& [bend, line] : {std::pair{&families::l1_second_difference, &families::l1},
+                                   {&families::l2_1_sigma_second_difference, &families::l2_1_sigma}}) {
     for (const auto& table : tables(*bend)) {
       for (const double tolerance : {1e-6, 1e-15}) {
         const auto sum = exponential_sum(kernel_exponent(table), 7.0, longest + 2.0, tolerance);
         const Vec coefficients = weight_coefficients(table, sum);
         for (const double lag : geometric(9.0, longest, 1.7)) {
           const auto k = static_cast<std::int64_t>(lag);
-          const Exact error = abs(value(coefficients, sum.nodes, k) - printed(table, k));
-          EXPECT_LE(error, allowed(sum.bound) * printed({line, table.order}, k))
+          const Exact error = abs(value(coefficients, sum.nodes, k) - published_weight(table, k));
+          EXPECT_LE(error, allowed(sum.bound) * published_weight({line, table.order}, k))
               << bend->id << ", order " << table.order << ", k = " << k;
         }
       }
@@ -259,4 +260,4 @@ TEST_F(WeightTransform, GivesTheStartWeightsOfTheTrapezoidalRule) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/weights/interval_weights.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 
 #include "schemes/history/weights/exact_weights.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // int tau^(g-1) dtau and int tau^g dtau over the distances tau = t - s of an interval.
@@ -91,11 +92,13 @@ TEST_P(RulesOnUniformGrids, WeighAsTheirTables) {
         const auto k = static_cast<double>(lag);
         const auto before = interval_weights(g, k * length, length);
         const auto after = interval_weights(g, (k - 1) * length, length);
-        const auto rising = family.ends(0.0, 1.0, length), falling = family.ends(1.0, 0.0, length);
+        const auto rising = family.endpoint_values(0.0, 1.0, length),
+                   falling = family.endpoint_values(1.0, 0.0, length);
         const double integral = before.left * rising.left + before.right * rising.right +
                                 after.left * falling.left + after.right * falling.right;
         const double allowed = allowed_ulps + 4.0 + (family.acts_on_increments ? std::log(k) / 2.0 : 0.0);
-        EXPECT_LE(ulps(integral * integral_to_sum_factor(table, length), printed(table, lag)), allowed)
+        EXPECT_LE(ulps(integral * integral_to_sum_factor(table, length), published_weight(table, lag)),
+                  allowed)
             << "order " << order << ", length " << length << ", k " << lag;
       }
     }
@@ -107,4 +110,4 @@ INSTANTIATE_TEST_SUITE_P(, RulesOnUniformGrids,
                          [](const auto& test) { return std::string(test.param->id); });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

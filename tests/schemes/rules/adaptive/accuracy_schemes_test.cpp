@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Properties of every scheme with a tolerance and adaptive step size.
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include "support/adaptive_schemes.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class AccuracyScheme : public testing::TestWithParam<const Scheme*> {
@@ -31,9 +32,9 @@ TEST_P(AccuracyScheme, KeepsConstants) {
 
 TEST_P(AccuracyScheme, SolvesUncoupledRowsAsAlone) {
   const Problem both{.components = {decay(0.4), decay(1.6)}, .rhs = [](double, In y, Out f) { f = -y; }};
-  const auto path = run(both, 1e-6, {.at = {1.0}});
-  EXPECT_NEAR(path.y(0, 0), mittag_leffler(0.4, 1.0, -1.0), 3e-6);
-  EXPECT_NEAR(path.y(1, 0), mittag_leffler(1.6, 1.0, -1.0), 3e-6);
+  const auto path = run(both, 1e-6, {.output_times = {1.0}});
+  EXPECT_NEAR(path.y(0, 0), reference::mittag_leffler(0.4, 1.0, -1.0), 3e-6);
+  EXPECT_NEAR(path.y(1, 0), reference::mittag_leffler(1.6, 1.0, -1.0), 3e-6);
 }
 
 TEST_P(AccuracyScheme, DoesNotDependOnTheOrderOfRows) {
@@ -51,24 +52,25 @@ TEST_P(AccuracyScheme, DoesNotDependOnTheOrderOfRows) {
 TEST_P(AccuracyScheme, ReturnsRequestedTimesOnAndBetweenSteps) {
   const Scene scene = scene_of("relaxation");
   const std::vector<double> at{1e-6, 0.013, 0.5, 0.77, 1.0};
-  const auto path = run(scene.problem, 1e-6, {.at = at});
+  const auto path = run(scene.problem, 1e-6, {.output_times = at});
   ASSERT_EQ(path.times, at);
   for (std::size_t i = 0; i < at.size(); ++i) {
-    EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), mittag_leffler(0.5, 1.0, -std::sqrt(at[i])), 1e-6)
+    EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)),
+                reference::mittag_leffler(0.5, 1.0, -std::sqrt(at[i])), 1e-6)
         << at[i];
   }
 }
 
 TEST_P(AccuracyScheme, ReturnsTimesThatAreRoundingApart) {
   const std::vector<double> at{0.5, std::nextafter(0.5, 1.0), 0.5 + 1e-14, std::nextafter(1.0, 0.0), 1.0};
-  EXPECT_EQ(run(scene_of("relaxation").problem, 1e-6, {.at = at}).times, at);
+  EXPECT_EQ(run(scene_of("relaxation").problem, 1e-6, {.output_times = at}).times, at);
 }
 
 // D^0.5 y = 1, which one step may solve: y = t^0.5 / Gamma(1.5).
 TEST_P(AccuracyScheme, HasTheSameRelativeAccuracyAtTheStart) {
   const Problem problem{.components = {{0.5, {0.0}}}, .rhs = [](double, In, Out f) { f[0] = 1.0; }};
   const std::vector<double> at{1e-60, 1e-30, 1e-17, 1e-6};
-  const auto path = run(problem, 1e-6, {.at = at});
+  const auto path = run(problem, 1e-6, {.output_times = at});
   ASSERT_EQ(path.times, at);
   for (std::size_t i = 0; i < at.size(); ++i) {
     const double exact = std::sqrt(at[i]) / std::tgamma(1.5);
@@ -79,17 +81,17 @@ TEST_P(AccuracyScheme, HasTheSameRelativeAccuracyAtTheStart) {
 // D^g y = lambda y: the error of f is lambda times the error of y, and dense output from f alone would have
 // an error of that size between steps.
 TEST_P(AccuracyScheme, DenseOutputOfStiffRowsIsAccurate) {
-  if (!GetParam()->needs.implicit) GTEST_SKIP() << "is not for stiff problems";
+  if (!GetParam()->capabilities.implicit) GTEST_SKIP() << "is not for stiff problems";
   constexpr double within = 1e-4;  // a factor of ten
   for (const double order : {0.36, 0.9, 1.4}) {
     const Scene scene = scene_of("stiff_relaxation", {{"gamma", order}, {"lambda", -1e7}});
     const std::vector<double> at{1e-6, 1e-3, 0.3125, 0.4375, 0.8125};
-    const auto path = run(scene.problem, 1e-5), asked = run(scene.problem, 1e-5, {.at = at});
+    const auto path = run(scene.problem, 1e-5), asked = run(scene.problem, 1e-5, {.output_times = at});
     ASSERT_EQ(asked.times, at);
     for (std::size_t i = 0; i < at.size(); ++i) {
       const double exact = scene.reference.at(at[i]).value[0];
       EXPECT_NEAR(asked.y(0, static_cast<Eigen::Index>(i)), exact, within) << order << " at " << at[i];
-      EXPECT_NEAR(path.dense(at[i])[0], exact, within) << order << " at " << at[i];
+      EXPECT_NEAR(path.dense_output(at[i])[0], exact, within) << order << " at " << at[i];
     }
     for (std::size_t i = 0; i < path.times.size(); i += 1 + path.times.size() / 64) {
       EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), scene.reference.at(path.times[i]).value[0], within)
@@ -103,7 +105,7 @@ TEST_P(AccuracyScheme, DenseOutputOfStiffRowsIsAccurate) {
 TEST_P(AccuracyScheme, DenseOutputOfLongStepsIsAccurate) {
   const Scene scene = scene_of("diethelm", {{"gamma", 0.33}});
   const std::vector<double> at{0.0625, 0.15, 0.2, 0.25, 0.3125, 0.8};
-  const auto path = run(scene.problem, 6.6e-4, {.at = at});
+  const auto path = run(scene.problem, 6.6e-4, {.output_times = at});
   ASSERT_EQ(path.times, at);
   for (std::size_t i = 0; i < at.size(); ++i) {
     EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), scene.reference.at(at[i]).value[0], 1.3e-2) << at[i];
@@ -114,11 +116,12 @@ TEST_P(AccuracyScheme, DenseOutputOfLongStepsIsAccurate) {
 TEST_P(AccuracyScheme, HasDenseOutput) {
   const Scene scene = scene_of("relaxation");
   const auto path = run(scene.problem, 1e-6);
-  ASSERT_TRUE(path.dense);
+  ASSERT_TRUE(path.dense_output);
   for (const double t : {1e-9, 1e-4, 0.013, 0.5, 0.77, 1.0})
-    EXPECT_NEAR(path.dense(t)[0], mittag_leffler(0.5, 1.0, -std::sqrt(t)), 2e-6) << t;
+    EXPECT_NEAR(path.dense_output(t)[0], reference::mittag_leffler(0.5, 1.0, -std::sqrt(t)), 2e-6) << t;
   for (std::size_t i = 0; i < path.times.size(); i += 1 + path.times.size() / 16) {
-    EXPECT_NEAR(path.dense(path.times[i])[0], path.y(0, static_cast<Eigen::Index>(i)), 1e-8) << path.times[i];
+    EXPECT_NEAR(path.dense_output(path.times[i])[0], path.y(0, static_cast<Eigen::Index>(i)), 1e-8)
+        << path.times[i];
   }
 }
 
@@ -128,11 +131,12 @@ TEST_P(AccuracyScheme, HasDenseOutputOfAlgebraicRows) {
                           f[0] = y[1];
                           f[1] = y[0] + y[1];
                         }};
-  if (refusal(*GetParam(), problem, Tolerance{1e-6, 1e-6})) GTEST_SKIP() << "takes no algebraic rows";
+  if (unsupported_reason(*GetParam(), problem, Tolerance{1e-6, 1e-6}))
+    GTEST_SKIP() << "takes no algebraic rows";
   const auto path = run(problem, 1e-6);
   for (const double t : {0.1, 0.35, 0.9}) {
-    EXPECT_NEAR(path.dense(t)[0], std::exp(-t), 2e-6) << t;
-    EXPECT_NEAR(path.dense(t)[1], -std::exp(-t), 1e-4) << t;
+    EXPECT_NEAR(path.dense_output(t)[0], std::exp(-t), 2e-6) << t;
+    EXPECT_NEAR(path.dense_output(t)[1], -std::exp(-t), 1e-4) << t;
   }
 }
 
@@ -141,9 +145,10 @@ TEST_P(AccuracyScheme, HasDenseOutputOfAlgebraicRows) {
 TEST_P(AccuracyScheme, DenseOutputOfConstrainedRowsIsAccurateInTheFirstStep) {
   const Scene scene = make_scene(scene_maker("fractional_constraint_2d"),
                                  {{"alpha", 0.376}, {"formulation", std::string("multiplier")}});
-  if (refusal(*GetParam(), scene.problem, Tolerance{1e-7, 1e-7})) GTEST_SKIP() << "takes no algebraic rows";
+  if (unsupported_reason(*GetParam(), scene.problem, Tolerance{1e-7, 1e-7}))
+    GTEST_SKIP() << "takes no algebraic rows";
   const std::vector<double> at{1e-8, 1e-6, 6e-6, 1e-5, 1e-4};
-  const auto path = run(scene.problem, 1e-7, {.at = at});
+  const auto path = run(scene.problem, 1e-7, {.output_times = at});
   ASSERT_EQ(path.times, at);
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Vec columns = columns_at(scene.outputs, at[i], path.y.col(static_cast<Eigen::Index>(i)));
@@ -156,9 +161,9 @@ TEST_P(AccuracyScheme, RestartsAfterAJumpOfTheRightHandSide) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double t, In, Out f) { f[0] = t <= 1.0 ? 1.0 : -1.0; },
                         .end = 3.0,
-                        .jumps = {1.0}};
+                        .jump_times = {1.0}};
   const auto path = run(problem, 1e-6);
-  ASSERT_EQ(path.reached, 3.0);
+  ASSERT_EQ(path.last_time, 3.0);
   for (std::size_t i = 0; i < path.times.size(); ++i) {
     const double t = path.times[i];
     const double exact = (2.0 * std::sqrt(t) - 4.0 * std::sqrt(std::max(0.0, t - 1.0))) / std::sqrt(M_PI);
@@ -170,8 +175,8 @@ TEST_P(AccuracyScheme, RestartsAfterAJumpOfTheRightHandSide) {
 // with any time.
 TEST_P(AccuracyScheme, RestartsInRowsOfLowOrder) {
   const Scene scene = scene_of("bagley_torvik", {{"alpha", 1.63}, {"B", 0.95}, {"load_until", 2.7}});
-  const auto path = run(scene.problem, 1e-5, {.at = {4.0}});
-  ASSERT_EQ(path.ending, Ending::finished);
+  const auto path = run(scene.problem, 1e-5, {.output_times = {4.0}});
+  ASSERT_EQ(path.status, SolveStatus::finished);
   EXPECT_NEAR(path.y(0, 0), scene.reference.at(4.0).value[0], 1e-4);
 }
 
@@ -180,9 +185,9 @@ TEST_P(AccuracyScheme, LocatesWhereTheStateMakesTheRightHandSideJump) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },
                         .end = 2.0,
-                        .switches = {[](double, In y) { return y[0] - 1.0; }}};
+                        .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
   const auto path = run(problem, 1e-5);
-  ASSERT_EQ(path.ending, Ending::finished);
+  ASSERT_EQ(path.status, SolveStatus::finished);
   for (std::size_t i = 0; i < path.times.size(); ++i) {
     const double t = path.times[i], behind = std::max(0.0, t - M_PI / 4.0);
     const double exact = (2.0 * std::sqrt(t) + 2.0 * std::sqrt(behind)) / std::sqrt(M_PI);
@@ -200,14 +205,14 @@ Problem dry_friction(double end) {
                 f[1] = -y[0] - 0.1 * sign(y[1]);
               },
           .end = end,
-          .switches = {[](double, In y) { return y[1]; }}};
+          .switching_functions = {[](double, In y) { return y[1]; }}};
 }
 
 // Half waves about +1/10 and -1/10, turning at every multiple of pi.
 TEST_P(AccuracyScheme, FollowsDryFriction) {
   const Problem problem = dry_friction(9.0);
   const std::vector<double> at{1.0, 3.0, 4.0, 6.0, 7.0, 9.0};
-  const auto path = run(problem, 1e-5, {.at = at});
+  const auto path = run(problem, 1e-5, {.output_times = at});
   ASSERT_EQ(path.times, at);
   for (std::size_t i = 0; i < at.size(); ++i) {
     const double half = std::floor(at[i] / M_PI), centre = std::fmod(half, 2.0) == 0.0 ? 0.1 : -0.1;
@@ -222,8 +227,8 @@ TEST_P(AccuracyScheme, EndsBeforeABlowUp) {
     const Problem problem{
         .components = {{order, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.cwiseAbs2(); }, .end = 2.0};
     const auto path = run(problem, 1e-3);
-    EXPECT_NE(path.ending, Ending::finished) << order;
-    EXPECT_LE(path.reached, 1.01) << order;
+    EXPECT_NE(path.status, SolveStatus::finished) << order;
+    EXPECT_LE(path.last_time, 1.01) << order;
     EXPECT_TRUE(path.y.allFinite());
   }
 }
@@ -234,30 +239,31 @@ TEST_P(AccuracyScheme, EndsAtTheEdgeOfTheDomain) {
       .components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f[0] = -1.0 / y[0]; }, .end = 2.0};
   problem.domain = {"y = 0", [](double, In y) { return y[0]; }};
   const auto path = run(problem, 1e-4);
-  EXPECT_NE(path.ending, Ending::finished);
-  EXPECT_NEAR(path.reached, 0.5, 1e-2);
+  EXPECT_NE(path.status, SolveStatus::finished);
+  EXPECT_NEAR(path.last_time, 0.5, 1e-2);
 }
 
 // The same friction stops y where y' = 0 within |y| < 0.1, here at 5 pi: no solution exists after it.
 TEST_P(AccuracyScheme, EndsWhereTheStateStaysOnASwitch) {
   const auto path = run(dry_friction(20.0), 1e-5);
-  EXPECT_EQ(path.ending, Ending::sliding);
-  EXPECT_NEAR(path.reached, 5.0 * M_PI, 1e-3);
+  EXPECT_EQ(path.status, SolveStatus::sliding);
+  EXPECT_NEAR(path.last_time, 5.0 * M_PI, 1e-3);
 }
 
 TEST_P(AccuracyScheme, EndsWithItsBudget) {
   Options options;
   options.budget = 0.0;
   const Scene scene = scene_of("brusselator");
-  EXPECT_EQ(GetParam()->solve(scene.problem, Tolerance{1e-8, 1e-8}, options).ending, Ending::out_of_budget);
+  EXPECT_EQ(GetParam()->solve(scene.problem, Tolerance{1e-8, 1e-8}, options).status,
+            SolveStatus::out_of_budget);
 }
 
 TEST_P(AccuracyScheme, RefusesAGrid) {
-  EXPECT_EQ(refusal(*GetParam(), scene_of("relaxation").problem, Grid{1.0, 8}),
+  EXPECT_EQ(unsupported_reason(*GetParam(), scene_of("relaxation").problem, Grid{1.0, 8}),
             "takes an accuracy, not a grid");
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, AccuracyScheme, testing::ValuesIn(adaptive_schemes()), id_of_param);
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

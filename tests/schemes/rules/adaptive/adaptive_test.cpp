@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Adaptive step size: accuracy and cost.
 
 #include <gtest/gtest.h>
@@ -9,20 +10,20 @@
 #include "fdebench/schemes/rules/adaptive/pi_controller.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-struct Asked {
+struct RequestedRun {
   std::string scheme, scene;
   ParameterValues values{};
 };
 
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-void PrintTo(const Asked& asked, std::ostream* out) {
+void PrintTo(const RequestedRun& asked, std::ostream* out) {
   *out << asked.scheme << ' ' << SceneVariant{&scene_maker(asked.scene), asked.values}.label();
 }
 
-class Adaptive : public testing::TestWithParam<Asked> {};
+class Adaptive : public testing::TestWithParam<RequestedRun> {};
 
 // The largest error relative to 1 + |y|, at about sixty of the run's own times.
 double largest_error(const Scene& scene, const Trajectory& path) {
@@ -46,16 +47,16 @@ TEST_P(Adaptive, DeliversTheAccuracy) {
   const bool third_order = scheme == "radau_exponentials";
   for (const double accuracy : {1e-3, third_order ? 1e-7 : 1e-5}) {
     const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{accuracy, accuracy}, {});
-    ASSERT_EQ(path.ending, Ending::finished) << accuracy;
-    EXPECT_EQ(path.reached, scene.problem.end);
+    ASSERT_EQ(path.status, SolveStatus::finished) << accuracy;
+    EXPECT_EQ(path.last_time, scene.problem.end);
     EXPECT_EQ(path.steps, std::ssize(path.times) - 1);
     EXPECT_TRUE(path.cost.rejected_steps);
     EXPECT_LT(largest_error(scene, path), 3.0 * accuracy) << accuracy;
   }
 }
 
-std::vector<Asked> smooth_and_singular() {
-  std::vector<Asked> all;
+std::vector<RequestedRun> smooth_and_singular() {
+  std::vector<RequestedRun> all;
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
     for (const auto* scene : {"relaxation", "diethelm", "linear_system", "fractional_oscillator", "pendulum",
                               "bagley_torvik", "damped_oscillator"})
@@ -68,9 +69,9 @@ std::vector<Asked> smooth_and_singular() {
 }
 
 // Stiff, with constraints, and with sparse derivatives.
-std::vector<Asked> hard() {
+std::vector<RequestedRun> hard() {
   const auto multiplier = [](const char* scene) {
-    return Asked{"radau_exponentials", scene, {{"formulation", "multiplier"}}};
+    return RequestedRun{"radau_exponentials", scene, {{"formulation", "multiplier"}}};
   };
   return {{"adaptive_trapezoidal", "stiff_relaxation"},
           {"radau_exponentials", "stiff_relaxation", {{"lambda", -1e8}}},
@@ -95,7 +96,7 @@ constexpr auto name_of = [](const auto& test) {
   return name;
 };
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Adaptive, testing::ValuesIn(smooth_and_singular()), name_of);
+INSTANTIATE_TEST_SUITE_P(SceneRegistry, Adaptive, testing::ValuesIn(smooth_and_singular()), name_of);
 INSTANTIATE_TEST_SUITE_P(HardScenes, Adaptive, testing::ValuesIn(hard()), name_of);
 
 // D^0.5 y = t^p, y(0) = 0: y = Gamma(p+1)/Gamma(p+1.5) t^(p+0.5).
@@ -103,7 +104,7 @@ TEST(AdaptiveRules, AreExactForTheirPolynomials) {
   const auto error_of = [](const char* scheme, double p) {
     const Problem problem{.components = {{0.5, {0.0}}},
                           .rhs = [=](double t, In, Out f) { f[0] = std::pow(t, p); }};
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-4, 1e-4}, {.at = {1.0}});
+    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-4, 1e-4}, {.output_times = {1.0}});
     return std::abs(path.y(0, 0) - std::tgamma(p + 1.0) / std::tgamma(p + 1.5));
   };
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
@@ -143,9 +144,10 @@ TEST(AdaptiveMemory, DoesNotGrowWithTheSteps) {
 // D^0.5 y = -1e6 y: the error is relative to y at the end, not to y(0).
 TEST(AdaptiveStiff, KeepsTheDigitsOfWhatIsLeft) {
   const Scene scene = scene_of("stiff_relaxation");
-  const double exact = mittag_leffler(0.5, 1.0, -1e6);
+  const double exact = reference::mittag_leffler(0.5, 1.0, -1e6);
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{1e-4, 1e-300}, {.at = {1.0}});
+    const auto path =
+        find_scheme(scheme)->solve(scene.problem, Tolerance{1e-4, 1e-300}, {.output_times = {1.0}});
     EXPECT_NEAR(path.y(0, 0) / exact, 1.0, 1e-4) << scheme;
   }
 }
@@ -156,8 +158,8 @@ TEST(AdaptiveEnd, IsLocatedWhereTheDomainEnds) {
   problem.domain = {"y = 0", [](double, In y) { return y[0]; }};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
     const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-3, 1e-3}, {});
-    EXPECT_EQ(path.ending, Ending::singular) << scheme;
-    EXPECT_NEAR(path.reached, 1.0, 1e-14) << scheme;
+    EXPECT_EQ(path.status, SolveStatus::left_domain) << scheme;
+    EXPECT_NEAR(path.last_time, 1.0, 1e-14) << scheme;
   }
 }
 
@@ -166,11 +168,11 @@ TEST(AdaptiveEnd, IsWhereARunSlidesAlongASwitch) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? -1.0 : 1.0; },
                         .end = 2.0,
-                        .switches = {[](double, In y) { return y[0] - 1.0; }}};
+                        .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
     const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
-    EXPECT_EQ(path.ending, Ending::sliding) << scheme;
-    EXPECT_NEAR(path.reached, M_PI / 4.0, 1e-3) << scheme;
+    EXPECT_EQ(path.status, SolveStatus::sliding) << scheme;
+    EXPECT_NEAR(path.last_time, M_PI / 4.0, 1e-3) << scheme;
   }
 }
 
@@ -180,8 +182,8 @@ TEST(AdaptiveEnd, IsNamedWhereTheSolutionBlowsUp) {
   const auto expect = [](const char* scheme, double order, double time) {
     const Problem problem{
         .components = {{order, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.cwiseAbs2(); }, .end = 2.0};
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{0.1, 0.1}, {.at = {0.5}});
-    EXPECT_EQ(path.ending, Ending::blow_up) << scheme << ' ' << order;
+    const auto path = find_scheme(scheme)->solve(problem, Tolerance{0.1, 0.1}, {.output_times = {0.5}});
+    EXPECT_EQ(path.status, SolveStatus::blow_up) << scheme << ' ' << order;
     EXPECT_NEAR(path.failure_time.value(), time, 1e-2) << scheme << ' ' << order;
   };
   expect("radau_exponentials", 1.0, 1.0);
@@ -194,7 +196,7 @@ TEST(AdaptiveEnd, IsNoneWhereTheSolutionGrowsExponentially) {
   const Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = 300.0 * y; }};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
     const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-2, 1e-2}, {});
-    EXPECT_EQ(path.ending, Ending::finished) << scheme;
+    EXPECT_EQ(path.status, SolveStatus::finished) << scheme;
   }
 }
 
@@ -203,9 +205,9 @@ TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable)
   const Problem problem{
       .components = {{1.0, {0.0}}}, .rhs = [](double t, In, Out f) { f[0] = 1.0 / (1.0 - t); }, .end = 2.0};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{0.3, 0.3}, {.at = {0.5}});
-    EXPECT_EQ(path.ending, Ending::step_too_small) << scheme;
-    EXPECT_NEAR(path.reached, 1.0, 1e-12) << scheme;
+    const auto path = find_scheme(scheme)->solve(problem, Tolerance{0.3, 0.3}, {.output_times = {0.5}});
+    EXPECT_EQ(path.status, SolveStatus::step_too_small) << scheme;
+    EXPECT_NEAR(path.last_time, 1.0, 1e-12) << scheme;
   }
 }
 
@@ -214,21 +216,23 @@ TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable)
 TEST(AdaptiveStart, MayBeShorterThanTheRootOfTheSmallestDouble) {
   const Scene scene = scene_of("fractional_diffusion", {{"gamma", 0.02}});
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{3e-6, 3e-6}, {.at = {0.5, 1.0}});
-    ASSERT_EQ(path.ending, Ending::finished) << scheme;
+    const auto path =
+        find_scheme(scheme)->solve(scene.problem, Tolerance{3e-6, 3e-6}, {.output_times = {0.5, 1.0}});
+    ASSERT_EQ(path.status, SolveStatus::finished) << scheme;
     EXPECT_LT(largest_error(scene, path), 3e-5) << scheme;
   }
 }
 
-// D^0.5 y = 1 up to t = 1 and -1 after it, not listed in Problem::jumps: y = (2 sqrt t - 4 sqrt(t - 1)) /
-// sqrt pi.
+// D^0.5 y = 1 up to t = 1 and -1 after it, not listed in Problem::jump_times: y = (2 sqrt t - 4 sqrt(t - 1))
+// / sqrt pi.
 TEST(AdaptiveJumps, AreDetectedWhereTheyAreNotListed) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double t, In, Out f) { f[0] = t <= 1.0 ? 1.0 : -1.0; },
                         .end = 3.0};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-5, 1e-5}, {.at = {0.5, 1.25, 3.0}});
-    ASSERT_EQ(path.ending, Ending::finished) << scheme;
+    const auto path =
+        find_scheme(scheme)->solve(problem, Tolerance{1e-5, 1e-5}, {.output_times = {0.5, 1.25, 3.0}});
+    ASSERT_EQ(path.status, SolveStatus::finished) << scheme;
     for (std::size_t i = 0; i < path.times.size(); ++i) {
       const double t = path.times[i];
       const double exact = (2.0 * std::sqrt(t) - 4.0 * std::sqrt(std::max(0.0, t - 1.0))) / std::sqrt(M_PI);
@@ -243,15 +247,15 @@ TEST(AdaptiveJumps, AreFoundOneAfterTheOther) {
   Problem problem{.components = {{0.9, {0.0}}},
                   .rhs = [](double t, In y, Out f) { f[0] = (std::sin(3.0 * t) > 0.0 ? 1.0 : -1.0) - y[0]; },
                   .end = 5.0};
-  Problem told = problem;
-  for (double jump = M_PI / 3.0; jump < 5.0; jump += M_PI / 3.0) told.jumps.push_back(jump);
+  Problem declared = problem;
+  for (double jump = M_PI / 3.0; jump < 5.0; jump += M_PI / 3.0) declared.jump_times.push_back(jump);
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
     const auto y = [&](const Problem& one) {
-      const auto path = find_scheme(scheme)->solve(one, Tolerance{1e-5, 1e-5}, {.at = {2.0, 5.0}});
-      EXPECT_EQ(path.ending, Ending::finished) << scheme;
+      const auto path = find_scheme(scheme)->solve(one, Tolerance{1e-5, 1e-5}, {.output_times = {2.0, 5.0}});
+      EXPECT_EQ(path.status, SolveStatus::finished) << scheme;
       return path.y;
     };
-    EXPECT_LT((y(problem) - y(told)).cwiseAbs().maxCoeff(), 2e-5) << scheme;
+    EXPECT_LT((y(problem) - y(declared)).cwiseAbs().maxCoeff(), 2e-5) << scheme;
   }
 }
 
@@ -265,7 +269,7 @@ TEST(AdaptiveStart, IsShortEnoughForRowsOfLowOrder) {
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
     for (const Scene* scene : {&pendulum, &system}) {
       const auto path = find_scheme(scheme)->solve(scene->problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
-      ASSERT_EQ(path.ending, Ending::finished) << scheme << ' ' << path.reached;
+      ASSERT_EQ(path.status, SolveStatus::finished) << scheme << ' ' << path.last_time;
       EXPECT_LT(largest_error(*scene, path), 1e-3) << scheme;
     }
   }
@@ -300,34 +304,34 @@ TEST(AdaptiveTrapezoidal, AddsUpErrorsOfEachOrderByItself) {
 
 TEST(PiController, AcceptsErrorsUpToTheTolerance) {
   PiController control(2.0, 1.0);
-  EXPECT_TRUE(control.judge(1.0, 1.0));
-  EXPECT_FALSE(control.judge(1.01, 1.0));
-  EXPECT_FALSE(control.judge(std::nan(""), 1.0));
+  EXPECT_TRUE(control.update(1.0, 1.0));
+  EXPECT_FALSE(control.update(1.01, 1.0));
+  EXPECT_FALSE(control.update(std::nan(""), 1.0));
 }
 
 TEST(PiController, AimsBelowTheTolerance) {
   PiController control(2.0, 1.0);
-  control.judge(4.0, 1.0);  // the error of half the step would be 1
+  control.update(4.0, 1.0);  // the error of half the step would be 1
   EXPECT_DOUBLE_EQ(control.length(), 0.4);
-  control.judge(std::numeric_limits<double>::infinity(), 0.4);
+  control.update(std::numeric_limits<double>::infinity(), 0.4);
   EXPECT_DOUBLE_EQ(control.length(), 0.1);
 }
 
 TEST(PiController, KeepsALengthThatMayHardlyGrow) {
   PiController control(2.0, 1.0);
-  control.judge(0.5, 1.0);
+  control.update(0.5, 1.0);
   EXPECT_EQ(control.length(), 1.0);
 }
 
 TEST(PiController, DoesNotGrowRightAfterARejection) {
   PiController control(2.0, 1.0);
-  control.judge(2.0, 1.0);
+  control.update(2.0, 1.0);
   const double length = control.length();
-  control.judge(1e-6, length);
+  control.update(1e-6, length);
   EXPECT_EQ(control.length(), length);
-  control.judge(1e-6, length);
+  control.update(1e-6, length);
   EXPECT_EQ(control.length(), 4.0 * length);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

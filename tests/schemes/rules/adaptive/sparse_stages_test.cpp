@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sparse Jacobians with adaptive step size: the results of dense ones, by sparse linear solvers.
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Case {
@@ -50,9 +51,9 @@ INSTANTIATE_TEST_SUITE_P(, SparseStages, testing::ValuesIn(cases()),
                          [](const auto& test) { return test.param.name; });
 
 Trajectory solved(const Problem& problem) {
-  auto path =
-      find_scheme("radau_exponentials")->solve(problem, Tolerance{1e-6, 1e-6}, {.at = {0.01, 0.3, 1.0}});
-  EXPECT_EQ(path.ending, Ending::finished);
+  auto path = find_scheme("radau_exponentials")
+                  ->solve(problem, Tolerance{1e-6, 1e-6}, {.output_times = {0.01, 0.3, 1.0}});
+  EXPECT_EQ(path.status, SolveStatus::finished);
   return path;
 }
 
@@ -83,8 +84,8 @@ TEST_P(SparseStages, OfANonlinearProblemAreTheDenseOnes) {
 TEST(SparseSteps, DeliverASmallAccuracyOfAStiffProblem) {
   const Scene scene = scene_of("fractional_diffusion", {});
   const auto path = find_scheme("radau_exponentials")
-                        ->solve(scene.problem, Tolerance{1e-9, 1e-9}, {.at = {0.001, 0.1, 1.0}});
-  ASSERT_EQ(path.ending, Ending::finished);
+                        ->solve(scene.problem, Tolerance{1e-9, 1e-9}, {.output_times = {0.001, 0.1, 1.0}});
+  ASSERT_EQ(path.status, SolveStatus::finished);
   for (const Eigen::Index column : {0, 1, 2}) {
     const auto exact = scene.reference.at(path.time(column));
     EXPECT_LT((path.y.col(column) - exact.value).cwiseAbs().maxCoeff(), 1e-10) << path.time(column);
@@ -95,8 +96,8 @@ TEST(SparseSteps, DeliverASmallAccuracyOfAStiffProblem) {
 TEST(SparseSteps, PassAStartThatJumpsInSpace) {
   const Scene scene = make_scene(parse_variant("fractional_diffusion:start=step"));
   const auto path = find_scheme("radau_exponentials")
-                        ->solve(scene.problem, Tolerance{1e-4, 1e-4}, {.at = {1e-6, 1e-3, 1.0}});
-  ASSERT_EQ(path.ending, Ending::finished);
+                        ->solve(scene.problem, Tolerance{1e-4, 1e-4}, {.output_times = {1e-6, 1e-3, 1.0}});
+  ASSERT_EQ(path.status, SolveStatus::finished);
   for (const Eigen::Index column : {0, 1, 2}) {
     const auto exact = scene.reference.at(path.time(column));
     EXPECT_LT((path.y.col(column) - exact.value).cwiseAbs().maxCoeff(), 1e-4) << path.time(column);
@@ -105,10 +106,10 @@ TEST(SparseSteps, PassAStartThatJumpsInSpace) {
 
 TEST(SparseSteps, OfTheTrapezoidalRuleReportTheLinearSolver) {
   const Scene scene = scene_of("fractional_diffusion_2d", {{"n", 6.0}});
-  const auto path =
-      find_scheme("adaptive_trapezoidal")->solve(scene.problem, Tolerance{1e-3, 1e-3}, {.at = {1.0}});
+  const auto path = find_scheme("adaptive_trapezoidal")
+                        ->solve(scene.problem, Tolerance{1e-3, 1e-3}, {.output_times = {1.0}});
   EXPECT_EQ(path.cost.linear_solver, "fast_sine");
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

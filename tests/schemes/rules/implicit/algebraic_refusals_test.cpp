@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Algebraic rows 0 = f_i(t, y): which schemes and functions refuse them, and which leave them unchanged.
 
 #include <gmock/gmock.h>
@@ -8,7 +9,7 @@
 #include "support/algebraic_problems.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::HasSubstr;
@@ -16,11 +17,11 @@ using testing::HasSubstr;
 TEST(AlgebraicRefusals, ExplicitSchemesRefuseWithTheReason) {
   int refused = 0;
   for (const Scheme& scheme : schemes()) {
-    if (scheme.needs.implicit || scheme.needs.discretises_equations) continue;
+    if (scheme.capabilities.implicit || scheme.capabilities.discretises_equations) continue;
     ++refused;
     Resolution resolution = Grid{2.0, 8};
-    if (!scheme.needs.solves_on_grid) resolution = Tolerance{1e-3, 1e-3};
-    EXPECT_EQ(refusal(scheme, decay_through(0.5), resolution),
+    if (scheme.capabilities.is_adaptive()) resolution = Tolerance{1e-3, 1e-3};
+    EXPECT_EQ(unsupported_reason(scheme, decay_through(0.5), resolution),
               "steps explicitly: component 0 is an algebraic row (order 0)");
   }
   EXPECT_EQ(refused, 4);
@@ -35,11 +36,11 @@ TEST(AlgebraicRefusals, SplittingLeavesThemAlone) {
   const auto problem = decay_through(1.5);
   EXPECT_EQ(splitting_up_to_one(problem), (OrderSplitting{{0.0}, {1.0, 0.5}}));
   EXPECT_EQ(commensurate_splitting(problem), (OrderSplitting{{0.0}, {0.5, 0.5, 0.5}}));
-  const Problem all = split(problem, *commensurate_splitting(problem));
+  const Problem all = split_orders(problem, *commensurate_splitting(problem));
   EXPECT_EQ(all.size(), 4);
   EXPECT_EQ(all.components[0].order, 0.0);
   EXPECT_EQ(all.components[0].initial, std::vector{1.0});
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rows 0 = f_i(t, y) that determine their own unknown (index 1) in every implicit scheme.
 
 #include <gtest/gtest.h>
@@ -8,13 +9,13 @@
 #include "support/algebraic_problems.hpp"
 #include "support/implicit_schemes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class AlgebraicRows : public testing::TestWithParam<const Scheme*> {
  protected:
   static Trajectory run(const Problem& problem, const Grid& grid, const Options& options = {}) {
-    EXPECT_EQ(refusal(*GetParam(), problem, grid), std::nullopt);
+    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
     return GetParam()->solve(problem, grid, options);
   }
 };
@@ -84,19 +85,20 @@ TEST_P(AlgebraicRows, AnImpossibleOneIsAnOutcome) {
                             f[1] = 1.0 + slope * y[1] * y[1];
                           }};
     const auto path = run(problem, {1.0, 8});
-    EXPECT_NE(path.ending, Ending::finished);
-    EXPECT_EQ(path.reached, 0.0);
+    EXPECT_NE(path.status, SolveStatus::finished);
+    EXPECT_EQ(path.last_time, 0.0);
   }
 }
 
 TEST_P(AlgebraicRows, NeedOneInitialValue) {
   auto problem = decay_through(0.5);
   problem.components[0].initial = {};
-  EXPECT_EQ(refusal(*GetParam(), problem, Grid{2.0, 8}),
+  EXPECT_EQ(unsupported_reason(*GetParam(), problem, Grid{2.0, 8}),
             "needs 1 initial value for order 0, component 0 has 0");
   problem.components[0] = {-0.5, {1.0}};
-  EXPECT_EQ(refusal(*GetParam(), problem, Grid{2.0, 8}), "takes orders in [0, 2], component 0 has -0.5");
+  EXPECT_EQ(unsupported_reason(*GetParam(), problem, Grid{2.0, 8}),
+            "takes orders in [0, 2], component 0 has -0.5");
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,4 +1,5 @@
-// Steps too large for a growing mode: past its pole an implicit rule returns finite, meaningless numbers.
+// SPDX-License-Identifier: MIT
+// Steps too large for a growing mode: known its pole an implicit rule returns finite, meaningless numbers.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 #include "support/implicit_schemes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class OutrunGrowthOf : public testing::TestWithParam<const Scheme*> {};
@@ -18,7 +19,7 @@ Trajectory run(const Scheme& scheme, const Problem& problem, const Grid& grid) {
   return scheme.solve(problem, grid, {});
 }
 
-// The weight of the newest value, y_n = past + kappa f_n, with steps of length 1.
+// The weight of the newest value, y_n = known + kappa f_n, with steps of length 1.
 double newest_weight(const Scheme& scheme, double order) {
   if (scheme.id == "l1") return std::tgamma(2.0 - order);
   if (scheme.id == "grunwald_letnikov") return 1.0;
@@ -30,12 +31,12 @@ TEST_P(OutrunGrowthOf, OneEquationEndsBeyondThePoleOfItsStep) {
   for (const double order : {0.3, 0.7, 1.0}) {
     const double pole = 1.0 / newest_weight(*GetParam(), order);
     const auto ending = [&](double rate) {
-      return run(*GetParam(), scalar_equation(order, rate, 16), {16.0, 16}).ending;
+      return run(*GetParam(), scalar_equation(order, rate, 16), {16.0, 16}).status;
     };
-    EXPECT_EQ(ending(0.999 * pole), Ending::finished) << order;
-    EXPECT_EQ(ending(1.001 * pole), Ending::step_too_large) << order;
-    EXPECT_EQ(ending(1e9 * pole), Ending::step_too_large) << order;
-    EXPECT_EQ(ending(-1e9 * pole), Ending::finished) << order;
+    EXPECT_EQ(ending(0.999 * pole), SolveStatus::finished) << order;
+    EXPECT_EQ(ending(1.001 * pole), SolveStatus::step_too_large) << order;
+    EXPECT_EQ(ending(1e9 * pole), SolveStatus::step_too_large) << order;
+    EXPECT_EQ(ending(-1e9 * pole), SolveStatus::finished) << order;
   }
 }
 
@@ -48,9 +49,9 @@ TEST_P(OutrunGrowthOf, ConstrainedMotionsDoNotComeBackFromInfinity) {
     for (const int steps : {64, 512, 4096}) {
       for (const Grid& grid : grids_of(*GetParam(), problem.end, steps)) {
         const auto path = run(*GetParam(), problem, grid);
-        EXPECT_TRUE(path.ending == Ending::step_too_large || path.ending == Ending::non_finite)
-            << formulation << steps << ' ' << grid.grading << ' ' << static_cast<int>(path.ending);
-        EXPECT_LT(path.reached, 0.4) << formulation << steps << ' ' << grid.grading;
+        EXPECT_TRUE(path.status == SolveStatus::step_too_large || path.status == SolveStatus::non_finite)
+            << formulation << steps << ' ' << grid.grading << ' ' << static_cast<int>(path.status);
+        EXPECT_LT(path.last_time, 0.4) << formulation << steps << ' ' << grid.grading;
       }
     }
   }
@@ -60,7 +61,7 @@ TEST_P(OutrunGrowthOf, ConstrainedMotionsDoNotComeBackFromInfinity) {
 TEST(GrowthCheck, EndsAtTheFirstStepThatIsTooLong) {
   const Grid grid{1.0, 64, 2.0};
   const auto path = run(*find_scheme("l1"), scalar_equation(1.0, 40.0, 1), grid);
-  ASSERT_EQ(path.ending, Ending::step_too_large);
+  ASSERT_EQ(path.status, SolveStatus::step_too_large);
   const int last = static_cast<int>(path.steps);
   EXPECT_LT(grid.step(last), 1.0 / 40.0);
   EXPECT_GT(grid.step(last + 1), 1.0 / 40.0);
@@ -77,8 +78,8 @@ TEST(GrowthCheck, OneModeOfManyIsSeen) {
     const Problem problem{.components = {{1.0, {1.0}}, {1.0, {1.0}}, {1.0, {1.0}}},
                           .rhs = [matrix](double, In y, Out f) { f = matrix * y; },
                           .derivatives = SparseLinearPart{matrix}};
-    EXPECT_EQ(run(*find_scheme("l1"), problem, {1.0, 64}).ending,
-              rate > 64.0 ? Ending::step_too_large : Ending::finished)
+    EXPECT_EQ(run(*find_scheme("l1"), problem, {1.0, 64}).status,
+              rate > 64.0 ? SolveStatus::step_too_large : SolveStatus::finished)
         << rate;
   }
 }
@@ -86,11 +87,12 @@ TEST(GrowthCheck, OneModeOfManyIsSeen) {
 // Oscillating growth and decay have no such pole: rates 100 (1 +- i) and -1000 with steps of 1.
 TEST_P(OutrunGrowthOf, DecayAndOscillationsPass) {
   for (const double order : {0.5, 1.0}) {
-    EXPECT_EQ(run(*GetParam(), scalar_equation(order, {100.0, 100.0}, 16), {16.0, 16}).ending,
-              Ending::finished);
-    EXPECT_EQ(run(*GetParam(), scalar_equation(order, -1000.0, 16), {16.0, 16}).ending, Ending::finished);
+    EXPECT_EQ(run(*GetParam(), scalar_equation(order, {100.0, 100.0}, 16), {16.0, 16}).status,
+              SolveStatus::finished);
+    EXPECT_EQ(run(*GetParam(), scalar_equation(order, -1000.0, 16), {16.0, 16}).status,
+              SolveStatus::finished);
   }
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

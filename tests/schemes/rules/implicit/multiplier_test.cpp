@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Algebraic rows that constrain other unknowns than their own (index 2): a fractional constraint with a
 // multiplier against the form from which the multiplier has been eliminated by hand.
 
@@ -6,15 +7,15 @@
 #include "support/algebraic_problems.hpp"
 #include "support/implicit_schemes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class Multiplier : public testing::TestWithParam<const Scheme*> {
  protected:
   static Rows run(const Problem& problem, const Grid& grid, const Options& options = {}) {
-    EXPECT_EQ(refusal(*GetParam(), problem, grid), std::nullopt);
+    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
     const auto path = GetParam()->solve(problem, grid, options);
-    EXPECT_EQ(path.ending, Ending::finished) << path.reached;
+    EXPECT_EQ(path.status, SolveStatus::finished) << path.last_time;
     return path.y;
   }
   static double largest(const Rows& rows) { return rows.cwiseAbs().maxCoeff(); }
@@ -111,12 +112,12 @@ TEST_P(Multiplier, DependentConstraintsAreAnOutcome) {
                   .derivatives = DenseLinearPart{linear}};
     twice.components.push_back({0.0, {0.0}});
     for (int steps = 100; steps < 120; ++steps) {
-      EXPECT_NE(GetParam()->solve(twice, Grid{2.0, steps}, {}).ending, Ending::finished);
+      EXPECT_NE(GetParam()->solve(twice, Grid{2.0, steps}, {}).status, SolveStatus::finished);
     }
     twice.derivatives = NoDerivatives{};
     if (second == 3.0) continue;  // Newton's method may find one of the many multipliers
     for (int steps = 100; steps < 120; ++steps) {
-      EXPECT_NE(GetParam()->solve(twice, Grid{2.0, steps}, {}).ending, Ending::finished);
+      EXPECT_NE(GetParam()->solve(twice, Grid{2.0, steps}, {}).status, SolveStatus::finished);
     }
   }
 }
@@ -141,4 +142,4 @@ TEST_P(Multiplier, AWrongInitialValueOfItChangesNothing) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step equations for which plain Newton iteration diverges, or whose unknowns have unusual sizes.
 
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 
 #include "support/implicit_schemes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class RobustNewton : public testing::TestWithParam<const Scheme*> {
@@ -23,7 +24,7 @@ TEST_P(RobustNewton, FollowsTheJumpsOfTheBrusselator) {
   const Problem problem = scene_of("brusselator").problem;
   for (int steps = 16; steps <= 1024; steps *= 2) {
     const auto path = run(problem, {problem.end, steps});
-    EXPECT_EQ(path.ending, Ending::finished) << steps << ": " << path.reached;
+    EXPECT_EQ(path.status, SolveStatus::finished) << steps << ": " << path.last_time;
     EXPECT_LT(path.cost.newton_iterations, 40 * steps) << steps;
   }
 }
@@ -32,11 +33,11 @@ TEST_P(RobustNewton, AnUnsolvableStepTakesBoundedWork) {
   const Problem problem{.components = {{0.5, {1.0}}},
                         .rhs = [](double, In y, Out f) { f[0] = 1e6 + y[0] * y[0]; }};
   const auto path = run(problem, {1.0, 8});
-  EXPECT_EQ(path.ending, Ending::not_converged);
+  EXPECT_EQ(path.status, SolveStatus::not_converged);
   EXPECT_LT(path.cost.newton_iterations, 400);
 }
 
-// y = past + kappa y^3 with y(0) = 1 and such a large step has no solution near 1, and a negative one far
+// y = known + kappa y^3 with y(0) = 1 and such a large step has no solution near 1, and a negative one far
 // away.
 TEST_P(RobustNewton, DoesNotBeginFarFromTheStart) {
   const Problem cubic{.components = {{0.5, {1.0}}},
@@ -44,10 +45,10 @@ TEST_P(RobustNewton, DoesNotBeginFarFromTheStart) {
                       .derivatives = DenseJacobian{
                           [](double, In y, OutMatrix jacobian) { jacobian(0, 0) = 3.0 * y[0] * y[0]; }}};
   const auto path = run(cubic, {1.0, 2});
-  EXPECT_EQ(path.ending, Ending::step_too_large);
-  EXPECT_EQ(path.reached, 0.0);
+  EXPECT_EQ(path.status, SolveStatus::step_too_large);
+  EXPECT_EQ(path.last_time, 0.0);
   EXPECT_EQ(path.failure_time, 0.5);
-  EXPECT_EQ(run(cubic, {0.01, 2}).ending, Ending::finished);
+  EXPECT_EQ(run(cubic, {0.01, 2}).status, SolveStatus::finished);
 }
 
 // For a smooth solution the extrapolated guess is nearly the solution.
@@ -73,14 +74,14 @@ TEST(GuessOfNewton, DoesNotLeadToAnotherSolution) {
                           .end = 8.0};
     for (const auto* id : {"l1", "grunwald_letnikov"}) {
       const auto path = find_scheme(id)->solve(problem, Grid{8.0, 8}, {});
-      ASSERT_EQ(path.ending, Ending::finished) << id;
+      ASSERT_EQ(path.status, SolveStatus::finished) << id;
       for (const int n : {5, 6, 7, 8}) EXPECT_NEAR(path.y(0, n), 5.0, 1e-14) << id << n;
     }
   }
 }
 
 // y' = y^2, y = 1 / (1 - t), and the same with order 1/2: the step has no solution where y is too large. No
-// run continues past the blow-up.
+// run continues known the blow-up.
 TEST_P(RobustNewton, DoesNotStepOverABlowUp) {
   for (const double order : {0.5, 1.0}) {
     const Problem problem{.components = {{order, {1.0}}},
@@ -88,8 +89,8 @@ TEST_P(RobustNewton, DoesNotStepOverABlowUp) {
                           .end = 2.0};
     for (int steps = 2; steps <= 4096; steps *= 2) {
       const auto path = run(problem, {problem.end, steps});
-      EXPECT_NE(path.ending, Ending::finished) << order << ' ' << steps;
-      EXPECT_LE(path.reached, 1.0) << order << ' ' << steps;
+      EXPECT_NE(path.status, SolveStatus::finished) << order << ' ' << steps;
+      EXPECT_LE(path.last_time, 1.0) << order << ' ' << steps;
     }
   }
 }
@@ -119,11 +120,11 @@ Problem robertson(double unit, bool jacobian) {
 TEST_P(RobustNewton, SizesOfTheUnknownsDoNotMatter) {
   constexpr int steps = 64;
   const auto once = run(robertson(1.0, true), {40.0, steps});
-  ASSERT_EQ(once.ending, Ending::finished);
+  ASSERT_EQ(once.status, SolveStatus::finished);
   for (const double unit : {1e-150, 1.0, 1e150}) {
     for (const bool jacobian : {true, false}) {
       const auto path = run(robertson(unit, jacobian), {40.0, steps});
-      ASSERT_EQ(path.ending, Ending::finished) << unit;
+      ASSERT_EQ(path.status, SolveStatus::finished) << unit;
       EXPECT_LE(path.cost.newton_iterations, *once.cost.newton_iterations + steps / 2) << unit;
       for (int i = 0; i < 3; ++i) {  // the same relative accuracy for the small one
         const double size = once.y.row(i).cwiseAbs().maxCoeff();
@@ -134,4 +135,4 @@ TEST_P(RobustNewton, SizesOfTheUnknownsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,18 +1,19 @@
+// SPDX-License-Identifier: MIT
 // Sparse derivatives give the same results as dense ones, without a dense matrix.
 
 #include <gtest/gtest.h>
 
 #include "support/implicit_schemes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class Sparse : public testing::TestWithParam<const Scheme*> {
  protected:
   static Rows run(const Problem& problem, const Grid& grid) {
-    EXPECT_EQ(refusal(*GetParam(), problem, grid), std::nullopt);
+    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
     const auto path = GetParam()->solve(problem, grid, {});
-    EXPECT_EQ(path.ending, Ending::finished) << path.reached;
+    EXPECT_EQ(path.status, SolveStatus::finished) << path.last_time;
     return path.y;
   }
 };
@@ -83,8 +84,9 @@ TEST_P(Sparse, AlgebraicRowsAreRefused) {
   Problem problem{.components = {{0.5, {1.0}}, {0.0, {1.0}}},
                   .rhs = [](double, In y, Out f) { f = -y; },
                   .derivatives = SparseLinearPart{Matrix(-Matrix::Identity(2, 2)).sparseView()}};
-  EXPECT_EQ(refusal(*GetParam(), problem, Grid{1.0, 8}), "takes algebraic rows with a dense Jacobian only");
+  EXPECT_EQ(unsupported_reason(*GetParam(), problem, Grid{1.0, 8}),
+            "takes algebraic rows with a dense Jacobian only");
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

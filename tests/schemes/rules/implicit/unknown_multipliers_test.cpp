@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which unknowns are multipliers, the index of their constraints, and the accuracy of the trapezoidal rule.
 
 #include <gmock/gmock.h>
@@ -10,7 +11,7 @@
 #include "support/algebraic_problems.hpp"
 #include "support/implicit_schemes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using testing::ElementsAre;
@@ -57,7 +58,7 @@ TEST(Multipliers, AreAsManyOrdersFromTheirConstraintAsTheRowsBetweenIntegrate) {
 
 TEST(Multipliers, FarFromTheirConstraintAreRefusedByTheTrapezoidalRule) {
   const auto reason = [](const Problem& problem) {
-    return refusal(*find_scheme("product_trapezoidal"), problem, Grid{1.0, 8});
+    return unsupported_reason(*find_scheme("product_trapezoidal"), problem, Grid{1.0, 8});
   };
   EXPECT_EQ(reason(Driven{Driven::velocity}.problem()), std::nullopt);
   EXPECT_EQ(reason(Driven{Driven::position}.problem()),
@@ -85,7 +86,7 @@ class UnknownMultipliers : public testing::TestWithParam<const Scheme*> {
     std::vector<ErrorSample> errors;
     for (int steps = 128; steps <= 2048; steps *= 2) {
       const Trajectory path = GetParam()->solve(problem, Grid{problem.end, steps, grading}, {});
-      EXPECT_EQ(path.ending, Ending::finished);
+      EXPECT_EQ(path.status, SolveStatus::finished);
       errors.push_back({1.0 / steps, std::abs(off(path.y.col(steps)))});
     }
     return fit_rate(errors).slope;
@@ -134,4 +135,4 @@ TEST_P(UnknownMultipliers, AreCountedInWhatTheyCost) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Caputo derivatives of piecewise quadratic interpolants: exact values for t and t^2, published coefficients,
 // order 1.
 
@@ -12,7 +13,7 @@
 #include "fdebench/schemes/history/weights/interval_weights.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr int steps = 40;
@@ -224,4 +225,4 @@ TEST(LerchFunction, WithShiftOneIsThePolylogarithm) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

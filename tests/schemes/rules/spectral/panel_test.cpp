@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Collocation on one panel: points, polynomials, and their fractional integrals.
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 #include "fdebench/schemes/rules/spectral/mode_count.hpp"
 #include "fdebench/schemes/rules/spectral/panel_rule.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr Eigen::Index points = 20;
@@ -21,17 +22,17 @@ Vec some_polynomial(const Vec& x) { return x.array().pow(15) - 3.0 * x.array().p
 
 TEST(PanelRule, AreExactForPolynomialsOnAPanelAndItsHalves) {
   const PanelRule rule(points);
-  const Vec values = some_polynomial(rule.places);
+  const Vec values = some_polynomial(rule.points);
   EXPECT_NEAR(rule.at_end.dot(values), -1.0, 1e-13);
   EXPECT_NEAR(rule.at_start.dot(values), -3.0, 1e-13);
-  const Vec older = (rule.places.array() - 1.0) / 2.0, newer = (rule.places.array() + 1.0) / 2.0;
+  const Vec older = (rule.points.array() - 1.0) / 2.0, newer = (rule.points.array() + 1.0) / 2.0;
   EXPECT_LT((rule.to_older_half * values - some_polynomial(older)).lpNorm<Eigen::Infinity>(), 1e-13);
   EXPECT_LT((rule.to_newer_half * values - some_polynomial(newer)).lpNorm<Eigen::Infinity>(), 1e-13);
 }
 
 TEST(PanelRule, JoinTheHalvesOfAPolynomial) {
   const PanelRule rule(points);
-  const Vec values = some_polynomial(rule.places);
+  const Vec values = some_polynomial(rule.points);
   const Vec joined = rule.from_older * (rule.to_coefficients * (rule.to_older_half * values)) +
                      rule.from_newer * (rule.to_coefficients * (rule.to_newer_half * values));
   EXPECT_LT((joined - rule.to_coefficients * values).lpNorm<Eigen::Infinity>(), 1e-13);
@@ -46,7 +47,7 @@ TEST(PanelRule, KeepConstants) {
 
 // Abramowitz & Stegun (1964), 25.4.31, list the Radau points mirrored: (6 -+ sqrt 6) / 10.
 TEST(PanelRule, EndsWithThePanel) {
-  const Vec places = PanelRule(3).places;
+  const Vec places = PanelRule(3).points;
   EXPECT_NEAR(places[0], -(1.0 + std::sqrt(6.0)) / 5.0, 1e-15);
   EXPECT_NEAR(places[1], -(1.0 - std::sqrt(6.0)) / 5.0, 1e-15);
   EXPECT_EQ(places[2], 1.0);
@@ -164,4 +165,4 @@ TEST(GrowingModes, OfAnOrderNextToZeroAreNotRuledOut) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Spectral collocation: the accuracy for a given tolerance, and how runs end that cannot finish.
 
 #include <gmock/gmock.h>
@@ -11,7 +12,7 @@
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 const Scheme& scheme() { return *find_scheme("spectral_collocation"); }
@@ -20,24 +21,24 @@ Trajectory run(const Problem& problem, double accuracy, const Options& options =
   return scheme().solve(problem, Tolerance{accuracy, accuracy}, options);
 }
 
-struct Asked {
+struct RequestedRun {
   std::string scene;
   ParameterValues values{};
 };
 
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-void PrintTo(const Asked& asked, std::ostream* out) {
+void PrintTo(const RequestedRun& asked, std::ostream* out) {
   *out << SceneVariant{&scene_maker(asked.scene), asked.values}.label();
 }
 
 // With the constraint as an algebraic row; alpha is the order of the scene's memory term, if it has one.
-Asked multiplier(const std::string& scene, std::optional<double> alpha = {}) {
-  Asked asked{scene, {{"formulation", "multiplier"}}};
+RequestedRun multiplier(const std::string& scene, std::optional<double> alpha = {}) {
+  RequestedRun asked{scene, {{"formulation", "multiplier"}}};
   if (alpha) asked.values["alpha"] = *alpha;
   return asked;
 }
 
-class Spectral : public testing::TestWithParam<Asked> {};
+class Spectral : public testing::TestWithParam<RequestedRun> {};
 
 // At the run's own times, the first of which are close to a singular start.
 TEST_P(Spectral, DeliversTheAccuracy) {
@@ -45,8 +46,8 @@ TEST_P(Spectral, DeliversTheAccuracy) {
   const auto reference = reference_of(scene);
   for (const double accuracy : {1e-3, 1e-6, 1e-9, 1e-12}) {
     const auto path = run(scene.problem, accuracy);
-    ASSERT_EQ(path.ending, Ending::finished) << accuracy;
-    EXPECT_EQ(path.reached, scene.problem.end);
+    ASSERT_EQ(path.status, SolveStatus::finished) << accuracy;
+    EXPECT_EQ(path.last_time, scene.problem.end);
     EXPECT_EQ(path.steps, std::ssize(path.times) - 1);
     for (std::size_t i = 1; i < path.times.size(); i += 1 + path.times.size() / 64) {
       const double t = path.times[i];
@@ -62,18 +63,21 @@ TEST_P(Spectral, DeliversTheAccuracy) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Scenes, Spectral,
+    SceneRegistry, Spectral,
     testing::Values(
-        Asked{"relaxation"}, Asked{"relaxation", {{"gamma", 0.1}}}, Asked{"relaxation", {{"gamma", 1.7}}},
-        Asked{"relaxation", {{"gamma", 1.0}}}, Asked{"relaxation", {{"lambda", 20.0}}},
-        Asked{"relaxation_pair"}, Asked{"power", {{"gamma", 0.2}, {"p", 0.3}}}, Asked{"diethelm"},
-        Asked{"linear_system"}, Asked{"fractional_oscillator"}, Asked{"damped_oscillator"}, Asked{"pendulum"},
-        Asked{"extensible_pendulum"}, Asked{"multi_term"}, Asked{"brusselator"},
-        Asked{"van_der_pol", {{"mu", 1e4}}}, Asked{"robertson"},
-        Asked{"stiff_relaxation", {{"lambda", -1e8}}}, Asked{"fractional_constraint_2d"}, Asked{"knife_edge"},
-        Asked{"canonical_ensemble"}, Asked{"fractional_knife_edge"}, multiplier("nonholonomic_particle"),
-        multiplier("blade_on_sphere"), multiplier("isokinetic"), multiplier("fractional_constraint_2d", 0.8),
-        multiplier("fractional_constraint_nonlinear", 0.3), multiplier("fractional_knife_edge", 0.8)),
+        RequestedRun{"relaxation"}, RequestedRun{"relaxation", {{"gamma", 0.1}}},
+        RequestedRun{"relaxation", {{"gamma", 1.7}}}, RequestedRun{"relaxation", {{"gamma", 1.0}}},
+        RequestedRun{"relaxation", {{"lambda", 20.0}}}, RequestedRun{"relaxation_pair"},
+        RequestedRun{"power", {{"gamma", 0.2}, {"p", 0.3}}}, RequestedRun{"diethelm"},
+        RequestedRun{"linear_system"}, RequestedRun{"fractional_oscillator"},
+        RequestedRun{"damped_oscillator"}, RequestedRun{"pendulum"}, RequestedRun{"extensible_pendulum"},
+        RequestedRun{"multi_term"}, RequestedRun{"brusselator"}, RequestedRun{"van_der_pol", {{"mu", 1e4}}},
+        RequestedRun{"robertson"}, RequestedRun{"stiff_relaxation", {{"lambda", -1e8}}},
+        RequestedRun{"fractional_constraint_2d"}, RequestedRun{"knife_edge"},
+        RequestedRun{"canonical_ensemble"}, RequestedRun{"fractional_knife_edge"},
+        multiplier("nonholonomic_particle"), multiplier("blade_on_sphere"), multiplier("isokinetic"),
+        multiplier("fractional_constraint_2d", 0.8), multiplier("fractional_constraint_nonlinear", 0.3),
+        multiplier("fractional_knife_edge", 0.8)),
     [](const auto& test) {
       auto name = testing::PrintToString(test.param);
       std::ranges::replace_if(
@@ -86,7 +90,7 @@ TEST(SpectralJump, IsStartedFrom) {
   const Scene scene = scene_of("bagley_torvik");
   const auto reference = reference_of(scene);
   std::vector<double> at{0.3, 1.0, 1.0 + 0x1p-20, 1.1, 5.0, scene.problem.end};
-  const auto path = run(scene.problem, 1e-10, {.at = at});
+  const auto path = run(scene.problem, 1e-10, {.output_times = at});
   ASSERT_EQ(path.times, at);
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Vec error = columns_at(scene.outputs, at[i], path.y.col(static_cast<Eigen::Index>(i))) -
@@ -103,8 +107,8 @@ TEST(SpectralJump, DoesNotAskOnWhichSideOfAJumpItsTimeIs) {
         .components = {{0.5, {0.0}}},
         .rhs = [=](double t, In, Out f) { f[0] = (included ? t <= 1.0 : t < 1.0) ? 1.0 : -1.0; },
         .end = 3.0,
-        .jumps = {1.0}};
-    return run(problem, 1e-12, {.at = {1.0, 1.0 + 1e-13, 1.0 + 1e-6, 2.0}}).y;
+        .jump_times = {1.0}};
+    return run(problem, 1e-12, {.output_times = {1.0, 1.0 + 1e-13, 1.0 + 1e-6, 2.0}}).y;
   };
   EXPECT_EQ(values(true), values(false));
 }
@@ -114,10 +118,10 @@ TEST(SpectralSwitch, IsLocatedToRounding) {
   const Problem problem{.components = {{0.5, {0.0}}},
                         .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },
                         .end = 2.0,
-                        .switches = {[](double, In y) { return y[0] - 1.0; }}};
+                        .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
   const std::vector<double> at{0.5, 0.785, 0.786, 1.0, 2.0};
   for (const double accuracy : {1e-3, 1e-6, 1e-12}) {
-    const auto path = run(problem, accuracy, {.at = at});
+    const auto path = run(problem, accuracy, {.output_times = at});
     ASSERT_EQ(path.times, at);
     for (std::size_t i = 0; i < at.size(); ++i) {
       const double behind = std::max(0.0, at[i] - std::numbers::pi / 4.0);
@@ -127,8 +131,8 @@ TEST(SpectralSwitch, IsLocatedToRounding) {
   }
 }
 
-// D^0.8 y = sign(sin 50 t) - y, with jumps at k pi/50 that are not listed in Problem::jumps: each changes y
-// by 2 (1 - E(-(t - t_k)^0.8)).
+// D^0.8 y = sign(sin 50 t) - y, with jumps at k pi/50 that are not listed in Problem::jump_times: each
+// changes y by 2 (1 - E(-(t - t_k)^0.8)).
 TEST(SpectralJump, IsDetectedWhereItIsNotListed) {
   const Problem problem{
       .components = {{0.8, {0.0}}},
@@ -136,9 +140,9 @@ TEST(SpectralJump, IsDetectedWhereItIsNotListed) {
       .derivatives = DenseLinearPart{-Matrix::Identity(1, 1)},
       .end = 4.0};
   const double accuracy = 1e-6;
-  const auto path = run(problem, accuracy, {.at = {1.0, 2.0, 3.0, 4.0}});
+  const auto path = run(problem, accuracy, {.output_times = {1.0, 2.0, 3.0, 4.0}});
   ASSERT_EQ(path.times.size(), 4U);
-  const auto response = [](double t) { return 1.0 - mittag_leffler(0.8, 1.0, -std::pow(t, 0.8)); };
+  const auto response = [](double t) { return 1.0 - reference::mittag_leffler(0.8, 1.0, -std::pow(t, 0.8)); };
   for (std::size_t i = 0; i < path.times.size(); ++i) {
     const double t = path.times[i];
     double exact = response(t);
@@ -157,9 +161,9 @@ TEST(SpectralSwitch, EndsWhereTheSolutionSlides) {
                             .rhs = [](double, In y, Out f) { f[0] = y[0] > 0.5 ? -2.0 : 1.0; },
                             .derivatives = DenseLinearPart{Matrix::Zero(1, 1)},
                             .end = 2.0,
-                            .switches = {[](double, In y) { return y[0] - 0.5; }}};
+                            .switching_functions = {[](double, In y) { return y[0] - 0.5; }}};
       const auto path = run(problem, accuracy);
-      EXPECT_EQ(path.ending, Ending::sliding) << order << ' ' << accuracy;
+      EXPECT_EQ(path.status, SolveStatus::sliding) << order << ' ' << accuracy;
       EXPECT_NEAR(path.failure_time.value_or(0.0), std::pow(0.5 * std::tgamma(1.0 + order), 1.0 / order),
                   1e-3);
     }
@@ -174,9 +178,9 @@ TEST(SpectralAlgebraic, RowsSolveAbelsEquation) {
                             f[1] = y[0] - t;
                           }};
     const auto path = run(problem, 1e-9);
-    ASSERT_EQ(path.ending, Ending::finished) << order;
+    ASSERT_EQ(path.status, SolveStatus::finished) << order;
     for (const double t : {0.01, 0.3, 1.0}) {
-      EXPECT_NEAR(path.dense(t)[1], std::pow(t, 1.0 - order) / std::tgamma(2.0 - order), 1e-8)
+      EXPECT_NEAR(path.dense_output(t)[1], std::pow(t, 1.0 - order) / std::tgamma(2.0 - order), 1e-8)
           << order << ' ' << t;
     }
   }
@@ -190,8 +194,8 @@ TEST(SpectralAlgebraic, RowsDetermineTheirOwnUnknown) {
                          }};
   const Problem without{.components = {{0.5, {1.0}}},
                         .rhs = [](double, In y, Out f) { f[0] = -std::cbrt(y[0]); }};
-  const double y = run(without, 1e-11, {.at = {0.3}}).y(0, 0);
-  const auto found = run(with_row, 1e-11, {.at = {0.3}});
+  const double y = run(without, 1e-11, {.output_times = {0.3}}).y(0, 0);
+  const auto found = run(with_row, 1e-11, {.output_times = {0.3}});
   EXPECT_NEAR(found.y(0, 0), y, 1e-11);
   EXPECT_NEAR(found.y(1, 0), std::cbrt(y), 1e-10);
 }
@@ -205,9 +209,9 @@ TEST(SpectralAlgebraic, RowsMayJump) {
                               f[1] = y[0] - std::min(t, 1.0);
                             },
                         .end = 2.0,
-                        .jumps = {1.0}};
-  const auto path = run(problem, 1e-10, {.at = {0.5, 1.5, 2.0}});
-  ASSERT_EQ(path.ending, Ending::finished);
+                        .jump_times = {1.0}};
+  const auto path = run(problem, 1e-10, {.output_times = {0.5, 1.5, 2.0}});
+  ASSERT_EQ(path.status, SolveStatus::finished);
   EXPECT_LT((path.y.row(1) - Eigen::RowVector3d(-1.0, 0.0, 0.0)).cwiseAbs().maxCoeff(), 1e-9);
 }
 
@@ -218,15 +222,15 @@ TEST(SpectralAlgebraic, RowsResolveASingularReaction) {
   const auto path = run(scene.problem, 1e-10);
   for (const double t : {1e-3, 0.1, 1.0, 7.3}) {
     const double exact = exact_reactions(scene, t, reference.at(t).value)[0];
-    EXPECT_NEAR(path.dense(t).tail<1>()[0], exact, 1e-8 * std::abs(exact)) << t;
+    EXPECT_NEAR(path.dense_output(t).tail<1>()[0], exact, 1e-8 * std::abs(exact)) << t;
   }
 }
 
 // D^0.5 y = -1e6 y falls to 5.6e-7, a millionth of the terms that are summed to y.
 TEST(SpectralStiff, KeepsTheDigitsOfWhatIsLeft) {
   const Scene scene = scene_of("stiff_relaxation");
-  const auto path = scheme().solve(scene.problem, Tolerance{1e-10, 1e-300}, {.at = {1.0}});
-  const double exact = mittag_leffler(0.5, 1.0, -1e6);
+  const auto path = scheme().solve(scene.problem, Tolerance{1e-10, 1e-300}, {.output_times = {1.0}});
+  const double exact = reference::mittag_leffler(0.5, 1.0, -1e6);
   EXPECT_NEAR(path.y(0, 0) / exact, 1.0, 1e-8);
 }
 
@@ -238,7 +242,7 @@ TEST(SpectralStiff, TakesFewPanelsToARelativeAccuracy) {
     Problem problem = scene.problem;
     problem.end = end;
     const auto path = scheme().solve(problem, Tolerance{1e-6, 1e-300}, {.budget = 2.0});
-    EXPECT_EQ(path.ending, Ending::finished) << lambda;
+    EXPECT_EQ(path.status, SolveStatus::finished) << lambda;
     EXPECT_LT(path.steps, 500) << lambda;
   }
 }
@@ -246,9 +250,9 @@ TEST(SpectralStiff, TakesFewPanelsToARelativeAccuracy) {
 TEST(SpectralDense, IsTheSolutionAtAnyTime) {
   const Scene scene = scene_of("relaxation");
   const auto path = run(scene.problem, 1e-11);
-  ASSERT_TRUE(path.dense);
+  ASSERT_TRUE(path.dense_output);
   for (const double t : {1e-30, 1e-12, 1e-4, 0.013, 0.5, 0.77, 1.0}) {
-    EXPECT_NEAR(path.dense(t)[0], mittag_leffler(0.5, 1.0, -std::sqrt(t)), 1e-11) << t;
+    EXPECT_NEAR(path.dense_output(t)[0], reference::mittag_leffler(0.5, 1.0, -std::sqrt(t)), 1e-11) << t;
   }
 }
 
@@ -260,7 +264,7 @@ TEST(SpectralAccuracy, HoldsWhereASolutionIsSmallAndWhereAnErrorIsRemembered) {
     scene.problem.end = end;
     const auto reference = reference_of(scene);
     for (const double t : {0.1, 0.3, 0.5, 1.0, 2.0, 3.0}) {
-      const auto path = run(scene.problem, accuracy, {.at = {t}});
+      const auto path = run(scene.problem, accuracy, {.output_times = {t}});
       ASSERT_EQ(path.times.size(), 1U);
       const double exact = reference.at(t).value[0];
       EXPECT_NEAR(path.y(0, 0), exact, 10.0 * accuracy * (1.0 + std::abs(exact))) << name << ' ' << t;
@@ -276,9 +280,9 @@ TEST(SpectralOrders, UncoupledRowsAreSolvedAsAlone) {
     return Component{order, order > 1.0 ? std::vector{1.0, 0.0} : std::vector{1.0}};
   };
   const Problem both{.components = {decay(0.4), decay(1.6)}, .rhs = [](double, In y, Out f) { f = -y; }};
-  const auto path = run(both, 1e-10, {.at = {1.0}});
-  EXPECT_NEAR(path.y(0, 0), mittag_leffler(0.4, 1.0, -1.0), 1e-10);
-  EXPECT_NEAR(path.y(1, 0), mittag_leffler(1.6, 1.0, -1.0), 1e-10);
+  const auto path = run(both, 1e-10, {.output_times = {1.0}});
+  EXPECT_NEAR(path.y(0, 0), reference::mittag_leffler(0.4, 1.0, -1.0), 1e-10);
+  EXPECT_NEAR(path.y(1, 0), reference::mittag_leffler(1.6, 1.0, -1.0), 1e-10);
 }
 
 TEST(SpectralOrders, ConstantsAreExact) {
@@ -292,7 +296,7 @@ TEST(SpectralOrders, ConstantsAreExact) {
 // Without gravity the blade rotates in place: rows that are 0 do not affect the error test.
 TEST(SpectralOrders, NonlinearRowsRestAtZero) {
   const auto path = run(scene_of("knife_edge", {{"g", 0.0}}).problem, 1e-6);
-  ASSERT_EQ(path.ending, Ending::finished);
+  ASSERT_EQ(path.status, SolveStatus::finished);
   const Vec end = path.y.rightCols<1>();
   EXPECT_EQ(end.head<2>(), Vec::Zero(2));
   EXPECT_NEAR(end[2], 10.0, 1e-6);
@@ -304,8 +308,8 @@ TEST(SpectralEnd, IsBeforeABlowUp) {
     const Problem problem{
         .components = {{order, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.cwiseAbs2(); }, .end = 2.0};
     const auto path = run(problem, 1e-8);
-    EXPECT_NE(path.ending, Ending::finished) << order;
-    EXPECT_LE(path.reached, 1.0 + 1e-7) << order;
+    EXPECT_NE(path.status, SolveStatus::finished) << order;
+    EXPECT_LE(path.last_time, 1.0 + 1e-7) << order;
     EXPECT_TRUE(path.y.allFinite());
   }
 }
@@ -316,7 +320,7 @@ TEST(SpectralEnd, IsNotOnAnotherRoot) {
       .components = {{0.5, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.array().cube(); }, .end = 2.0};
   for (const double accuracy : {1e-2, 1e-4, 1e-8}) {
     const auto path = run(problem, accuracy);
-    EXPECT_NE(path.ending, Ending::finished) << accuracy;
+    EXPECT_NE(path.status, SolveStatus::finished) << accuracy;
     EXPECT_GE(path.y.minCoeff(), 1.0) << accuracy;
   }
 }
@@ -325,7 +329,7 @@ TEST(SpectralEnd, IsNotOnAnotherRoot) {
 TEST(SpectralEnd, IsNotPastAModeThatGrows) {
   for (const double accuracy : {1e-2, 1e-3, 1e-6}) {
     const auto path = run(scene_of("fractional_constraint_2d", {{"alpha", 1.5}}).problem, accuracy);
-    EXPECT_NE(path.ending, Ending::finished) << accuracy;
+    EXPECT_NE(path.status, SolveStatus::finished) << accuracy;
   }
 }
 
@@ -334,24 +338,25 @@ TEST(SpectralEnd, IsAtTheEdgeOfTheDomain) {
       .components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f[0] = -1.0 / y[0]; }, .end = 2.0};
   problem.domain = {"y = 0", [](double, In y) { return y[0]; }};
   const auto path = run(problem, 1e-8);
-  EXPECT_EQ(path.ending, Ending::singular);
-  EXPECT_NEAR(path.reached, 0.5, 1e-3);  // y = sqrt(1 - 2t)
+  EXPECT_EQ(path.status, SolveStatus::left_domain);
+  EXPECT_NEAR(path.last_time, 0.5, 1e-3);  // y = sqrt(1 - 2t)
 }
 
 TEST(SpectralEnd, IsThatOfTheBudget) {
   const Scene scene = scene_of("brusselator");
-  EXPECT_EQ(run(scene.problem, 1e-12, {.budget = 0.0}).ending, Ending::out_of_budget);
+  EXPECT_EQ(run(scene.problem, 1e-12, {.budget = 0.0}).status, SolveStatus::out_of_budget);
 }
 
 TEST(SpectralRefusal, SaysWhatItDoesNotTake) {
   const Tolerance accuracy{1e-6, 1e-6};
   const auto reason = [&](const Problem& problem) {
-    return refusal(scheme(), problem, accuracy).value_or("");
+    return unsupported_reason(scheme(), problem, accuracy).value_or("");
   };
   EXPECT_EQ(reason(scene_of("fractional_diffusion").problem), "takes dense Jacobians only");
   EXPECT_THAT(reason(scene_of("fractional_hamilton").problem), testing::HasSubstr("right derivative"));
-  EXPECT_EQ(refusal(scheme(), scene_of("relaxation").problem, Grid{1.0, 8}), "takes an accuracy, not a grid");
+  EXPECT_EQ(unsupported_reason(scheme(), scene_of("relaxation").problem, Grid{1.0, 8}),
+            "takes an accuracy, not a grid");
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rates of the multistep rules with starting weights, tested from below and above, at the end and in the
 // first steps, for solutions with a term t^g. The errors reach rounding on short grids, so each rule has its
 // own range of steps.
@@ -13,7 +14,7 @@
 #include "fdebench/schemes/rules/start_weights/starting_powers.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Case {
@@ -118,7 +119,7 @@ TEST_P(MultistepRate, AtTheEndIsThatOfTheory) {
   const Vec exact = reference_of(scene).at(1.0).value;
   std::vector<Vec> errors;
   for (int steps = coarsest; steps <= 64 * coarsest; steps *= 2) {
-    const auto path = scheme.solve(scene.problem, Grid{1.0, steps}, {.at = {1.0}});
+    const auto path = scheme.solve(scene.problem, Grid{1.0, steps}, {.output_times = {1.0}});
     errors.emplace_back(columns_at(scene.outputs, 1.0, path.y.col(0)) - exact);
   }
   const auto later = powers_without_start_weights(GetParam());
@@ -206,7 +207,7 @@ class HighMultistepRate : public testing::TestWithParam<HighRule> {
     std::vector<ErrorSample> points;
     std::string rows;
     for (const int steps : all_steps) {
-      const auto path = solve(id, scene.problem, steps, {.at = {end}});
+      const auto path = solve(id, scene.problem, steps, {.output_times = {end}});
       const Vec error = columns_at(scene.outputs, end, path.y.col(0)) - exact;
       points.push_back({end / steps, error.cwiseAbs().maxCoeff()});
       rows += fmt::format("{} {:.3e}\n", steps, points.back().error);
@@ -239,4 +240,4 @@ INSTANTIATE_TEST_SUITE_P(, HighMultistepRate,
                          [](const auto& test) { return test.param.id; });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Starting weights of the multistep rules make powers exact, compared with sums in 60 digits that share only
 // the definition with the library.
 
@@ -13,7 +14,7 @@
 #include "fdebench/schemes/rules/start_weights/starting_powers.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<60>>;
@@ -165,7 +166,7 @@ TEST(StartingPowers, AreTheSumsOfTheOrders) {
 // g reproduce exactly.
 TEST(StartingWeights, MakeSchemesExactForTheirPowers) {
   for (const auto& scheme : schemes()) {
-    if (!scheme.starting_powers || scheme.needs.discretises_equations) continue;
+    if (!scheme.starting_powers || scheme.capabilities.discretises_equations) continue;
     for (const double g : {0.5, 1.3}) {
       Problem problem{.components = {{g, std::vector<double>(initial_count(g), 0.0)}}};
       for (const double r : scheme.starting_powers(problem)) {
@@ -207,9 +208,10 @@ TEST(StartingProcedure, AreNotAnotherSolution) {
   const Problem brusselator = scene_of("brusselator").problem;
   for (const auto* scheme : {"bdf4", "bdf5", "bdf6"}) {
     const auto coarse = solve(scheme, brusselator, 64);
-    EXPECT_TRUE(coarse.ending == Ending::not_converged || coarse.ending == Ending::step_too_large) << scheme;
+    EXPECT_TRUE(coarse.status == SolveStatus::not_converged || coarse.status == SolveStatus::step_too_large)
+        << scheme;
     EXPECT_EQ(coarse.failure_time, brusselator.end / 64) << scheme;
-    EXPECT_EQ(solve(scheme, brusselator, 256).ending, Ending::finished) << scheme;
+    EXPECT_EQ(solve(scheme, brusselator, 256).status, SolveStatus::finished) << scheme;
   }
 }
 
@@ -222,9 +224,9 @@ TEST(MultistepSchemes, RelaxationToTwelveDigits) {
 
 TEST(MultistepSchemes, NewtonGregoryOfRateTwoIsExplicitAtOrderTwo) {
   const Problem problem{.components = {{2.0, {1.0, 0.0}}}};
-  EXPECT_EQ(refusal(*find_scheme("newton_gregory_2"), problem, Grid{1.0, 8}),
+  EXPECT_EQ(unsupported_reason(*find_scheme("newton_gregory_2"), problem, Grid{1.0, 8}),
             "is explicit at order 2, that of component 0");
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

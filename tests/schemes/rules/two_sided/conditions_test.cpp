@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Unknown initial values with conditions at both ends, and refusals of two-sided problems.
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include "fdebench/schemes/problem/linear_smoothness.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 using std::numbers::pi;
@@ -25,7 +26,7 @@ Problem sine() {
 
 double error_of_sine(int steps) {
   const auto path = solve("product_trapezoidal", sine(), steps);
-  EXPECT_EQ(path.ending, Ending::finished);
+  EXPECT_EQ(path.status, SolveStatus::finished);
   double error = 0.0;
   for (int n = 0; n <= steps; ++n) error = std::max(error, std::abs(path.y(0, n) - std::sin(path.time(n))));
   return error;
@@ -64,7 +65,7 @@ TEST(Conditions, ANonlinearBoundaryValueProblem) {
                             },
                         .conditions = [](In, In at_end, Out residual) { residual[0] = at_end[0]; }};
   const auto path = solve("product_trapezoidal", problem, 2048);
-  ASSERT_EQ(path.ending, Ending::finished);
+  ASSERT_EQ(path.status, SolveStatus::finished);
   for (const int n : {512, 1024, 1536}) {
     const double x = path.time(n);
     EXPECT_NEAR(path.y(0, n), -2.0 * std::log(std::cosh((x - 0.5) * a / 2) / std::cosh(a / 4)), 1e-7);
@@ -85,7 +86,7 @@ TEST(Conditions, AnUnknownConstant) {
                           .conditions = [](In, In at_end, Out residual) { residual[0] = at_end[0] - 1.0; }};
     for (const auto* scheme : {"product_trapezoidal", "grunwald_letnikov"}) {
       const auto path = solve(scheme, problem, 200);
-      ASSERT_EQ(path.ending, Ending::finished);
+      ASSERT_EQ(path.status, SolveStatus::finished);
       EXPECT_LT((path.y.row(1).array() - 0.25).abs().maxCoeff(), 1e-14);
       EXPECT_NEAR(path.y(0, 100), 0.5, 1e-14);
     }
@@ -105,7 +106,7 @@ TEST(Conditions, ARegulatorOverALongTime) {
       .end = 60.0,
       .conditions = [](In, In at_end, Out residual) { residual[0] = at_end[1] - at_end[0]; }};
   const auto path = solve("product_trapezoidal", problem, 6000);
-  ASSERT_EQ(path.ending, Ending::finished);
+  ASSERT_EQ(path.status, SolveStatus::finished);
   for (const int n : {100, 500, 1000}) {
     EXPECT_NEAR(path.y(0, n), std::exp(-path.time(n)), 1e-5);
     EXPECT_NEAR(path.y(1, n), std::exp(-path.time(n)), 1e-5);
@@ -114,13 +115,13 @@ TEST(Conditions, ARegulatorOverALongTime) {
 
 TEST(Conditions, AGradedGridServesLeftRows) {
   const auto path = find_scheme("product_trapezoidal")->solve(sine(), Grid{pi / 2, 400, 2.0}, {});
-  ASSERT_EQ(path.ending, Ending::finished);
+  ASSERT_EQ(path.status, SolveStatus::finished);
   for (const int n : {100, 200, 300}) EXPECT_NEAR(path.y(0, n), std::sin(path.time(n)), 1e-5);
 }
 
 TEST(Refusal, TwoSidedProblems) {
   const auto refuses = [](const char* scheme, const Problem& problem, const Grid& grid) {
-    return refusal(*find_scheme(scheme), problem, grid).value_or("accepted");
+    return unsupported_reason(*find_scheme(scheme), problem, grid).value_or("accepted");
   };
   const auto rhs = [](double, In, Out f) { f.setZero(); };
   const Problem right{.components = {{1.0, {0.0}}, {0.5, {0.0}, Side::right}}, .rhs = rhs, .end = 2.0};
@@ -151,8 +152,8 @@ TEST(Refusal, ReferencesAndSeriesOfRightRows) {
   const std::vector<Component> components{{0.5, {1.0}, Side::right}};
   EXPECT_THROW(linear_smoothness(components, -Matrix::Ones(1, 1)), std::invalid_argument);
   const Problem problem{.components = components, .rhs = [](double, In y, Out f) { f = -y; }};
-  EXPECT_THROW(reference_table(problem), std::invalid_argument);
+  EXPECT_THROW(reference::reference_table(problem), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

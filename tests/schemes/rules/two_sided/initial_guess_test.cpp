@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two-sided problems for which Newton's method does not converge from the Taylor part, or whose solutions of
 // one side grow so much until the end that elimination of the other side loses all digits.
 
@@ -10,7 +11,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/two_sided_scenes.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct LongEnds {
@@ -30,7 +31,7 @@ TEST_P(LongEnd, IsSolvedByReferenceAndScheme) {
   const Vec known = reference_of(scene).at(scene.problem.end / 2).value.head(2);
   EXPECT_LT((known - middle).norm(), 2e-6 * middle.norm());
   const auto path = solve("product_trapezoidal", scene.problem, 512);
-  ASSERT_EQ(path.ending, Ending::finished);
+  ASSERT_EQ(path.status, SolveStatus::finished);
   const Vec found = columns_of(scene.outputs, path).col(256).head(2);
   EXPECT_LT((found - known).norm(), tolerance * known.norm());
 }
@@ -70,4 +71,4 @@ TEST(OtherStarts, AreTheTaylorPartAndFourCosinesTheSameAtEachCall) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

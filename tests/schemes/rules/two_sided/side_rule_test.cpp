@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rules of the two sides are mirror images.
 
 #include "fdebench/schemes/rules/two_sided/side_rule.hpp"
@@ -7,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Case {
@@ -98,4 +99,4 @@ INSTANTIATE_TEST_SUITE_P(, SideRules,
                          });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

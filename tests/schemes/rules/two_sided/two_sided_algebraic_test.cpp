@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Algebraic rows, 0 = f_i, in problems that are solved at all times at once.
 
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 class TwoSidedAlgebraic : public testing::TestWithParam<const WeightFamily*> {};
@@ -32,8 +33,8 @@ TEST_P(TwoSidedAlgebraic, ARowThatDefinesAnUnknownCanBeEliminated) {
                         Out residual) { residual[0] = at_start[0] - z_of(at_start.tail(2)); }};
   const auto a = solve_globally(eliminated, {1.0, 200}, {}, *GetParam());
   const auto b = solve_globally(whole, {1.0, 200}, {}, *GetParam());
-  ASSERT_EQ(a.ending, Ending::finished);
-  ASSERT_EQ(b.ending, Ending::finished);
+  ASSERT_EQ(a.status, SolveStatus::finished);
+  ASSERT_EQ(b.status, SolveStatus::finished);
   for (Eigen::Index n = 0; n <= 200; ++n) {
     EXPECT_NEAR(b.y(1, n), a.y(0, n), 1e-13);
     EXPECT_NEAR(b.y(2, n), a.y(1, n), 1e-13);
@@ -57,7 +58,7 @@ TEST_P(TwoSidedAlgebraic, AMultiplierKeepsItsConstraint) {
       .end = 2.0};
   for (const int steps : {50, 8192}) {
     const auto path = solve_globally(problem, {2.0, steps}, {}, *GetParam());
-    ASSERT_EQ(path.ending, Ending::finished);
+    ASSERT_EQ(path.status, SolveStatus::finished);
     double drift = 0.0, off = 0.0, multiplier = 0.0;
     for (int n = 0; n <= steps; ++n) {
       const Eigen::Vector2d v = path.y.col(n).head<2>();
@@ -80,4 +81,4 @@ INSTANTIATE_TEST_SUITE_P(, TwoSidedAlgebraic,
                          });
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Problems with right derivatives or conditions at both ends, solved at all times at once.
 
 #include <gtest/gtest.h>
@@ -9,12 +10,12 @@
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
 #include "support/testing.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 std::vector<const Scheme*> two_sided_schemes() {
   auto some = grid_schemes();
-  std::erase_if(some, [](const Scheme* scheme) { return !scheme->needs.is_two_sided; });
+  std::erase_if(some, [](const Scheme* scheme) { return !scheme->capabilities.is_two_sided; });
   return some;
 }
 
@@ -26,10 +27,10 @@ class TwoSided : public testing::TestWithParam<const Scheme*> {
  protected:
   static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
     const Grid grid{.end = problem.end, .steps = steps};
-    EXPECT_EQ(refusal(*GetParam(), problem, grid), std::nullopt);
+    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
     auto path = GetParam()->solve(problem, grid, options);
-    EXPECT_EQ(path.ending, Ending::finished);
-    EXPECT_EQ(path.reached, problem.end);
+    EXPECT_EQ(path.status, SolveStatus::finished);
+    EXPECT_EQ(path.last_time, problem.end);
     EXPECT_EQ(path.steps, steps);
     return path;
   }
@@ -39,7 +40,7 @@ class TwoSided : public testing::TestWithParam<const Scheme*> {
     std::vector<ErrorSample> errors;
     for (int steps = 128; steps <= 2048; steps *= 2) {
       Options options;
-      for (const double fraction : fractions) options.at.push_back(fraction * made.problem.end);
+      for (const double fraction : fractions) options.output_times.push_back(fraction * made.problem.end);
       const auto path = run(made.problem, steps, options);
       double error = 0.0;
       for (Eigen::Index c = 0; c < path.y.cols(); ++c) {
@@ -82,7 +83,7 @@ TEST_P(TwoSided, TheWorstErrorIsInTheFirstStepOfARightRow) {
   std::vector<ErrorSample> errors;
   for (int steps = 128; steps <= 2048; steps *= 2) {
     const Grid grid{made.problem.end, steps};
-    const auto path = run(made.problem, steps, {.at = {grid.time(steps - 1)}});
+    const auto path = run(made.problem, steps, {.output_times = {grid.time(steps - 1)}});
     const Vec off = path.y.col(0) - made.exact(path.times[0]);
     errors.push_back({grid.step(), off.cwiseAbs().maxCoeff()});
   }
@@ -107,7 +108,7 @@ TEST_P(TwoSided, WithoutRightRowsTheSolutionIsThatOfStepping) {
     const Grid grid{.end = end, .steps = 700};
     const Rows marched = GetParam()->solve(scene.problem, grid, {}).y;
     const auto path = solve_globally(scene.problem, grid, {}, family_of(*GetParam()));
-    ASSERT_EQ(path.ending, Ending::finished) << id;
+    ASSERT_EQ(path.status, SolveStatus::finished) << id;
     EXPECT_LT((path.y - marched).cwiseAbs().maxCoeff(), 1e-12 * marched.cwiseAbs().maxCoeff()) << id;
   }
 }
@@ -158,17 +159,17 @@ TEST_P(TwoSided, CallsAreCountedAndStepsObservedInOrder) {
   const std::vector<int> places{0, 7, 40};
   std::vector<double> heard;
   Options options{.observer = [&](double t, In /*y*/) { heard.push_back(t); }};
-  for (const int n : places) options.at.push_back(grid.time(n));
+  for (const int n : places) options.output_times.push_back(grid.time(n));
   const auto path = run(problem, 40, options);
   EXPECT_EQ(path.cost.rhs_calls, calls);
   EXPECT_GT(path.cost.newton_iterations, 1);
-  EXPECT_EQ(path.times, options.at);
+  EXPECT_EQ(path.times, options.output_times);
   ASSERT_EQ(heard.size(), 41U);
   for (int n = 0; n <= 40; ++n) EXPECT_EQ(heard[static_cast<std::size_t>(n)], grid.time(n));
   EXPECT_EQ(path.y, Rows(run(problem, 40).y(Eigen::all, places)));
 }
 
-// y = past + kappa (1e6 + y^2) has no real solution.
+// y = known + kappa (1e6 + y^2) has no real solution.
 TEST_P(TwoSided, AnImpossibleProblemIsAnOutcome) {
   const Problem problem{.components = {{0.5, {0.0}}, {0.5, {0.25}, Side::right}},
                         .rhs = [](double, In y, Out f) {
@@ -176,8 +177,8 @@ TEST_P(TwoSided, AnImpossibleProblemIsAnOutcome) {
                           f[1] = y[0];
                         }};
   const auto path = GetParam()->solve(problem, Grid{1.0, 16}, {});
-  EXPECT_EQ(path.ending, Ending::not_converged);
-  EXPECT_EQ(path.reached, 0.0);
+  EXPECT_EQ(path.status, SolveStatus::not_converged);
+  EXPECT_EQ(path.last_time, 0.0);
   EXPECT_EQ(path.failure_time, std::nullopt);
   EXPECT_GT(path.residual, 1.0);
   EXPECT_EQ(path.times, std::vector<double>{0.0});
@@ -187,4 +188,4 @@ TEST_P(TwoSided, AnImpossibleProblemIsAnOutcome) {
 INSTANTIATE_TEST_SUITE_P(, TwoSided, testing::ValuesIn(two_sided_schemes()), id_of_param);
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -5,21 +6,21 @@
 
 #include "fdebench/reports/analysis/runs.hpp"
 
-namespace fde {
+namespace fde::bench {
 
 // The result of a trial in a word. `survives`: the relative error of every column at the end, bound of the
 // reference included, is at most 1/100. `stops rightly`: the run ended at a singularity of the solution.
-struct Verdict {
+struct TrialResult {
   std::string_view word;
 
-  auto operator<=>(const Verdict&) const = default;
+  auto operator<=>(const TrialResult&) const = default;
 };
-inline constexpr Verdict survives{"survives"}, inaccurate{"inaccurate"}, stops{"stops rightly"},
+inline constexpr TrialResult survives{"survives"}, inaccurate{"inaccurate"}, stops{"stops rightly"},
     fails{"fails"}, refuses{"refuses"}, not_judged{"not judged"};
 
-Verdict verdict(const MeasuredRun& run);
+TrialResult trial_result(const MeasuredRun& run);
 
 // A sentence that explains the verdict, with error, rounding and time if they were measured.
-std::string because(const MeasuredRun& run);
+std::string reason_for(const MeasuredRun& run);
 
-}  // namespace fde
+}  // namespace fde::bench

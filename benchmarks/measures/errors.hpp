@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "fdebench/benchmarks/measures/measures.hpp"
+
+namespace fde::bench {
+
+// The error of each kind, then its constant-solution baseline of each kind, in the order of error_kinds.
+std::span<const Measure> error_measures();
+
+}  // namespace fde::bench
