@@ -20,7 +20,7 @@ HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 FILE = r"(?<![\w/.*-])(?:[\w.-]+/)*[\w.-]*[\w-]\.(?:cpp|hpp|def|py|js|mjs|md|toml|cmake|sh)(?![\w/*])"
 WITHIN = rf"(?<![\w/.*-])(?:{'|'.join(FOLDERS)})/[\w./*-]*[\w*/]"
 NAMED = re.compile(f"{FILE}|{WITHIN}")
-PLACEHOLDER = re.compile(r"(?:^|/)[A-Z]+[./]")  # as in FILE.toml or BUILD/CPackConfig.cmake
+METAVARIABLE = re.compile(r"(?:^|/)[A-Z]+[./]")  # as in FILE.toml or BUILD/CPackConfig.cmake
 
 C_COMMENT = re.compile(r'^(?:[^"\n]|"(?:[^"\\\n]|\\.)*")*?//(.*)$', re.MULTILINE)
 HASH_COMMENT = re.compile(r"(?:^|\s)#(.*)$", re.MULTILINE)
@@ -40,7 +40,7 @@ def exists(name, folder):
     """A file, a folder or a pattern of them, from the root, one of our folders or that of the text; extensions may be left out, and
     a header may be named as it is included."""
     name = name.removeprefix("fdebench/")
-    if "/" not in name and name in NAMES or PLACEHOLDER.search(name):
+    if "/" not in name and name in NAMES or METAVARIABLE.search(name):
         return True
     for base in [ROOT, *(ROOT / each for each in FOLDERS), ROOT / folder]:
         parent, last = (base / name).parent, (base / name).name
