@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/equation_files/equation_system.hpp"
-#include "fdebench/benchmarks/equation_files/program.hpp"
+#include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/schemes/problem/multipliers.hpp"
 
 namespace fde::bench {

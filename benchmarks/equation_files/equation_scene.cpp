@@ -14,7 +14,7 @@
 #include "fdebench/benchmarks/equation_files/equation_system.hpp"
 #include "fdebench/benchmarks/equation_files/exact_columns.hpp"
 #include "fdebench/benchmarks/equation_files/linear_file_reference.hpp"
-#include "fdebench/benchmarks/equation_files/program.hpp"
+#include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/equation_files/start_powers.hpp"
 #include "fdebench/benchmarks/equation_files/time_jumps.hpp"
 #include "fdebench/benchmarks/scenes/equation_file_name.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/equation_files/rounded_values.hpp"
-#include "fdebench/benchmarks/equation_files/time_terms.hpp"
+#include "fdebench/benchmarks/expressions/time_terms.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 
 namespace fde::bench {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "fdebench/benchmarks/equation_files/formula.hpp"
+#include "fdebench/benchmarks/expressions/formula.hpp"
 
 namespace fde::bench {
 namespace {

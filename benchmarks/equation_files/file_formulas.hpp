@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
-#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/benchmarks/expressions/expressions.hpp"
 #include "fdebench/benchmarks/scenes/parameters.hpp"
 
 namespace fde::bench {

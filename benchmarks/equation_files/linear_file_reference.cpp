@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "fdebench/benchmarks/equation_files/time_terms.hpp"
+#include "fdebench/benchmarks/expressions/time_terms.hpp"
 #include "fdebench/reference/linear/linear_equation.hpp"
 #include "fdebench/reference/linear/linear_system.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "fdebench/benchmarks/equation_files/apply.hpp"
+#include "fdebench/benchmarks/expressions/apply.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 namespace fde::bench {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/benchmarks/expressions/expressions.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 

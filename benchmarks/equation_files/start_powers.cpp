@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "fdebench/benchmarks/equation_files/program.hpp"
+#include "fdebench/benchmarks/expressions/program.hpp"
 
 namespace fde::bench {
 namespace {

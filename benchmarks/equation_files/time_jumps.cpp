@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "fdebench/benchmarks/equation_files/program.hpp"
+#include "fdebench/benchmarks/expressions/program.hpp"
 
 namespace fde::bench {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "fdebench/benchmarks/equation_files/deep_keys.hpp"
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
-#include "fdebench/benchmarks/equation_files/formula.hpp"
+#include "fdebench/benchmarks/expressions/formula.hpp"
 #include "fdebench/benchmarks/equation_files/toml_text.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"

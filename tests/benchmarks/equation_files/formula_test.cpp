@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formulas: their values, and their errors with positions.
 
-#include "fdebench/benchmarks/equation_files/formula.hpp"
+#include "fdebench/benchmarks/expressions/formula.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
-#include "fdebench/benchmarks/equation_files/expressions.hpp"
-#include "fdebench/benchmarks/equation_files/program.hpp"
+#include "fdebench/benchmarks/expressions/expressions.hpp"
+#include "fdebench/benchmarks/expressions/program.hpp"
 
 namespace fde::bench {
 namespace {

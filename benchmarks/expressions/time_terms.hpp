@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/benchmarks/expressions/expressions.hpp"
 
 namespace fde::bench {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/benchmarks/equation_files/time_terms.hpp"
+#include "fdebench/benchmarks/expressions/time_terms.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/benchmarks/expressions/expressions.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 namespace fde::bench {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/benchmarks/equation_files/formula_tokens.hpp"
+#include "fdebench/benchmarks/expressions/formula_tokens.hpp"
 
 namespace fde::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/benchmarks/expressions/expressions.hpp"
 
 namespace fde::bench {
 

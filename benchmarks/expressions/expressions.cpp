@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/benchmarks/expressions/expressions.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fdebench/benchmarks/equation_files/apply.hpp"
+#include "fdebench/benchmarks/expressions/apply.hpp"
 
 namespace fde::bench {
 namespace {

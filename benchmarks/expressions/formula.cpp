@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/benchmarks/equation_files/formula.hpp"
+#include "fdebench/benchmarks/expressions/formula.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fdebench/benchmarks/equation_files/formula_tokens.hpp"
+#include "fdebench/benchmarks/expressions/formula_tokens.hpp"
 #include "fdebench/benchmarks/text/entry_named.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 

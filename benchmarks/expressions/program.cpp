@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/benchmarks/equation_files/program.hpp"
+#include "fdebench/benchmarks/expressions/program.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
-#include "fdebench/benchmarks/equation_files/apply.hpp"
+#include "fdebench/benchmarks/expressions/apply.hpp"
 
 namespace fde::bench {
 

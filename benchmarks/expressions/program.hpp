@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "fdebench/benchmarks/equation_files/expressions.hpp"
+#include "fdebench/benchmarks/expressions/expressions.hpp"
 #include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde::bench {
