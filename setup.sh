@@ -8,6 +8,8 @@ cd "$(dirname "$0")"
 
 packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
   libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev libtomlplusplus-dev)
+# Machine code of equation files; on other processors they are interpreted.
+[ "$(dpkg --print-architecture)" != amd64 ] || packages+=(libasmjit-dev)
 # Of figures as PDF: librsvg, and the letters of papers.
 packages+=(librsvg2-bin fonts-urw-base35)
 npm_folders=(reports)

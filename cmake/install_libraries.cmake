@@ -41,5 +41,8 @@ install_pkg_config(special_functions "Mittag-Leffler functions, of matrices too,
   "eigen3 fmt libhwy mpfr" "-lfde_special_functions -lfde_base -lmpc")
 install_pkg_config(reference "References for fractional differential equations"
   fdebench-special_functions "-lfde_reference -lfde_problem -lfde_special_functions -lfde_base")
+if(TARGET asmjit::asmjit)
+  set(machine_code " -lasmjit -lpthread -lrt")
+endif()
 install_pkg_config(benchmarks "Scenes, measures and the search for the cheapest scheme"
-  "fdebench-schemes fdebench-reference gsl libcrypto tomlplusplus" -lfde_benchmarks)
+  "fdebench-schemes fdebench-reference gsl libcrypto tomlplusplus" "-lfde_benchmarks${machine_code}")

@@ -19,26 +19,38 @@ struct Entry {
   Expression value;
 };
 
+// Rejects the right-hand side whose derivative by a variable is not available.
+[[noreturn]] void reject_derivative(const EquationSystem& system, FileFormulas& formulas, int variable,
+                                    const std::invalid_argument& reason) {
+  for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
+    const auto& unknown = system.unknowns[u];
+    for (Eigen::Index i = unknown.first; i < unknown.first + unknown.size(); ++i) {
+      try {
+        formulas.pool().derivative(system.rows[static_cast<std::size_t>(i)], variable);
+      } catch (const std::invalid_argument& of_row) {
+        formulas.reject(formulas.text().unknowns[u].rhs, of_row.what());
+      }
+    }
+  }
+  throw reason;
+}
+
 // The nonzero entries of df_i/dy_j, row by row.
 std::vector<Entry> derivatives_of(const EquationSystem& system, FileFormulas& formulas) {
   std::vector<Entry> entries;
   auto& pool = formulas.pool();
   const auto zero = pool.number(0);
-  for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
-    const auto& unknown = system.unknowns[u];
-    for (Eigen::Index i = unknown.first; i < unknown.first + unknown.size(); ++i) {
-      const auto row = system.rows[static_cast<std::size_t>(i)];
-      for (const int variable : pool.variables_in(row)) {
-        if (variable == 0) continue;
-        try {
-          const auto value = pool.derivative(row, variable);
-          if (value != zero) entries.push_back({i, variable - 1, value});
-        } catch (const std::invalid_argument& none) {
-          formulas.reject(formulas.text().unknowns[u].rhs, none.what());
-        }
-      }
+  for (Eigen::Index column = 0; column < system.size(); ++column) {
+    const auto variable = static_cast<int>(column) + 1;
+    try {
+      const auto values = pool.derivatives(system.rows, variable);
+      for (std::size_t row = 0; row < values.size(); ++row)
+        if (values[row] != zero) entries.push_back({static_cast<Eigen::Index>(row), column, values[row]});
+    } catch (const std::invalid_argument& none) {
+      reject_derivative(system, formulas, variable, none);
     }
   }
+  std::ranges::stable_sort(entries, {}, &Entry::row);
   return entries;
 }
 
@@ -85,14 +97,25 @@ std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index 
   return matrix;
 }
 
+// The program writes to the places of a matrix without gaps between its columns.
 DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, const ExpressionPool& pool) {
   std::vector<Expression> values;
-  for (const auto& entry : entries) values.push_back(entry.value);
-  return {[entries, program = Program(pool, values, size)](double t, In y, OutMatrix jacobian) {
-    std::vector<double> at(entries.size());
-    program.evaluate(t, y, at);
-    jacobian.setZero();
-    for (std::size_t e = 0; e < entries.size(); ++e) jacobian(entries[e].row, entries[e].column) = at[e];
+  std::vector<Eigen::Index> places;
+  for (const auto& [row, column, value] : entries) {
+    values.push_back(value);
+    places.push_back(column * size + row);
+  }
+  const auto count = static_cast<std::size_t>(size * size);
+  return {[size, count, has_zeros = entries.size() < count, program = Program(pool, values, places, size)](
+              double t, In y, OutMatrix jacobian) {
+    if (jacobian.outerStride() != size) {
+      Matrix matrix = Matrix::Zero(size, size);
+      program.evaluate(t, y, {matrix.data(), count});
+      jacobian = matrix;
+      return;
+    }
+    if (has_zeros) std::fill_n(jacobian.data(), count, 0.0);
+    program.evaluate(t, y, {jacobian.data(), count});
   }};
 }
 

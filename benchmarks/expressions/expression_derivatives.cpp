@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <stdexcept>
 
 #include "fdebench/benchmarks/expressions/expressions.hpp"
@@ -103,21 +104,31 @@ Expression ExpressionPool::derivative_of(const Node& entry, const std::vector<Ex
   return times(*known, da);
 }
 
-Expression ExpressionPool::derivative(Expression of, int variable) {
-  if (!depends_on(of, variable)) return number(0);
+std::vector<Expression> ExpressionPool::derivatives(const std::vector<Expression>& of, int variable) {
   const auto used = subexpressions(of);
-  std::vector<Expression> derivatives(used.size(), none);
-  for (Expression e = 0; e <= of; ++e) {
-    if (!used[static_cast<std::size_t>(e)]) continue;
-    const Node entry = (*this)[e];
-    auto& made = derivatives[static_cast<std::size_t>(e)];
+  const auto zero = number(0), one = number(1);
+  std::vector<Expression> made(used.size(), none);
+  const auto is_constant = [&](Expression e) {
+    return e == none || made[static_cast<std::size_t>(e)] == zero;
+  };
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    if (!used[e]) continue;
+    const auto& entry = (*this)[static_cast<Expression>(e)];
     if (entry.operation == Operation::variable) {
-      made = number(entry.variable == variable ? 1 : 0);
+      made[e] = entry.variable == variable ? one : zero;
+    } else if (std::ranges::all_of(entry.arguments, is_constant)) {
+      made[e] = zero;
     } else {
-      made = derivative_of(entry, derivatives);
+      made[e] = derivative_of(Node(entry), made);
     }
   }
-  return derivatives.back();
+  std::vector<Expression> results;
+  for (const auto e : of) results.push_back(made[static_cast<std::size_t>(e)]);
+  return results;
+}
+
+Expression ExpressionPool::derivative(Expression of, int variable) {
+  return derivatives({of}, variable).front();
 }
 
 }  // namespace fde::bench

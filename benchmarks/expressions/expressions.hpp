@@ -88,6 +88,8 @@ class ExpressionPool {
   // d/dx for x the variable; 0 for abs and step at their kink or jump. Throws std::invalid_argument if x
   // occurs in the argument of gamma or in one of the first two arguments of mittag_leffler.
   Expression derivative(Expression of, int variable);
+  // The derivatives of several expressions, in which each common part is differentiated once.
+  std::vector<Expression> derivatives(const std::vector<Expression>& of, int variable);
   // The expression with the variables from index `first` on replaced by 0.
   Expression without_variables(Expression of, int first);
 

@@ -1,37 +1,65 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
+#include <cstddef>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fdebench/benchmarks/expressions/expressions.hpp"
+#include "fdebench/benchmarks/expressions/machine_code.hpp"
 #include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde::bench {
 
-// Compiled expressions of t (variable 0) and y_i (variable i + 1), evaluated together in double. Each common
-// part is evaluated once. Thread-safe.
+// Compiled expressions of t (variable 0) and y_i (variable i + 1), evaluated together in double. The first
+// evaluations interpret a list of instructions; then it is translated to machine code. Copies share both.
+// Thread-safe.
 class Program {
  public:
   Program() = default;
   Program(const ExpressionPool& pool, const std::vector<Expression>& results, Eigen::Index size);
+  // evaluate writes expression i to results[places[i]].
+  Program(const ExpressionPool& pool, const std::vector<Expression>& results,
+          const std::vector<Eigen::Index>& places, Eigen::Index size);
 
-  // The values of the expressions, in the order of the constructor.
-  void evaluate(double t, In y, std::span<double> results) const;
-  // The value of the first expression.
-  [[nodiscard]] double operator()(double t, In y) const;
+  // The values of the expressions, in the order of the constructor. Precondition: y and results do not
+  // overlap.
+  void evaluate(double t, In y, std::span<double> results) const {
+    if (!shared_) return;
+    if (auto* const function = shared_->function.load(std::memory_order_acquire)) {
+      function(t, y.data(), results.data());
+    } else {
+      shared_->interpret_or_translate(t, y.data(), results);
+    }
+  }
+  // The value of the only expression.
+  [[nodiscard]] double operator()(double t, In y) const {
+    double result = 0.0;
+    evaluate(t, y, {&result, 1});
+    return result;
+  }
+
+  // The number of evaluations after which a list is translated. Translating takes about as long as these: up
+  // to 1 us for each instruction of a list of hundreds, more of a longer one.
+  static constexpr int interpreted_evaluations(std::size_t instructions) {
+    return 256 + static_cast<int>(instructions / 4);
+  }
 
  private:
-  // One operation; line i writes the slot after those of inputs, numbers and the previous lines.
-  struct Instruction {
-    Operation operation;
-    int a, b, c;  // slots of the arguments
+  struct Shared {
+    explicit Shared(InstructionList of) : list(std::move(of)) {}
+    void interpret_or_translate(double t, const double* y, std::span<double> results);
+
+    const InstructionList list;
+    std::atomic<MachineFunction*> function{nullptr};  // nullptr: interpreted
+    std::atomic<int> evaluations{0};
+    std::shared_ptr<MachineFunction> code{};  // owns `function`
   };
 
-  int inputs_ = 0;  // t and y
-  std::vector<double> numbers_{};
-  std::vector<Instruction> lines_{};
-  std::vector<int> results_{};  // slots of the results
+  std::shared_ptr<Shared> shared_{};
 };
 
 }  // namespace fde::bench

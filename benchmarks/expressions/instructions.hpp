@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "fdebench/benchmarks/expressions/expressions.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
+
+namespace fde::bench {
+
+// One operation and the slots of its arguments.
+struct Instruction {
+  Operation operation;
+  int a, b, c;
+};
+
+// Expressions of t (variable 0) and y_i (variable i + 1) as operations in the order of their evaluation. The
+// slots are those of t, the y_i, the numbers, and then one of each instruction.
+struct InstructionList {
+  int inputs = 0;  // t and y
+  std::vector<double> numbers{};
+  std::vector<Instruction> instructions{};
+  std::vector<int> results{};          // slots of the results
+  std::vector<Eigen::Index> places{};  // result i is element places[i] of what is written
+
+  [[nodiscard]] int first() const { return inputs + static_cast<int>(numbers.size()); }
+  [[nodiscard]] std::size_t slots() const { return static_cast<std::size_t>(first()) + instructions.size(); }
+};
+
+// Each common part of the expressions is one instruction. Precondition: one place for each expression.
+InstructionList instructions_of(const ExpressionPool& pool, const std::vector<Expression>& results,
+                                const std::vector<Eigen::Index>& places, Eigen::Index size);
+
+// Evaluates one instruction after the other, in double. Only the places of results are written.
+void interpret(const InstructionList& list, double t, const double* y, std::span<double> results);
+
+}  // namespace fde::bench
