@@ -41,7 +41,7 @@ bool has_machine_code(const InstructionList& list) {
 
 std::shared_ptr<MachineFunction> machine_code(const InstructionList& list) {
   if (!has_machine_code(list)) return nullptr;
-  const auto runtime = process_runtime();
+  const auto& runtime = process_runtime();
   FirstError errors;
   asmjit::CodeHolder code;
   if (code.init(runtime->environment()) != asmjit::kErrorOk) return nullptr;

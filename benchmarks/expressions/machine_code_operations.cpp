@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #ifdef __x86_64__
 
-#include <math.h>
-
 #include <array>
 #include <bit>
+#include <cmath>
 #include <new>
 #include <utility>
 
