@@ -2,21 +2,28 @@
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "fdebench/benchmarks/equation_files/equation_system.hpp"
 #include "fdebench/benchmarks/equation_files/exact_columns.hpp"
-#include "fdebench/benchmarks/equation_files/linear_file_reference.hpp"
-#include "fdebench/benchmarks/expressions/program.hpp"
-#include "fdebench/benchmarks/equation_files/start_powers.hpp"
+#include "fdebench/benchmarks/equation_files/file_discontinuities.hpp"
+#include "fdebench/benchmarks/equation_files/file_reference.hpp"
+#include "fdebench/benchmarks/equation_files/file_smoothness.hpp"
+#include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
+#include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
+#include "fdebench/benchmarks/equation_files/output_columns.hpp"
 #include "fdebench/benchmarks/equation_files/time_jumps.hpp"
+#include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/scenes/equation_file_name.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
@@ -24,26 +31,13 @@
 namespace fde::bench {
 namespace {
 
-// The components themselves if they are the columns.
-Outputs outputs_of(const std::vector<SystemColumn>& columns) {
-  std::vector<std::string> names;
-  std::vector<Eigen::Index> rows;
-  bool same = true;
-  for (const auto& column : columns) {
-    same = same && column.row == std::ssize(rows);
-    names.push_back(column.name);
-    rows.push_back(column.row);
-  }
-  return same ? Outputs{names} : select_components(names, rows);
-}
-
 Energy energy_of(const EnergyText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
   auto& pool = formulas.pool();
   const auto size = std::ssize(columns);
-  const auto value = formulas.read(text.value, variables_of(columns, pool, false));
+  const auto value = formulas.read(text.value, variables_of(columns, formulas, false));
   Energy energy{.value = [program = Program(pool, {value}, size)](In c) { return program(0.0, c); }};
   if (text.power) {
-    const auto power = formulas.read(*text.power, variables_of(columns, pool, true));
+    const auto power = formulas.read(*text.power, variables_of(columns, formulas, true));
     energy.power = Program(pool, {power}, size);
   }
   return energy;
@@ -52,8 +46,7 @@ Energy energy_of(const EnergyText& text, const std::vector<SystemColumn>& column
 Constraint constraint_of(const std::vector<FormulaText>& texts, const std::vector<SystemColumn>& columns,
                          FileFormulas& formulas) {
   std::vector<Expression> values;
-  for (const auto& text : texts)
-    values.push_back(formulas.read(text, variables_of(columns, formulas.pool(), true)));
+  for (const auto& text : texts) values.push_back(formulas.read(text, variables_of(columns, formulas, true)));
   return {.size = std::ssize(values),
           .value = [program = Program(formulas.pool(), values, std::ssize(columns))](double t, In c, Out f) {
             program.evaluate(t, c, {f.data(), static_cast<std::size_t>(f.size())});
@@ -61,81 +54,173 @@ Constraint constraint_of(const std::vector<FormulaText>& texts, const std::vecto
 }
 
 SceneEvent event_of(const EventText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
-  const auto value = formulas.read(text.zero, variables_of(columns, formulas.pool(), true));
+  const auto value = formulas.read(text.zero, variables_of(columns, formulas, true));
   return {text.name, Program(formulas.pool(), {value}, std::ssize(columns)), text.crossing, text.terminal};
 }
 
-// Rejects an exact column whose value at t = 0 differs from the initial value. A value that is not finite at
-// t = 0 is not checked.
-void require_exact_start(const EquationText& text, const std::vector<SystemColumn>& columns,
-                         const Scene& scene) {
-  constexpr double rounding = 1e-9;
-  const auto [value, bound] = scene.reference.at(0.0);
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    const auto& initial = scene.problem.components[static_cast<std::size_t>(columns[c].row)].initial;
-    const double at_start = value[static_cast<Eigen::Index>(c)];
-    if (initial.empty() || !std::isfinite(at_start)) continue;
-    if (std::abs(at_start - initial.front()) <= rounding * (1.0 + std::abs(initial.front()))) continue;
-    reject_at(text.file, text.exact.front().position,
-              fmt::format("exact: {} is {:.6g} at t = 0: must be {:.6g}, its initial value", columns[c].name,
-                          at_start, initial.front()));
+// The domain in the columns of both forms of a problem.
+void set_domain(Scene& scene, const DomainText& text, const std::vector<SystemColumn>& columns,
+                FileFormulas& formulas) {
+  const auto margin = formulas.read(text.positive, variables_of(columns, formulas, true));
+  const Program program(formulas.pool(), {margin}, std::ssize(columns));
+  const auto of_outputs = [&](const Outputs& outputs) -> Domain {
+    return {text.edge, [program, outputs](double t, In y) { return program(t, columns_at(outputs, t, y)); }};
+  };
+  scene.problem.domain = of_outputs(scene.outputs);
+  if (scene.reference_problem)
+    scene.reference_problem->problem.domain = of_outputs(scene.reference_problem->outputs);
+}
+
+// Marks rows as not measured that are not columns, if all columns are rows.
+void exclude_unshown_rows(Smoothness& smoothness, const std::vector<SystemColumn>& columns,
+                          Eigen::Index size) {
+  if (std::ranges::any_of(columns, [](const SystemColumn& column) { return column.row < 0; })) return;
+  for (Eigen::Index row = 0; row < size; ++row) {
+    if (std::ranges::find(columns, row, &SystemColumn::row) == columns.end())
+      smoothness.unmeasured.push_back(row);
   }
 }
 
-Scene scene_of(const EquationText& text, const Parameters& parameters) {
-  FileFormulas formulas(text, parameters, NumberStorage::values);
-  const auto system = read_system(formulas);
-  const auto columns = columns_of(system);
-  Scene scene{.problem = problem_of(system, formulas),
-              .smoothness = starting_powers(system, formulas.pool()),
-              .outputs = outputs_of(columns),
-              .from_file = true};
-  scene.jumps_until = time_jumps(system, formulas.pool());
-  set_end(scene, system.end);
-  if (!text.exact.empty()) {
-    scene.reference = exact_columns(text, parameters, columns);
-    require_exact_start(text, columns, scene);
-  } else if (auto motion = linear_file_reference(system, scene.problem, formulas.pool())) {
-    scene.reference = std::move(*motion);
+// The path of a point in the plane or in space, from the columns.
+Outputs path_of(const std::vector<NamedFormula>& texts, const std::vector<SystemColumn>& columns,
+                FileFormulas& formulas) {
+  Outputs path;
+  std::vector<Expression> values;
+  for (const auto& text : texts) {
+    path.names.push_back(text.name);
+    values.push_back(formulas.read(text.formula, variables_of(columns, formulas, true)));
   }
-  if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
+  path.evaluate = [program = Program(formulas.pool(), values, std::ssize(columns))](double t, In c,
+                                                                                    Out place) {
+    program.evaluate(t, c, {place.data(), static_cast<std::size_t>(place.size())});
+  };
+  return path;
+}
+
+Scene mechanical_scene_of(const EquationText& text, const Parameters& parameters, bool is_built_in) {
+  FileFormulas formulas(text, parameters, NumberStorage::values);
+  formulas.require_parameters();
+  const auto file = read_mechanical_file(formulas);
+  Scene scene = mechanical_file_scene(file, formulas, parameters);
+  scene.from_file = !is_built_in;
+  auto applied = file.system.forces;
+  applied.push_back(file.system.lagrangian);
+  for (const auto rate : formulas.pool().derivatives(file.system.constraints, 0)) applied.push_back(rate);
+  scene.jumps_until = time_jumps(applied, declared_jumps(formulas), formulas.pool());
+  set_end(scene, scene.problem.end);
+  const auto columns = columns_of(file);
+  if (text.domain) set_domain(scene, *text.domain, columns, formulas);
   for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
-  if (!text.constraints.empty()) scene.constraint = constraint_of(text.constraints, columns, formulas);
+  if (!text.path.empty()) scene.display_path = path_of(text.path, columns, formulas);
+  if (!text.exact.empty()) scene.reference = exact_columns(text, parameters, columns, columns);
   return scene;
 }
 
-std::optional<SceneFactory> scene_of_file(std::string_view name) {
-  if (!name.ends_with(equation_file_extension)) return std::nullopt;
-  const std::string file(name);
-  if (!is_printable(file)) reject_text("scene", file, "a file whose name is UTF-8 that prints");
-  return equation_scene(read_equation_text(file));
+Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormulas& formulas) {
+  const auto margin = formulas.read(text.positive, variables_of(system, formulas.pool()));
+  return {.edge = text.edge, .margin = Program(formulas.pool(), {margin}, system.size())};
 }
 
+Scene scene_of(const EquationText& all, const Parameters& parameters, bool is_built_in) {
+  const EquationText text = present_parts(all, parameters);
+  if (text.mechanics) return mechanical_scene_of(text, parameters, is_built_in);
+  FileFormulas formulas(text, parameters, NumberStorage::values);
+  formulas.require_parameters();
+  const auto system = read_system(formulas);
+  const auto columns = output_columns(system, formulas);
+  Scene scene{.problem = problem_of(system, formulas), .from_file = !is_built_in};
+  if (text.domain) scene.problem.domain = domain_of(*text.domain, system, formulas);
+  scene.smoothness = file_smoothness(system, scene.problem, formulas);
+  exclude_unshown_rows(scene.smoothness, columns, system.size());
+  scene.outputs = outputs_of(columns, system.size(), formulas.pool());
+  scene.jumps_until = time_jumps(system.rows, system.jumps, formulas.pool());
+  set_end(scene, system.end);
+  scene.reference = file_reference(system, scene.problem, columns, formulas);
+  if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
+  for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
+  if (!text.constraints.empty()) scene.constraint = constraint_of(text.constraints, columns, formulas);
+  if (!text.path.empty()) scene.display_path = path_of(text.path, columns, formulas);
+  scene.discontinuities = file_discontinuities(system, formulas);
+  return scene;
+}
+
+// The terms that a factor multiplies are written on the right.
 EquationFormula written(const UnknownText& unknown) {
   EquationFormula equation{.unknown = unknown.name, .terms = {}, .rhs = unknown.rhs.text, .initial = {}};
-  for (const auto& [coefficient, order] : unknown.terms)
-    equation.terms.push_back({coefficient.text, order.text});
+  std::vector<std::string> multiplied;
+  for (const auto& [coefficient, order] : unknown.terms) {
+    if (unknown.factor && !equation.terms.empty()) {
+      multiplied.push_back(fmt::format("{}*D({},{})", coefficient.text, unknown.name, order.text));
+    } else {
+      equation.terms.push_back({coefficient.text, order.text});
+    }
+  }
+  if (!multiplied.empty()) {
+    equation.rhs += fmt::format(" - ({})*({})", unknown.factor->text, fmt::join(multiplied, " + "));
+  }
   for (const auto& value : unknown.initial) equation.initial.push_back(value.text);
   return equation;
 }
 
-}  // namespace
-
-SceneFactory equation_scene(EquationText text) {
+SceneFactory factory_of(EquationText text, bool is_built_in) {
   const auto kept = std::make_shared<const EquationText>(std::move(text));
   const std::filesystem::path file = kept->file;
-  SceneFactory maker{.id = kept->file,
-                     .title = kept->title.empty() ? file.stem().string() : kept->title,
-                     .source = kept->file,
-                     .parameters = {},
-                     .make = [kept](const Parameters& parameters) { return scene_of(*kept, parameters); },
-                     .checksum = kept->checksum};
-  for (const auto& [name, value] : kept->parameters)
-    maker.parameters.push_back({name, value, any_number, "of the file"});
+  SceneFactory maker{
+      .id = kept->file,
+      .title = kept->title.empty() ? file.stem().string() : kept->title,
+      .source = kept->source.empty() ? kept->file : kept->source,
+      .parameters = {},
+      .make = [=](const Parameters& parameters) { return scene_of(*kept, parameters, is_built_in); },
+      .checksum = is_built_in ? "" : kept->checksum,
+      .toml = kept->contents};
+  for (const auto& parameter : kept->parameters) maker.parameters.push_back(parameter.declared);
+  if (kept->mechanics) {
+    for (auto& parameter : formulation_parameters(*kept)) maker.parameters.push_back(std::move(parameter));
+    maker.equations = mechanical_equations(*kept);
+    if (!are_readable(maker.equations)) maker.display_equations = mechanical_statements(*kept);
+    return maker;
+  }
   for (const auto& unknown : kept->unknowns) maker.equations.push_back(written(unknown));
   return maker;
 }
 
-SceneRegistry with_equation_files(const SceneRegistry& scenes) { return {scenes, scene_of_file}; }
+// The file of this name in the folder of the environment variable; nullopt if there is none.
+std::optional<std::filesystem::path> file_in_folder(std::string_view id) {
+  const char* folder = std::getenv("FDEBENCH_SCENES");  // NOLINT(concurrency-mt-unsafe): nothing sets it
+  if (folder == nullptr || *folder == '\0' || id.find('/') != std::string_view::npos) return std::nullopt;
+  auto file = std::filesystem::path(folder) / fmt::format("{}{}", id, equation_file_extension);
+  return std::filesystem::exists(file) ? std::optional(file) : std::nullopt;
+}
+
+std::optional<SceneFactory> scene_of_file(std::string_view name) {
+  const std::string id(name);
+  if (name.ends_with(equation_file_extension)) {
+    if (!is_printable(id)) reject_text("scene", id, "a file whose name is UTF-8 that prints");
+    return equation_scene(read_equation_text(id));
+  }
+  const auto file = file_in_folder(name);
+  if (!file) return std::nullopt;
+  SceneFactory maker = equation_scene(read_equation_text(*file));
+  maker.id = id;
+  return maker;
+}
+
+}  // namespace
+
+SceneFactory equation_scene(EquationText text) { return factory_of(std::move(text), false); }
+
+SceneFactory built_in_scene(const std::string& id, std::string_view toml) {
+  return factory_of(parse_equation_text(id, toml), true);
+}
+
+SceneRegistry with_equation_files(const SceneRegistry& scenes) {
+  for (const auto& scene : scenes) {
+    if (const auto file = file_in_folder(scene.id)) {
+      throw std::invalid_argument(
+          fmt::format("{}: must have another name, the scene {} is built in", file->string(), scene.id));
+    }
+  }
+  return {scenes, scene_of_file};
+}
 
 }  // namespace fde::bench

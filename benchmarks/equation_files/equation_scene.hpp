@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
@@ -9,8 +12,14 @@ namespace fde::bench {
 // The scene of an equation file; its id is the file name.
 SceneFactory equation_scene(EquationText text);
 
-// These scenes plus those of equation files, found by a file name that ends in .toml. For such a name,
-// SceneRegistry::named throws std::invalid_argument if the file cannot be read or is not an equation file.
+// The scene of an equation file that is built into the program: its reference is not compared with schemes,
+// and it has no checksum.
+SceneFactory built_in_scene(const std::string& id, std::string_view toml);
+
+// These scenes plus those of equation files, found by a file name that ends in .toml, or by the name without
+// .toml of a file in the folder $FDEBENCH_SCENES. For such a name, SceneRegistry::named throws
+// std::invalid_argument if the file cannot be read or is not an equation file. Throws std::invalid_argument
+// if a file of that folder has the name of one of `scenes`.
 SceneRegistry with_equation_files(const SceneRegistry& scenes);
 
 }  // namespace fde::bench

@@ -10,7 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fdebench/benchmarks/expressions/formula_tokens.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde::bench {
@@ -18,25 +20,45 @@ namespace {
 
 constexpr Range any_order{.low = 0.0, .high = 2.0};
 
-std::vector<double> initial_values(const UnknownText& unknown, double order, FileFormulas& formulas) {
-  const std::size_t needed = initial_count(order);
-  if (unknown.initial.size() != needed) {
-    reject_at(
-        formulas.text().file, unknown.position,
-        fmt::format("unknown {}: has {} initial value{}: must have {}, as its order is {}", unknown.name,
-                    unknown.initial.size(), unknown.initial.size() == 1 ? "" : "s", needed, order));
+// Whether the text contains a name.
+bool has_name(const FormulaText& formula) {
+  return !is_decimal(formula.text) && std::ranges::any_of(formula.text, is_letter);
+}
+
+// x'(0) may be listed where the order depends on parameters and is at most 1; there it must be 0.
+void require_no_slope(const FormulaText& slope, const FormulaText& order, FileFormulas& formulas) {
+  const double value = formulas.constant(slope, "initial", any_number);
+  if (value == 0.0) return;
+  const auto allowed = fmt::format("0 when {} is at most 1", order.text);
+  const auto is_named = [&](const ParameterText& one) { return one.declared.name == slope.text; };
+  if (std::ranges::any_of(formulas.text().parameters, is_named)) reject(slope.text, value, allowed);
+  formulas.reject(slope, fmt::format("initial = {}: must be {}", value, allowed));
+}
+
+std::vector<double> initial_values(const UnknownText& unknown, const FormulaText& order_text, double order,
+                                   FileFormulas& formulas) {
+  const std::size_t needed = initial_count(order), given = unknown.initial.size();
+  const bool has_slope = needed == 1 && given == 2 && has_name(order_text);
+  if (given != needed && !has_slope) {
+    reject_at(formulas.text().file, unknown.position,
+              fmt::format("unknown {}: has {} initial value{}: must have {}, as its order is {}",
+                          unknown.name, given, given == 1 ? "" : "s", needed, order));
   }
+  if (has_slope) require_no_slope(unknown.initial.back(), order_text, formulas);
   std::vector<double> values;
-  for (const auto& value : unknown.initial) values.push_back(formulas.constant(value, "initial", any_number));
+  for (std::size_t i = 0; i < needed; ++i)
+    values.push_back(formulas.constant(unknown.initial[i], "initial", any_number));
   return values;
 }
 
 // The unknown with its chain, starting at row `first`; without a chain if the row is algebraic.
 EquationSystem::Unknown unknown_of(const UnknownText& text, Eigen::Index first, FileFormulas& formulas) {
   std::vector<Term> terms;
+  EquationSystem::Unknown unknown{.name = text.name, .first = first, .chain = {}};
   const TermText* leading = nullptr;
   for (const auto& [coefficient, order] : text.terms) {
-    terms.push_back({formulas.constant(coefficient, "coefficient", any_number),
+    unknown.coefficients.push_back(formulas.read(coefficient, {.time = false}));
+    terms.push_back({formulas.constant_in_double(coefficient, "coefficient", any_number),
                      formulas.constant(order, "order", any_order)});
     if (leading == nullptr || terms.back().order > terms.front().order) {
       std::swap(terms.front(), terms.back());
@@ -44,10 +66,11 @@ EquationSystem::Unknown unknown_of(const UnknownText& text, Eigen::Index first, 
     }
   }
   const Term top = terms.front();
-  EquationSystem::Unknown unknown{.name = text.name, .first = first, .chain = {}};
   if (top.order == 0.0 && text.may_be_algebraic) return unknown;
   if (top.order == 0.0)
     formulas.reject(leading->order, "the highest order is 0: must be above it; a row 0 = rhs is order = 0");
+  if (text.factor && leading != text.terms.data())
+    formulas.reject(*text.factor, "factor: the first term must be the leading one, without the factor");
   Term sum{0.0, top.order};
   for (const auto& term : terms)
     if (term.order == top.order) sum.coefficient += term.coefficient;
@@ -56,32 +79,45 @@ EquationSystem::Unknown unknown_of(const UnknownText& text, Eigen::Index first, 
                     "the coefficient of the highest order is 0: must be another number");
   }
   std::erase_if(terms, [&](const Term& term) { return term.order == top.order; });
-  unknown.chain.emplace(sum, terms, initial_values(text, top.order, formulas), first);
+  auto initial = initial_values(text, leading->order, top.order, formulas);
+  if (text.is_chain) {
+    unknown.chain.emplace(sum, terms, std::move(initial), first);
+  } else {
+    unknown.chain = Chain::single_row(sum, std::move(initial), first);
+  }
   return unknown;
 }
 
-std::vector<double> jumps_of(FileFormulas& formulas) {
-  std::vector<double> jumps;
-  for (const auto& jump : formulas.text().jumps) jumps.push_back(formulas.constant(jump, "at", positive));
-  std::ranges::sort(jumps);
-  jumps.erase(std::unique(jumps.begin(), jumps.end()), jumps.end());
-  return jumps;
+// With a factor F the equation is (a + m F) D^top u + F (the other terms) = rhs, where a is the first
+// coefficient and m the sum of the other ones of the leading order. Divided by (a + m F) / (a + m) it has a
+// constant leading coefficient.
+void add_scaled(const UnknownText& text, EquationSystem::Unknown& unknown, const FormulaVariables& variables,
+                FileFormulas& formulas) {
+  auto& pool = formulas.pool();
+  unknown.rhs = formulas.read(text.rhs, variables);
+  if (!text.factor || !unknown.chain) return;
+  unknown.factor = formulas.read(*text.factor, variables);
+  const double first = static_cast<double>(pool.value(unknown.coefficients.front()).value());
+  const double sum = unknown.chain->leading().coefficient, others = sum - first;
+  if (others == 0.0) return;
+  const auto number = [&](double value) { return pool.number(fmt::format("{}", value)); };
+  const auto varying = pool.make_expression(Operation::multiply, number(others), *unknown.factor);
+  const auto leading = pool.make_expression(Operation::add, number(first), varying);
+  const auto scale = pool.make_expression(Operation::divide, number(sum), leading);
+  unknown.rhs = pool.make_expression(Operation::multiply, scale, *unknown.rhs);
+  unknown.factor = pool.make_expression(Operation::multiply, scale, *unknown.factor);
 }
 
-// Maps D^order of an unknown to the variable of that node of its chain.
-FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool) {
-  const auto row = [&](std::size_t of, double order) {
-    const auto& unknown = system.unknowns[of];
-    const auto nodes = unknown.chain ? unknown.chain->nodes() : std::vector{0.0};
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (same_order(nodes[i], order)) return pool.variable(static_cast<int>(unknown.first + i) + 1);
-    throw std::invalid_argument(fmt::format("D({}, {}): must be of an order of its chain, {}", unknown.name,
-                                            order, fmt::join(nodes, ", ")));
-  };
-  return {.time = true, .resolve_unknown = row};
+// The index of this order, or else of one within rounding.
+std::optional<std::size_t> nearest_order(const std::vector<double>& orders, double order) {
+  auto found = std::ranges::find(orders, order);
+  if (found == orders.end())
+    found = std::ranges::find_if(orders, [&](double one) { return same_order(one, order); });
+  if (found == orders.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - orders.begin());
 }
 
-// f_i = y_{i+1}; in the last row of a chain (rhs - sum_k c_k D^(a_k) u) / c.
+// f_i = y_{i+1}; in the last row of a chain (rhs - factor sum_k c_k D^(a_k) u) / c.
 void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& pool, std::vector<Expression>& rows) {
   if (!unknown.chain) {
     rows.push_back(*unknown.rhs);
@@ -96,6 +132,7 @@ void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& pool, std:
         pool.make_expression(Operation::add, sum, pool.make_expression(Operation::multiply, weight, row(i)));
     if (i > 0) rows.push_back(row(i));
   }
+  if (unknown.factor) sum = pool.make_expression(Operation::multiply, *unknown.factor, sum);
   const auto rest = pool.make_expression(Operation::subtract, *unknown.rhs, sum);
   rows.push_back(pool.make_expression(Operation::divide, rest,
                                       pool.number(fmt::format("{}", chain.leading().coefficient))));
@@ -103,10 +140,31 @@ void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& pool, std:
 
 }  // namespace
 
+FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool) {
+  const auto node = [&](std::size_t of, double order) {
+    const auto& unknown = system.unknowns[of];
+    const auto nodes = unknown.chain ? unknown.chain->nodes() : std::vector{0.0};
+    const auto row = nearest_order(nodes, order);
+    if (row) return pool.variable(static_cast<int>(unknown.first + *row) + 1);
+    throw std::invalid_argument(fmt::format("D({}, {}): must be of an order of its chain, {}", unknown.name,
+                                            order, fmt::join(nodes, ", ")));
+  };
+  return {.time = true, .resolve_unknown = node};
+}
+
+std::vector<double> declared_jumps(FileFormulas& formulas) {
+  std::vector<double> jumps;
+  for (const auto& jump : formulas.text().jumps) jumps.push_back(formulas.constant(jump, "at", positive));
+  std::ranges::sort(jumps);
+  jumps.erase(std::unique(jumps.begin(), jumps.end()), jumps.end());
+  return jumps;
+}
+
 EquationSystem read_system(FileFormulas& formulas) {
   const auto& text = formulas.text();
+  if (text.unknowns.empty()) reject_at(text.file, {}, "unknown: all are left out, there must be one");
   EquationSystem system{.end = formulas.constant(text.end, "end", valid_end_times),
-                        .jumps = jumps_of(formulas)};
+                        .jumps = declared_jumps(formulas)};
   Eigen::Index first = 0;
   for (const auto& unknown : text.unknowns) {
     system.unknowns.push_back(unknown_of(unknown, first, formulas));
@@ -115,11 +173,12 @@ EquationSystem read_system(FileFormulas& formulas) {
   const auto variables = variables_of(system, formulas.pool());
   for (std::size_t u = 0; u < text.unknowns.size(); ++u) {
     auto& unknown = system.unknowns[u];
-    unknown.rhs = formulas.read(text.unknowns[u].rhs, variables);
+    add_scaled(text.unknowns[u], unknown, variables, formulas);
     if (unknown.chain) {
       std::ranges::copy(unknown.chain->components(), std::back_inserter(system.components));
     } else {
-      system.components.push_back({0.0, initial_values(text.unknowns[u], 0.0, formulas)});
+      const auto& order = text.unknowns[u].terms.front().order;
+      system.components.push_back({0.0, initial_values(text.unknowns[u], order, 0.0, formulas)});
     }
     add_rows(unknown, formulas.pool(), system.rows);
   }
@@ -129,25 +188,26 @@ EquationSystem read_system(FileFormulas& formulas) {
 std::vector<SystemColumn> columns_of(const EquationSystem& system) {
   std::vector<SystemColumn> columns, further;
   for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
-    const auto& [name, first, chain, rhs] = system.unknowns[u];
-    columns.push_back({name, u, 0.0, first});
+    const auto& unknown = system.unknowns[u];
+    const auto& chain = unknown.chain;
+    columns.push_back({unknown.name, u, 0.0, unknown.first});
     for (Eigen::Index i = 1; chain && i < chain->size(); ++i) {
       const double order = chain->nodes()[static_cast<std::size_t>(i)];
-      further.push_back({fmt::format("D({},{})", name, order), u, order, first + i});
+      further.push_back({fmt::format("D({},{})", unknown.name, order), u, order, unknown.first + i});
     }
   }
   std::ranges::copy(further, std::back_inserter(columns));
   return columns;
 }
 
-FormulaVariables variables_of(const std::vector<SystemColumn>& columns, ExpressionPool& pool, bool time) {
+FormulaVariables variables_of(const std::vector<SystemColumn>& columns, FileFormulas& formulas, bool time) {
   const auto column = [&](std::size_t unknown, double order) {
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      if (columns[c].unknown == unknown && same_order(columns[c].order, order))
-        return pool.variable(static_cast<int>(c) + 1);
-    }
-    throw std::invalid_argument(
-        fmt::format("D({}, {}): must be a column of the scene", columns[unknown].name, order));
+    std::vector<double> orders;
+    for (const auto& one : columns) orders.push_back(one.unknown == unknown ? one.order : -1.0);
+    if (const auto found = nearest_order(orders, order))
+      return formulas.pool().variable(static_cast<int>(*found) + 1);
+    throw std::invalid_argument(fmt::format("D({}, {}): must be a column of the scene",
+                                            formulas.text().unknowns[unknown].name, order));
   };
   return {.time = time, .resolve_unknown = column};
 }

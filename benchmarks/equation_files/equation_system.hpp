@@ -16,9 +16,12 @@ namespace fde::bench {
 struct EquationSystem {
   struct Unknown {
     std::string name;
-    Eigen::Index first;               // first row
-    std::optional<Chain> chain;       // nullopt: an algebraic row
-    std::optional<Expression> rhs{};  // as in the file
+    Eigen::Index first;                      // first row
+    std::optional<Chain> chain;              // nullopt: an algebraic row
+    std::vector<Expression> coefficients{};  // of the terms, in the order of the file
+    std::optional<Expression> rhs{};     // as in the file; divided by (a + m factor) / (a + m) if there is a
+                                         // factor, a and m being those of the leading order (add_scaled)
+    std::optional<Expression> factor{};  // of the terms that are not leading, divided likewise
     [[nodiscard]] Eigen::Index size() const { return chain ? chain->size() : 1; }
   };
   std::vector<Unknown> unknowns{};
@@ -33,17 +36,28 @@ struct EquationSystem {
 // Throws std::invalid_argument naming file, line and column if an equation is not of this kind.
 EquationSystem read_system(FileFormulas& formulas);
 
+// Variables for formulas in the rows: row i is variable i + 1, D^order of an unknown that node of its chain.
+FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool);
+
+// The times of [[jump]], in increasing order.
+std::vector<double> declared_jumps(FileFormulas& formulas);
+
 // The columns: the unknowns in the order of the file, then the other nodes of their chains, named D(x,0.5).
 struct SystemColumn {
+  static constexpr std::size_t no_unknown = static_cast<std::size_t>(-1);
+
   std::string name;
-  std::size_t unknown;
-  double order;      // as a derivative of the unknown
-  Eigen::Index row;  // row of the problem
+  std::size_t unknown;                // no_unknown: a formula of several
+  double order;                       // as a derivative of the unknown
+  Eigen::Index row;                   // row of the problem; -1: the column is `value`
+  std::optional<Expression> value{};  // of t and the rows
+
+  [[nodiscard]] bool is_derivative() const { return unknown != no_unknown; }
 };
 std::vector<SystemColumn> columns_of(const EquationSystem& system);
 
 // Variables for formulas in the columns: column c is variable c + 1; `time`: whether t is allowed.
-FormulaVariables variables_of(const std::vector<SystemColumn>& columns, ExpressionPool& pool, bool time);
+FormulaVariables variables_of(const std::vector<SystemColumn>& columns, FileFormulas& formulas, bool time);
 
 // The problem: f, its derivatives and its multi-term equations. Throws as read_system does if a derivative is
 // not available or an algebraic row does not hold at t = 0.

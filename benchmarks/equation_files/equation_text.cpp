@@ -13,6 +13,26 @@
 #include "fdebench/benchmarks/equation_files/deep_keys.hpp"
 
 namespace fde::bench {
+namespace {
+
+bool is_left_out(const ParameterValues& unless, const Parameters& parameters) {
+  const auto holds = [&](const auto& condition) {
+    return parameters.value(condition.first) == condition.second;
+  };
+  return !unless.empty() && std::ranges::all_of(unless, holds);
+}
+
+}  // namespace
+
+EquationText present_parts(EquationText text, const Parameters& parameters) {
+  const auto left_out = [&](const auto& part) { return is_left_out(part.unless, parameters); };
+  for (const auto& unknown : text.unknowns)
+    if (left_out(unknown)) text.absent_unknowns.push_back(unknown.name);
+  std::erase_if(text.unknowns, left_out);
+  std::erase_if(text.columns, left_out);
+  std::erase_if(text.requirements, left_out);
+  return text;
+}
 
 void reject_at(const std::string& file, const TextPosition& place, std::string_view what) {
   constexpr std::size_t longest = 600;
@@ -23,8 +43,7 @@ void reject_at(const std::string& file, const TextPosition& place, std::string_v
   if (shown < what.size()) line += " ...";
   for (char& c : line)
     if (c == '\n' || c == '\r') c = ' ';
-  throw std::invalid_argument(
-      fmt::format("{}: line {}, column {}: {}", file, place.line, place.column, line));
+  throw FileError(fmt::format("{}: line {}, column {}: {}", file, place.line, place.column, line));
 }
 
 void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte, std::string_view what) {

@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 #include "fdebench/schemes/stepping/events.hpp"
 
 namespace fde::bench {
@@ -27,14 +29,18 @@ struct TermText {
   FormulaText coefficient, order;
 };
 
-// The equation of an unknown: sum of the terms = rhs.
+// The equation of an unknown: sum of the terms = rhs. A `factor` multiplies all terms but the first.
 struct UnknownText {
   std::string name{};
   TextPosition position{};
   std::vector<TermText> terms{};
   bool may_be_algebraic = false;  // given by the key `order`, for which 0 means 0 = rhs
+  bool is_chain = true;           // false: one row of its order, also above 1
+  std::optional<FormulaText> factor{};
   FormulaText rhs{};
   std::vector<FormulaText> initial{};
+  std::vector<FormulaText> final{};  // of a coordinate: its value at the end
+  ParameterValues unless{};
 };
 
 struct NamedFormula {
@@ -48,9 +54,33 @@ struct EnergyText {
   std::optional<FormulaText> power{};
 };
 
+// A parameter; `formula` is the default of a derived number.
 struct ParameterText {
+  Parameter declared{};
+  FormulaText formula{};
+};
+
+// [[require]]: a condition on a parameter, with the words for what is allowed.
+struct RequirementText {
+  enum class Condition { not_zero, is_not_negative, is_positive };
+  std::string parameter{}, allowed{};
+  Condition condition = Condition::not_zero;
+  FormulaText formula{};
+  ParameterValues unless{};
+};
+
+// [columns]: a column of the output as a formula of t, the unknowns and their derivatives.
+struct ColumnText {
   std::string name{};
-  double value = 0.0;
+  TextPosition position{};
+  FormulaText formula{};
+  ParameterValues unless{};
+};
+
+// [domain]: where the right-hand sides are defined, positive > 0; `edge` names where they end.
+struct DomainText {
+  std::string edge{};
+  FormulaText positive{};
 };
 
 // [event.NAME]: a function whose zeros along the trajectory are located.
@@ -61,20 +91,42 @@ struct EventText {
   bool terminal = false;
 };
 
-// The contents of an equation file with unparsed formulas: docs/equation_files.md.
+// [mechanics]: a Lagrangian with forces and constraints; the coordinates are the unknowns of the file.
+struct MechanicsText {
+  TextPosition position{};
+  FormulaText lagrangian{};
+  std::vector<NamedFormula> forces{};  // by coordinate
+  std::vector<FormulaText> constraints{};
+  bool is_vakonomic = false;               // principle = "vakonomic"
+  std::vector<FormulaText> multipliers{};  // of a vakonomic problem, at t = 0; empty: 0
+  std::string formulation{};               // the default; empty: the first that exists
+};
+
+// The contents of an equation file with unparsed formulas: docs/equation_files.md. Parts with `unless` are
+// left out if all these parameters have these values.
 struct EquationText {
   std::string file{};
-  std::string title{};
+  std::string title{}, source{};
   FormulaText end{};
   std::vector<ParameterText> parameters{};  // parameters and unknowns are in file order
+  std::vector<RequirementText> requirements{};
   std::vector<UnknownText> unknowns{};
+  std::optional<MechanicsText> mechanics{};    // then the unknowns are coordinates
+  std::vector<std::string> absent_unknowns{};  // those that present_parts() has left out
+  std::vector<ColumnText> columns{};           // empty: the unknowns and the nodes of their chains
+  std::optional<DomainText> domain{};
+  std::vector<NamedFormula> path{};  // [path]: coordinates of the point whose path is drawn, in the columns
   std::vector<NamedFormula> exact{};
   std::optional<EnergyText> energy{};
   std::vector<FormulaText> constraints{};
   std::vector<FormulaText> jumps{};
   std::vector<EventText> events{};
-  std::string checksum{};  // SHA-256 of all fields except the title
+  std::string checksum{};  // SHA-256 of all fields except title and source
+  std::string contents{};  // as read
 };
+
+// The text without the parts that these parameters leave out.
+EquationText present_parts(EquationText text, const Parameters& parameters);
 
 inline constexpr std::size_t max_equation_file_bytes = std::size_t{1} << 20;  // bytes
 inline constexpr std::size_t max_unknowns = 100;
@@ -83,7 +135,10 @@ inline constexpr std::size_t max_unknowns = 100;
 EquationText read_equation_text(const std::filesystem::path& file);
 EquationText parse_equation_text(const std::string& file, std::string_view text);
 
-// "FILE: line L, column C: what"
+// An error in a file: "FILE: line L, column C: what".
+struct FileError : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
 [[noreturn]] void reject_at(const std::string& file, const TextPosition& place, std::string_view what);
 // The same for a byte of a formula.
 [[noreturn]] void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte,

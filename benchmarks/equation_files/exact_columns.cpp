@@ -44,11 +44,12 @@ void require_columns(const EquationText& text, const std::vector<SystemColumn>& 
   }
 }
 
-Expression column_of(const SystemColumn& column, const std::vector<SystemColumn>& columns,
-                     FileFormulas& formulas) {
+Expression column_of(const SystemColumn& column, FileFormulas& formulas) {
   auto& pool = formulas.pool();
-  if (const auto* known = given(formulas.text(), column.name)) return formulas.read(known->formula, {});
-  const auto* unknown = given(formulas.text(), columns[column.unknown].name);
+  const auto& unknown_name = formulas.text().unknowns[column.unknown].name;
+  const auto name = column.order == 0.0 ? unknown_name : fmt::format("D({},{})", unknown_name, column.order);
+  if (const auto* known = given(formulas.text(), name)) return formulas.read(known->formula, {});
+  const auto* unknown = given(formulas.text(), unknown_name);
   auto value = formulas.read(unknown->formula, {});
   if (const auto terms = time_terms(value, pool)) {
     if (const auto derivative = caputo_derivative(*terms, column.order, pool)) return *derivative;
@@ -62,17 +63,18 @@ Expression column_of(const SystemColumn& column, const std::vector<SystemColumn>
   }
   reject_at(formulas.text().file, unknown->position,
             fmt::format("exact: has no \"{}\", it must have this column too, {} being no sum of powers of t",
-                        column.name, unknown->name));
+                        name, unknown->name));
 }
 
 }  // namespace
 
 reference::Reference exact_columns(const EquationText& text, const Parameters& parameters,
-                                   const std::vector<SystemColumn>& columns) {
-  require_columns(text, columns);
+                                   const std::vector<SystemColumn>& all,
+                                   const std::vector<SystemColumn>& wanted) {
+  require_columns(text, all);
   FileFormulas formulas(text, parameters, NumberStorage::decimals);
   std::vector<Expression> values;
-  for (const auto& column : columns) values.push_back(column_of(column, columns, formulas));
+  for (const auto& column : wanted) values.push_back(column_of(column, formulas));
   const auto pool = std::make_shared<const ExpressionPool>(std::move(formulas.pool()));
   return reference::closed_form(
       [pool, values](const auto& time) { return rounded_values(*pool, values, time); });

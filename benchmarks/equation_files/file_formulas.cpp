@@ -8,11 +8,18 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 #include "fdebench/benchmarks/expressions/formula.hpp"
+#include "fdebench/benchmarks/expressions/formula_text.hpp"
+#include "fdebench/benchmarks/expressions/program.hpp"
 
 namespace fde::bench {
 namespace {
+
+// Stands for an unknown or a derivative that the system does not have.
+constexpr int absent_variable = 1'000'000'000;
+constexpr int first_parameter = 500'000'000;  // the variables of parameters
 
 std::optional<std::size_t> unknown_named(const EquationText& text, std::string_view name) {
   const auto found = std::ranges::find(text.unknowns, name, &UnknownText::name);
@@ -20,28 +27,44 @@ std::optional<std::size_t> unknown_named(const EquationText& text, std::string_v
   return static_cast<std::size_t>(found - text.unknowns.begin());
 }
 
+bool is_left_out(const EquationText& text, std::string_view name) {
+  return std::ranges::find(text.absent_unknowns, name) != text.absent_unknowns.end();
+}
+
 }  // namespace
 
+// First with a variable for what is absent. If the value depends on it, the second reading throws where the
+// formula names it.
 Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables& variables) {
+  const auto value = read(formula, variables, Absent::is_a_variable);
+  if (!pool_.depends_on(value, absent_variable)) return value;
+  return read(formula, variables, Absent::is_an_error);
+}
+
+Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables& variables, Absent absent) {
   FormulaNames names;
   if (variables.time) names.accepted_names.emplace_back("t");
-  for (const auto& parameter : text_.parameters) names.accepted_names.emplace_back(parameter.name);
+  for (const auto& parameter : text_.parameters) names.accepted_names.emplace_back(parameter.declared.name);
   if (variables.resolve_unknown) {
     for (const auto& unknown : text_.unknowns) names.accepted_names.emplace_back(unknown.name);
-    names.derivative = [&](std::string_view unknown, Expression order) {
-      return derivative(unknown, order, variables);
+    names.derivative = [&, absent](std::string_view unknown, Expression order, bool is_decimal) {
+      return derivative(unknown, order, is_decimal, variables, absent);
     };
   }
-  names.resolve = [&](std::string_view name) -> std::optional<Expression> {
+  names.resolve = [&, absent](std::string_view name) -> std::optional<Expression> {
     if (name == "t" && variables.time) return pool_.variable(0);
-    if (std::ranges::find(text_.parameters, name, &ParameterText::name) != text_.parameters.end())
-      return pool_.number(fmt::format("{}", parameters_[name]));
-    const auto unknown = unknown_named(text_, name);
-    if (!unknown || !variables.resolve_unknown) return std::nullopt;
-    return variables.resolve_unknown(*unknown, 0.0);
+    for (const auto& known : text_.parameters)
+      if (known.declared.name == name) return parameter(known);
+    if (variables.resolve_unknown) {
+      if (const auto unknown = unknown_named(text_, name)) return variables.resolve_unknown(*unknown, 0.0);
+      if (absent == Absent::is_a_variable && is_left_out(text_, name)) return pool_.variable(absent_variable);
+    }
+    return variables.resolve_other ? variables.resolve_other(name) : std::nullopt;
   };
   try {
     return read_formula(formula.text, names, pool_);
+  } catch (const FileError&) {  // in another formula, which this one names
+    throw;
   } catch (const FormulaError& fault) {
     reject_in(text_.file, formula, fault.byte_offset, fault.what());
   } catch (const std::invalid_argument& fault) {
@@ -49,22 +72,105 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
   }
 }
 
-Expression FileFormulas::derivative(std::string_view unknown, Expression order,
-                                    const FormulaVariables& variables) {
+// A number; of a derived one without a given value its formula, in parameters above it in the file.
+Expression FileFormulas::parameter(const ParameterText& known) {
+  const std::string& name = known.declared.name;
+  if (!known.declared.choices.empty())
+    throw std::invalid_argument(fmt::format("{}: is a word, must be a number", name));
+  if (as_ == ParametersAs::variables && known.declared.default_formula.empty())
+    return pool_.variable(first_parameter + static_cast<int>(&known - text_.parameters.data()));
+  const auto given = parameters_.explicit_value(name);
+  if (given) return pool_.number(fmt::format("{}", *given));
+  FormulaNames names;
+  names.resolve = [&](std::string_view other) -> std::optional<Expression> {
+    for (const auto& above : text_.parameters) {
+      if (above.declared.name == name) break;
+      if (above.declared.name == other) return parameter(above);
+    }
+    return std::nullopt;
+  };
+  for (const auto& above : text_.parameters) {
+    if (above.declared.name == name) break;
+    names.accepted_names.emplace_back(above.declared.name);
+  }
+  try {
+    return read_formula(known.declared.default_formula, names, pool_);
+  } catch (const FormulaError& fault) {
+    reject_in(text_.file, known.formula, fault.byte_offset, fault.what());
+  }
+}
+
+Expression FileFormulas::derivative(std::string_view unknown, Expression order, bool is_decimal,
+                                    const FormulaVariables& variables, Absent absent) {
   const auto found = unknown_named(text_, unknown);
+  const bool may_be_absent = absent == Absent::is_a_variable;
+  if (!found && may_be_absent && is_left_out(text_, unknown)) return pool_.variable(absent_variable);
   if (!found) throw std::invalid_argument(fmt::format("{}: must be an unknown, as in D(x, 0.5)", unknown));
-  const auto value = pool_.value(order);
+  const auto value = this->value(order);
   if (!value || !std::isfinite(static_cast<double>(*value)))
     throw std::invalid_argument("D: its order must be a formula of the parameters");
-  return variables.resolve_unknown(*found, static_cast<double>(*value));
+  if (as_ == ParametersAs::variables) {
+    order_texts_[static_cast<double>(*value)] =
+        formula_text(pool_, order, [&](int variable) { return parameter_name(variable); });
+  }
+  const bool is_formula = !is_decimal && variables.resolve_formula_order;
+  const auto& resolve = is_formula ? variables.resolve_formula_order : variables.resolve_unknown;
+  try {
+    return resolve(*found, static_cast<double>(*value));
+  } catch (const std::invalid_argument&) {
+    if (!may_be_absent) throw;
+    return pool_.variable(absent_variable);
+  }
+}
+
+std::optional<long double> FileFormulas::value(Expression of) {
+  if (as_ == ParametersAs::values) return pool_.value(of);
+  return pool_.value(pool_.substituted({of}, [&](int variable) {
+    const auto name = parameter_name(variable);
+    return name.empty() ? pool_.variable(variable) : pool_.number(fmt::format("{}", parameters_[name]));
+  })[0]);
+}
+
+std::string FileFormulas::parameter_name(int variable) const {
+  const auto number = static_cast<std::size_t>(variable) - first_parameter;
+  return variable >= first_parameter && number < text_.parameters.size()
+             ? text_.parameters[number].declared.name
+             : "";
+}
+
+std::string FileFormulas::order_text(double order) const {
+  const auto found = order_texts_.find(order);
+  return found == order_texts_.end() ? fmt::format("{}", order) : found->second;
 }
 
 double FileFormulas::constant(const FormulaText& formula, std::string_view name, const Range& allowed) {
-  const auto read_value = pool_.value(read(formula, {.time = false}));
-  const auto value = static_cast<double>(read_value.value());
+  const auto known = value(read(formula, {.time = false}));
+  return require_in(allowed, static_cast<double>(known.value()), formula, name);
+}
+
+double FileFormulas::constant_in_double(const FormulaText& formula, std::string_view name,
+                                        const Range& allowed) {
+  FileFormulas unfolded(text_, parameters_, NumberStorage::decimals);
+  const auto written = unfolded.read(formula, {.time = false});
+  return require_in(allowed, Program(unfolded.pool(), {written}, 0)(0.0, Vec()), formula, name);
+}
+
+double FileFormulas::require_in(const Range& allowed, double value, const FormulaText& formula,
+                                std::string_view name) const {
   if (!allowed.contains(value))
     reject(formula, fmt::format("{} = {}: must be {}", name, value, allowed.text()));
   return value;
+}
+
+void FileFormulas::require_parameters() {
+  using Condition = RequirementText::Condition;
+  for (const auto& [name, allowed, condition, formula, unless] : text_.requirements) {
+    const auto value = pool_.value(read(formula, {.time = false})).value();
+    const bool holds = condition == Condition::not_zero      ? value != 0
+                       : condition == Condition::is_positive ? value > 0
+                                                             : value >= 0;
+    if (!holds) fde::bench::reject(name, parameters_.value(name), allowed);
+  }
 }
 
 }  // namespace fde::bench

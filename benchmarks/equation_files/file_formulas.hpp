@@ -2,6 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
@@ -16,6 +19,10 @@ struct FormulaVariables {
   // The variable of D^order of an unknown, order 0 being the unknown itself; throws std::invalid_argument if
   // there is none. Empty: unknowns are not allowed.
   std::function<Expression(std::size_t unknown, double order)> resolve_unknown{};
+  // D^order of an unknown whose order is a formula rather than a number; empty: as resolve_unknown.
+  std::function<Expression(std::size_t unknown, double order)> resolve_formula_order{};
+  // The value of a further name; nullopt if there is none.
+  std::function<std::optional<Expression>(std::string_view name)> resolve_other{};
 };
 
 // Parses the formulas of a file for given values of its parameters. Each function throws
@@ -23,25 +30,53 @@ struct FormulaVariables {
 // `parameters` must outlive this object.
 class FileFormulas {
  public:
-  FileFormulas(const EquationText& text, const Parameters& parameters, NumberStorage numbers)
-      : text_(text), parameters_(parameters), pool_(numbers) {}
+  // The parameters in formulas: their values, or variables that parameter_name() names, which only the orders
+  // of derivatives take by value.
+  enum class ParametersAs { values, variables };
 
+  FileFormulas(const EquationText& text, const Parameters& parameters, NumberStorage numbers,
+               ParametersAs as = ParametersAs::values)
+      : text_(text), parameters_(parameters), as_(as), pool_(numbers) {}
+
+  // An unknown or a derivative that the system does not have may be multiplied by 0.
   Expression read(const FormulaText& formula, const FormulaVariables& variables);
   // The value of a formula that contains parameters only.
   double constant(const FormulaText& formula, std::string_view name, const Range& allowed);
+  // The same evaluated in double, operation by operation, as code would be.
+  double constant_in_double(const FormulaText& formula, std::string_view name, const Range& allowed);
+
+  // With parameters as variables: the name of such a variable, empty for another one; and the formula of an
+  // order that occurred, its value otherwise.
+  [[nodiscard]] std::string parameter_name(int variable) const;
+  [[nodiscard]] std::string order_text(double order) const;
+
+  // Throws std::invalid_argument "NAME = VALUE: must be ..." if a requirement of the file does not hold.
+  void require_parameters();
 
   [[nodiscard]] ExpressionPool& pool() { return pool_; }
   [[nodiscard]] const EquationText& text() const { return text_; }
+  [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   [[noreturn]] void reject(const FormulaText& formula, std::string_view what) const {
     reject_in(text_.file, formula, 0, what);
   }
 
  private:
-  Expression derivative(std::string_view unknown, Expression order, const FormulaVariables& variables);
+  enum class Absent { is_a_variable, is_an_error };
+
+  Expression read(const FormulaText& formula, const FormulaVariables& variables, Absent absent);
+  Expression parameter(const ParameterText& known);
+  [[nodiscard]] double require_in(const Range& allowed, double value, const FormulaText& formula,
+                                  std::string_view name) const;
+  // The value of an expression without variables other than parameters.
+  std::optional<long double> value(Expression of);
+  Expression derivative(std::string_view unknown, Expression order, bool is_decimal,
+                        const FormulaVariables& variables, Absent absent);
 
   const EquationText& text_;
   const Parameters& parameters_;
+  ParametersAs as_;
   ExpressionPool pool_;
+  std::map<double, std::string> order_texts_{};
 };
 
 }  // namespace fde::bench

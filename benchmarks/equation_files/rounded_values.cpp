@@ -137,11 +137,11 @@ reference::ConditionedValue<Real> rounded_apply(Operation operation,
   return {f, size};
 }
 
-// The values of expressions of t at a time.
+// The values of expressions of t and of rows at a time.
 template <class Real>
-std::vector<reference::ConditionedValue<Real>> values_at(const ExpressionPool& pool,
-                                                         const std::vector<Expression>& of,
-                                                         const Real& time) {
+std::vector<reference::ConditionedValue<Real>> values_at(
+    const ExpressionPool& pool, const std::vector<Expression>& of, const Real& time,
+    const std::vector<reference::ConditionedValue<Real>>& rows) {
   using std::abs;
   const auto used = pool.subexpressions(of);
   std::vector<reference::ConditionedValue<Real>> values(used.size());
@@ -154,9 +154,10 @@ std::vector<reference::ConditionedValue<Real>> values_at(const ExpressionPool& p
                  : values[static_cast<std::size_t>(entry.arguments[i])];
     };
     if (entry.operation == Operation::variable) {
-      values[e] = {time, time};
+      values[e] = entry.variable == 0 ? reference::ConditionedValue<Real>{time, time}
+                                      : rows.at(static_cast<std::size_t>(entry.variable) - 1);
     } else if (entry.operation == Operation::number) {
-      const auto number = reference::parse<Real>(entry.text);
+      const Real number = entry.text.empty() ? Real(entry.value) : reference::parse<Real>(entry.text);
       values[e] = {number, Real(abs(number))};
     } else {
       values[e] = rounded_apply<Real>(entry.operation, at(0), at(1), at(2));
@@ -169,16 +170,16 @@ std::vector<reference::ConditionedValue<Real>> values_at(const ExpressionPool& p
 
 }  // namespace
 
-std::vector<reference::ConditionedValue<long double>> rounded_values(const ExpressionPool& pool,
-                                                                     const std::vector<Expression>& of,
-                                                                     const long double& time) {
-  return values_at<long double>(pool, of, time);
+std::vector<reference::ConditionedValue<long double>> rounded_values(
+    const ExpressionPool& pool, const std::vector<Expression>& of, const long double& time,
+    const std::vector<reference::ConditionedValue<long double>>& rows) {
+  return values_at<long double>(pool, of, time, rows);
 }
 
 std::vector<reference::ConditionedValue<reference::BigReal>> rounded_values(const ExpressionPool& pool,
                                                                             const std::vector<Expression>& of,
                                                                             const reference::BigReal& time) {
-  return values_at<reference::BigReal>(pool, of, time);
+  return values_at<reference::BigReal>(pool, of, time, {});
 }
 
 }  // namespace fde::bench

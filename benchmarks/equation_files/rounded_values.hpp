@@ -9,11 +9,12 @@
 
 namespace fde::bench {
 
-// The values at a time of expressions of t whose numbers are stored as written, with the size of the summands
-// of each value (ConditionedValue, closed_form.hpp), propagated by the derivatives of the operations.
-std::vector<reference::ConditionedValue<long double>> rounded_values(const ExpressionPool& pool,
-                                                                     const std::vector<Expression>& of,
-                                                                     const long double& time);
+// The values at a time of expressions of t, with the size of the summands of each value (ConditionedValue,
+// closed_form.hpp), propagated by the derivatives of the operations. Numbers are those written, or else their
+// long double values. `rows`: the values of the variables 1, 2, ..., if the expressions contain such.
+std::vector<reference::ConditionedValue<long double>> rounded_values(
+    const ExpressionPool& pool, const std::vector<Expression>& of, const long double& time,
+    const std::vector<reference::ConditionedValue<long double>>& rows = {});
 std::vector<reference::ConditionedValue<reference::BigReal>> rounded_values(const ExpressionPool& pool,
                                                                             const std::vector<Expression>& of,
                                                                             const reference::BigReal& time);

@@ -4,192 +4,174 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <set>
+#include <stdexcept>
+#include <utility>
 
-#include "fdebench/benchmarks/expressions/program.hpp"
+#include "fdebench/benchmarks/equation_files/first_powers.hpp"
+#include "fdebench/benchmarks/expressions/time_powers.hpp"
 
 namespace fde::bench {
 namespace {
 
-using Unknown = EquationSystem::Unknown;
-
 constexpr double range = 2.0;        // powers up to the order plus this count
 constexpr double most_powers = 1e5;  // limit of the work
 
-// The values of expressions 0 ... last at t = 0 and the initial values.
-std::vector<double> values_at_start(const EquationSystem& system, const ExpressionPool& pool,
-                                    Expression last) {
+Vec initial_values(const EquationSystem& system) {
   Vec start(system.size());
   for (Eigen::Index i = 0; i < start.size(); ++i)
     start[i] = system.components[static_cast<std::size_t>(i)].initial.front();
-  std::vector<Expression> every(static_cast<std::size_t>(last) + 1);
-  std::iota(every.begin(), every.end(), Expression{0});
-  std::vector<double> values(every.size());
-  Program(pool, every, system.size()).evaluate(0.0, start, values);
-  return values;
+  return start;
 }
 
-// The exponent p of an expression t^p or sqrt(t); integer powers are not stored as such.
-std::optional<double> power_of_time(const ExpressionPool& pool, const ExpressionPool::Node& entry) {
-  const bool of_time = entry.arguments[0] != ExpressionPool::none &&
-                       pool[entry.arguments[0]].operation == Operation::variable &&
-                       pool[entry.arguments[0]].variable == 0;
-  if (!of_time) return std::nullopt;
-  if (entry.operation == Operation::sqrt) return 0.5;
-  if (entry.operation != Operation::power || pool[entry.arguments[1]].operation != Operation::number)
-    return std::nullopt;
-  const auto power = static_cast<double>(pool[entry.arguments[1]].value);
-  return power > 0.0 ? std::optional(power) : std::nullopt;
+Expression last_row(const EquationSystem& system, const EquationSystem::Unknown& unknown) {
+  return system.rows[static_cast<std::size_t>(unknown.first + unknown.size()) - 1];
 }
 
-// Whether an operation is smooth at the arguments a, b.
-bool is_smooth(Operation operation, double a, double b) {
-  switch (operation) {
-    case Operation::divide:
-      return b != 0.0;
-    case Operation::power:
-    case Operation::log:
-    case Operation::sqrt:
-    case Operation::abs:
-    case Operation::sign:
-    case Operation::step:
-      return a != 0.0;
-    case Operation::asin:
-    case Operation::acos:
-      return std::abs(a) != 1.0;
-    case Operation::atan2:
-      return a != 0.0 || b != 0.0;
-    case Operation::min:
-    case Operation::max:
-      return a != b;
-    default:
-      return true;
-  }
-}
+// What the right-hand side of an unknown depends on, its own terms included.
+struct Dependence {
+  std::vector<int> linear, nonlinear;  // variables of rows, by whether the derivative is a constant
+  std::vector<double> time{};          // powers of t
+};
 
-// The non-integer powers of t in a right-hand side; nullopt if it is otherwise not smooth.
-std::optional<std::set<double>> powers_in(const ExpressionPool& pool, Expression rhs,
-                                          const std::vector<double>& values) {
-  std::set<double> powers;
-  const auto used = pool.subexpressions(rhs);
-  for (Expression e = 0; e <= rhs; ++e) {
-    const auto& entry = pool[e];
-    if (!used[static_cast<std::size_t>(e)] || entry.arguments[0] == ExpressionPool::none) continue;
-    if (const auto power = power_of_time(pool, entry)) {
-      powers.insert(*power);
-      continue;
-    }
-    const auto at = [&](std::size_t i) {
-      return entry.arguments[i] == ExpressionPool::none
-                 ? 0.0
-                 : values[static_cast<std::size_t>(entry.arguments[i])];
-    };
-    if (!is_smooth(entry.operation, at(0), at(1)) && !pool.variables_in(e).empty()) return std::nullopt;
-  }
-  return powers;
-}
-
-// For each unknown, the variables in its equation, including its own terms.
-std::vector<std::set<int>> variables_of(const EquationSystem& system, const ExpressionPool& pool) {
-  std::vector<std::set<int>> variables;
-  for (const auto& unknown : system.unknowns) {
-    const auto last = static_cast<std::size_t>(unknown.first + unknown.size()) - 1;
-    variables.push_back(pool.variables_in(system.rows[last]));
-  }
-  return variables;
-}
-
-// For each unknown, the unknowns that its equation depends on, directly or through others.
-std::vector<std::set<std::size_t>> dependencies(const std::vector<Unknown>& unknowns,
-                                                const std::vector<std::set<int>>& variables) {
-  std::vector<std::set<std::size_t>> on(unknowns.size());
-  for (std::size_t u = 0; u < unknowns.size(); ++u) {
-    on[u].insert(u);
-    for (std::size_t v = 0; v < unknowns.size(); ++v) {
-      const auto next = variables[u].upper_bound(static_cast<int>(unknowns[v].first));
-      if (next != variables[u].end() && *next <= unknowns[v].first + unknowns[v].size()) on[u].insert(v);
+std::vector<Dependence> dependences(const EquationSystem& system, ExpressionPool& pool,
+                                    const std::vector<std::set<double>>& powers) {
+  std::vector<Dependence> all;
+  for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
+    const auto row = last_row(system, system.unknowns[u]);
+    auto& found = all.emplace_back();
+    found.time.assign(powers[u].begin(), powers[u].end());
+    for (const int variable : pool.variables_in(row)) {
+      if (variable == 0) {
+        found.time.push_back(1.0);
+      } else {
+        const bool is_linear = pool.variables_in(pool.derivative(row, variable)).empty();
+        (is_linear ? found.linear : found.nonlinear).push_back(variable);
+      }
     }
   }
-  for (std::size_t through = 0; through < on.size(); ++through) {
-    for (auto& set : on)
-      if (set.contains(through)) set.insert(on[through].begin(), on[through].end());
-  }
-  return on;
+  return all;
 }
 
-// The increments of powers due to an unknown: for each derivative D^a of it that occurs, a power p of the
-// right-hand side gives p + order - a.
-std::set<double> increments_of(const Unknown& unknown, const std::set<double>& derivatives) {
-  std::set<double> increments;
-  const auto& chain = *unknown.chain;
-  for (const double a : derivatives) {
-    increments.insert(chain.leading().order - a);
-    for (std::size_t k = 1; k < chain.initial().size(); ++k) {
-      const auto power = static_cast<double>(k);
-      if (chain.initial()[k] != 0.0 && power > a && power >= std::ceil(a)) increments.insert(power - a);
-    }
+// The unknown and the node of the row of a variable.
+struct Node {
+  std::size_t unknown;
+  double order;
+};
+Node node_of(const EquationSystem& system, int variable) {
+  for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
+    const auto place = variable - 1 - system.unknowns[u].first;
+    if (place < system.unknowns[u].size())
+      return {u, system.unknowns[u].chain->nodes()[static_cast<std::size_t>(place)]};
   }
-  return increments;
+  throw std::out_of_range("no such row");
 }
 
-// The increments of each unknown; nullopt if a right-hand side is not smooth at the start.
-std::optional<std::vector<std::set<double>>> all_increments(const EquationSystem& system,
-                                                            const ExpressionPool& pool,
-                                                            const std::vector<std::set<int>>& variables) {
-  const auto& unknowns = system.unknowns;
-  const auto values = values_at_start(system, pool, std::ranges::max(system.rows));
-  std::set<int> used;
-  for (const auto& some : variables) used.insert(some.begin(), some.end());
-  std::vector<std::set<double>> increments;
-  for (std::size_t u = 0; u < unknowns.size(); ++u) {
-    const auto powers = powers_in(pool, *unknowns[u].rhs, values);
-    if (!powers) return std::nullopt;
-    std::set<double> derivatives{0.0};
-    for (Eigen::Index i = 0; i < unknowns[u].size(); ++i) {
-      if (used.contains(static_cast<int>(unknowns[u].first + i) + 1))
-        derivatives.insert(unknowns[u].chain->nodes()[static_cast<std::size_t>(i)]);
-    }
-    increments.push_back(increments_of(unknowns[u], derivatives));
-    increments.back().insert(powers->begin(), powers->end());
-    if (variables[u].contains(0)) increments.back().insert(1.0);
-  }
-  return increments;
+// The positive powers of a node, from those of its unknown.
+std::vector<double> powers_of(const Node& node, const std::vector<std::vector<double>>& powers) {
+  std::vector<double> found;
+  for (const double p : powers[node.unknown])
+    if (p > node.order && !same_order(p, node.order)) found.push_back(p - node.order);
+  return found;
 }
 
-// Appends the powers of the rows of a chain, from the powers of its unknown.
-void add_powers(const Chain& chain, std::vector<double> powers, Smoothness& smoothness) {
-  for (std::size_t k = 1; k < chain.initial().size(); ++k)
-    if (chain.initial()[k] != 0.0) powers.push_back(static_cast<double>(k));
+// The sums of any numbers of these positive powers, up to `range`, 0 included; empty if there are too many.
+std::vector<double> sums_of(std::vector<double> powers) {
   std::ranges::sort(powers);
-  for (const double node : chain.nodes()) {
-    auto& of_node = smoothness.powers.emplace_back();
-    for (const double p : powers)
-      if (p > node && !same_order(p, node)) of_node.push_back(p - node);
+  std::vector<double> sums{0.0}, steps;
+  for (const double p : powers) {
+    const auto next = std::ranges::lower_bound(sums, p - power_separation);
+    if (p > range || (next != sums.end() && *next < p + power_separation)) continue;
+    steps.push_back(p);
+    if (static_cast<double>(steps.size()) * range / steps.front() > most_powers) return {};
+    sums = power_lattice({0.0}, steps, range);
   }
+  return sums;
+}
+
+// The powers of an unknown from those of all; nullopt if there are too many.
+std::optional<std::vector<double>> next_powers(const EquationSystem& system, std::size_t u,
+                                               const Dependence& on, double first,
+                                               const std::vector<std::vector<double>>& powers) {
+  const auto& chain = *system.unknowns[u].chain;
+  const double order = chain.leading().order;
+  std::vector<double> summands = on.time, start, own;
+  for (const int variable : on.nonlinear) {
+    const auto some = powers_of(node_of(system, variable), powers);
+    summands.insert(summands.end(), some.begin(), some.end());
+  }
+  const auto sums = sums_of(std::move(summands));
+  if (sums.empty()) return std::nullopt;
+  for (const double s : sums)
+    if (s > first || same_order(s, first)) start.push_back(order + s);
+  for (std::size_t k = 1; k < chain.initial().size(); ++k)
+    if (chain.initial()[k] != 0.0) start.push_back(static_cast<double>(k));
+  for (const int variable : on.linear) {
+    const auto node = node_of(system, variable);
+    if (node.unknown == u) own.push_back(node.order);
+    for (const double s : powers_of(node, powers)) start.push_back(order + s);
+  }
+  return power_closure(std::move(start), order + range, [&](double p) {
+    std::vector<double> following;
+    for (const double node : own)
+      if (p > node && !same_order(p, node)) following.push_back(p - node + order);
+    return following;
+  });
+}
+
+bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) < power_separation; });
+}
+
+// The non-integer powers of t in each right-hand side; nullopt if one is otherwise not smooth.
+std::optional<std::vector<std::set<double>>> all_time_powers(const EquationSystem& system,
+                                                             const ExpressionPool& pool,
+                                                             const std::vector<double>& values) {
+  std::vector<std::set<double>> all;
+  for (const auto& unknown : system.unknowns) {
+    auto powers = time_powers(pool, last_row(system, unknown), values);
+    if (!powers) return std::nullopt;
+    all.push_back(std::move(*powers));
+  }
+  return all;
 }
 
 }  // namespace
 
-Smoothness starting_powers(const EquationSystem& system, const ExpressionPool& pool) {
-  const auto& unknowns = system.unknowns;
-  if (std::ranges::any_of(unknowns, [](const Unknown& one) { return !one.chain; })) return {};
-  const auto variables = variables_of(system, pool);
-  const auto increments = all_increments(system, pool, variables);
-  if (!increments) return {};
-  const auto on = dependencies(unknowns, variables);
-  Smoothness smoothness;
-  for (std::size_t u = 0; u < unknowns.size(); ++u) {
-    std::set<double> steps;
-    for (const auto v : on[u]) steps.insert((*increments)[v].begin(), (*increments)[v].end());
-    const double order = unknowns[u].chain->leading().order;
-    if (static_cast<double>(steps.size()) * range / *steps.begin() > most_powers) return {};
-    add_powers(*unknowns[u].chain, power_lattice({order}, {steps.begin(), steps.end()}, order + range),
-               smoothness);
-    if (!system.jumps.empty() && variables[u].contains(0))
-      smoothness.jumps.push_back(unknowns[u].first + unknowns[u].size() - 1);
+void add_powers(const Chain& chain, const std::vector<double>& powers, Smoothness& smoothness) {
+  for (const double node : chain.nodes()) {
+    auto& of_node = smoothness.powers.emplace_back();
+    for (const double p : powers) {
+      const bool is_initial = chain.size() == 1 && is_integer_order(p) && p < chain.leading().order;
+      if (p > node && !same_order(p, node) && !is_initial) of_node.push_back(p - node);
+    }
   }
+}
+
+// Starts from the initial values alone; the powers grow until nothing changes.
+Smoothness starting_powers(const EquationSystem& system, ExpressionPool& pool) {
+  constexpr int most_rounds = 500;
+  const auto& unknowns = system.unknowns;
+  const auto values = values_of_parts(pool, system.rows, initial_values(system));
+  const auto of_time = all_time_powers(system, pool, values);
+  if (!of_time) return {};
+  const auto first = first_powers(system, pool, values);
+  const auto on = dependences(system, pool, *of_time);
+  std::vector<std::vector<double>> powers(unknowns.size());
+  bool changes = true;
+  for (int round = 0; changes; ++round) {
+    if (round == most_rounds) return {};
+    changes = false;
+    for (std::size_t u = 0; u < unknowns.size(); ++u) {
+      auto next = next_powers(system, u, on[u], first[u], powers);
+      if (!next) return {};
+      changes = changes || !are_same(*next, powers[u]);
+      powers[u] = std::move(*next);
+    }
+  }
+  Smoothness smoothness;
+  for (std::size_t u = 0; u < unknowns.size(); ++u) add_powers(*unknowns[u].chain, powers[u], smoothness);
   return smoothness;
 }
 

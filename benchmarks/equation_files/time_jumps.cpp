@@ -65,12 +65,13 @@ bool same_time(double a, double b) {
 
 }  // namespace
 
-std::function<std::vector<double>(double end)> time_jumps(const EquationSystem& system,
+std::function<std::vector<double>(double end)> time_jumps(const std::vector<Expression>& rows,
+                                                          std::vector<double> declared,
                                                           const ExpressionPool& pool) {
   std::vector<SignOfTime> signs;
-  for (const auto argument : pool.arguments(system.rows, {Operation::sign, Operation::step}))
+  for (const auto argument : pool.arguments(rows, {Operation::sign, Operation::step}))
     if (!pool.depends_on_unknowns(argument)) signs.emplace_back(Program(pool, {argument}, 0));
-  return [signs = std::move(signs), declared = system.jumps](double end) {
+  return [signs = std::move(signs), declared = std::move(declared)](double end) {
     auto jumps = declared;
     for (const auto& sign : signs) add_changes(sign, end, jumps);
     std::ranges::sort(jumps);

@@ -9,32 +9,48 @@
 #include <sstream>
 #include <utility>
 
+#include "fdebench/benchmarks/equation_files/declaration_reader.hpp"
 #include "fdebench/benchmarks/equation_files/deep_keys.hpp"
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
-#include "fdebench/benchmarks/expressions/formula.hpp"
-#include "fdebench/benchmarks/equation_files/toml_text.hpp"
+#include "fdebench/benchmarks/equation_files/mechanics_reader.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
-#include "fdebench/benchmarks/text/printable.hpp"
 
 namespace fde::bench {
 namespace {
 
-class EquationReader : TomlReader {
+class EquationReader : DeclarationReader {
  public:
-  using TomlReader::TomlReader;
+  using DeclarationReader::DeclarationReader;
 
   [[nodiscard]] EquationText read(const toml::table& all) const {
-    require_keys(all, "the file",
-                 {"title", "end", "parameters", "unknown", "exact", "energy", "constraint", "jump", "event"});
+    const bool mechanical = all.get("mechanics") != nullptr || all.get("coordinate") != nullptr;
+    if (mechanical) {
+      require_keys(all, "a file with [mechanics]",
+                   {"title", "source", "end", "parameters", "require", "coordinate", "mechanics", "columns",
+                    "domain", "path", "exact", "jump", "event"});
+    } else {
+      require_keys(all, "the file",
+                   {"title", "source", "end", "parameters", "require", "unknown", "columns", "domain", "path",
+                    "exact", "energy", "constraint", "jump", "event"});
+    }
     EquationText read{.file = file()};
-    if (const auto* title = all.get("title")) read.title = title_of(*title);
+    if (const auto* title = all.get("title")) read.title = printable_text(*title, "title");
+    if (const auto* source = all.get("source")) read.source = printable_text(*source, "source");
     read.end = formula(required(all, {}, "the file", "end"), "end");
     if (const auto* parameters = all.get("parameters")) read.parameters = parameters_of(*parameters);
-    read.unknowns = unknowns_of(required(all, {}, "the file", "unknown"), read.parameters);
-    if (const auto* exact = all.get("exact")) {
-      for (const auto& entry : entries(*exact, "exact"))
-        read.exact.push_back({entry.name, entry.position, formula(*entry.node, entry.name)});
+    if (const auto* require = all.get("require"))
+      read.requirements = requirements_of(*require, read.parameters);
+    const std::string_view kind = mechanical ? "coordinate" : "unknown";
+    read.unknowns = unknowns_of(required(all, {}, "the file", kind), kind, read.parameters);
+    if (mechanical) {
+      read.mechanics =
+          read_mechanics(file(), text(), required(all, {}, "the file", "mechanics"), read.unknowns);
+      require_parameter_names(read);
     }
+    if (const auto* columns = all.get("columns")) read.columns = columns_of(*columns, read.parameters);
+    if (const auto* domain = all.get("domain")) read.domain = domain_of(*domain);
+    if (const auto* path = all.get("path")) read.path = formulas_of(*path, "path");
+    if (const auto* exact = all.get("exact")) read.exact = formulas_of(*exact, "exact");
     if (const auto* energy = all.get("energy")) read.energy = energy_of(*energy);
     if (const auto* constraint = all.get("constraint")) read.constraints = constraints_of(*constraint);
     if (const auto* jump = all.get("jump")) read.jumps = jumps_of(*jump);
@@ -45,73 +61,70 @@ class EquationReader : TomlReader {
   }
 
  private:
-  [[nodiscard]] std::string title_of(const toml::node& node) const {
-    constexpr std::size_t longest = 200;
-    const auto* text = node.as_string();
-    if (text == nullptr) reject_kind(node, "title", "a text");
-    const std::string& title = text->get();
-    if (title.size() > longest || !is_printable(title))
-      reject(position_of(node), fmt::format("title: must be at most {} bytes that print", longest));
-    return title;
-  }
-
-  // A name that can be used in formulas.
-  void require_name(const TomlEntry& entry, std::string_view kind) const {
-    if (!is_name(entry.name)) {
-      reject(entry.position, fmt::format("{} {}: must be letters, digits and _, at most 64, a letter first",
-                                         kind, entry.name));
-    }
-    if (is_symbol(entry.name) || (kind != "parameter" && is_function(entry.name))) {
-      reject(entry.position,
-             fmt::format("{} {}: must be another name, formulas know this one", kind, entry.name));
-    }
-  }
-
-  [[nodiscard]] std::vector<ParameterText> parameters_of(const toml::node& node) const {
-    std::vector<ParameterText> parameters;
-    for (const auto& entry : entries(node, "parameters")) {
-      require_name(entry, "parameter");
-      if (entry.name == "until")
-        reject(entry.position, "parameter until: must be another name, this one sets the end");
-      const auto number = entry.node->value<double>();
-      if (!entry.node->is_number()) reject_kind(*entry.node, entry.name, "a number");
-      if (!std::isfinite(*number)) {
-        reject(position_of(*entry.node),
-               fmt::format("{} = {}: must be a finite number", entry.name, *number));
+  // The names of the parameters that constraints add.
+  void require_parameter_names(const EquationText& read) const {
+    if (read.mechanics->constraints.empty() || read.mechanics->is_vakonomic) return;
+    for (const auto& parameter : read.parameters) {
+      const auto& name = parameter.declared.name;
+      if (name == "formulation" || name == "kappa") {
+        reject(read.mechanics->position,
+               fmt::format("parameter {}: must be another name, constraints add this one", name));
       }
-      parameters.push_back({entry.name, *number});
     }
-    return parameters;
   }
 
-  [[nodiscard]] std::vector<UnknownText> unknowns_of(const toml::node& node,
+  [[nodiscard]] std::vector<NamedFormula> formulas_of(const toml::node& node, std::string_view name) const {
+    std::vector<NamedFormula> formulas;
+    for (const auto& entry : entries(node, name))
+      formulas.push_back({entry.name, entry.position, formula(*entry.node, entry.name)});
+    return formulas;
+  }
+
+  // The unknowns or the coordinates, as `kind` says.
+  [[nodiscard]] std::vector<UnknownText> unknowns_of(const toml::node& node, std::string_view kind,
                                                      const std::vector<ParameterText>& parameters) const {
-    constexpr std::array<std::string_view, 3> columns{"energy", "constraint", "bound"};
-    const auto found = entries(node, "unknown");
+    const auto found = entries(node, kind);
     if (found.empty() || found.size() > max_unknowns) {
       reject(position_of(node),
-             fmt::format("there are {} unknowns: must be 1 to {}", found.size(), max_unknowns));
+             fmt::format("there are {} {}s: must be 1 to {}", found.size(), kind, max_unknowns));
     }
     std::vector<UnknownText> unknowns;
     for (const auto& entry : found) {
-      require_name(entry, "unknown");
-      if (std::ranges::find(columns, entry.name) != columns.end()) {
+      require_name(entry, kind);
+      if (is_added_column(entry.name)) {
         reject(entry.position,
-               fmt::format("unknown {}: must be another name, a column has this one", entry.name));
+               fmt::format("{} {}: must be another name, a column has this one", kind, entry.name));
       }
-      if (std::ranges::find(parameters, entry.name, &ParameterText::name) != parameters.end()) {
+      const auto is_its_name = [&](const ParameterText& one) { return one.declared.name == entry.name; };
+      if (std::ranges::any_of(parameters, is_its_name)) {
         reject(entry.position,
-               fmt::format("unknown {}: must be another name, a parameter has this one", entry.name));
+               fmt::format("{} {}: must be another name, a parameter has this one", kind, entry.name));
       }
-      unknowns.push_back(unknown_of(entry));
+      unknowns.push_back(kind == "coordinate" ? coordinate_of(entry) : unknown_of(entry, parameters));
     }
     return unknowns;
   }
 
-  [[nodiscard]] UnknownText unknown_of(const TomlEntry& entry) const {
+  [[nodiscard]] UnknownText coordinate_of(const TomlEntry& entry) const {
+    const auto name = fmt::format("coordinate {}", entry.name);
+    const auto& of = table(*entry.node, name);
+    require_keys(of, name, {"initial", "final"});
+    UnknownText coordinate{.name = entry.name, .position = entry.position};
+    const auto& initial = required(of, entry.position, name, "initial");
+    for (const auto& value : array(initial, "initial", "a list of numbers or formulas"))
+      coordinate.initial.push_back(formula(value, "initial"));
+    if (const auto* last = of.get("final")) {
+      for (const auto& value : array(*last, "final", "a list of numbers or formulas"))
+        coordinate.final.push_back(formula(value, "final"));
+    }
+    return coordinate;
+  }
+
+  [[nodiscard]] UnknownText unknown_of(const TomlEntry& entry,
+                                       const std::vector<ParameterText>& parameters) const {
     const auto name = fmt::format("unknown {}", entry.name);
     const auto& of = table(*entry.node, name);
-    require_keys(of, name, {"terms", "order", "rhs", "initial"});
+    require_keys(of, name, {"terms", "order", "chain", "factor", "rhs", "initial", "unless"});
     UnknownText unknown{.name = entry.name, .position = entry.position};
     const auto *order = of.get("order"), *terms = of.get("terms");
     if ((order == nullptr) == (terms == nullptr))
@@ -122,11 +135,23 @@ class EquationReader : TomlReader {
       unknown.terms.push_back({one, formula(*order, "order")});
     }
     if (terms != nullptr) unknown.terms = terms_of(*terms);
+    if (const auto* chain = of.get("chain")) {
+      unknown.is_chain = flag_of(*chain, "chain");
+      if (!unknown.is_chain && order == nullptr)
+        reject(position_of(*chain), fmt::format("chain: {}: must have order where it is false", name));
+    }
+    if (const auto* factor = of.get("factor")) unknown.factor = formula(*factor, "factor");
     unknown.rhs = formula(required(of, entry.position, name, "rhs"), "rhs");
+    unknown.unless = unless_of(of, parameters);
     const auto& initial = required(of, entry.position, name, "initial");
     for (const auto& value : array(initial, "initial", "a list of numbers or formulas"))
       unknown.initial.push_back(formula(value, "initial"));
     return unknown;
+  }
+
+  [[nodiscard]] bool flag_of(const toml::node& node, std::string_view name) const {
+    if (!node.is_boolean()) reject_kind(node, name, "true or false");
+    return **node.as_boolean();
   }
 
   [[nodiscard]] std::vector<TermText> terms_of(const toml::node& node) const {
@@ -191,10 +216,7 @@ class EquationReader : TomlReader {
     require_keys(of, name, {"zero", "crossing", "ends"});
     EventText event{.name = entry.name, .zero = formula(required(of, entry.position, name, "zero"), "zero")};
     if (const auto* crossing = of.get("crossing")) event.crossing = crossing_of(*crossing);
-    if (const auto* ends = of.get("ends")) {
-      if (!ends->is_boolean()) reject_kind(*ends, "ends", "true or false");
-      event.terminal = **ends->as_boolean();
-    }
+    if (const auto* ends = of.get("ends")) event.terminal = flag_of(*ends, "ends");
     return event;
   }
 
@@ -213,6 +235,7 @@ class EquationReader : TomlReader {
 // order.
 std::string checksum_of(toml::table all, const EquationText& text) {
   all.erase("title");
+  all.erase("source");
   std::ostringstream meaning;
   meaning << toml::toml_formatter(all);
   for (const auto& unknown : text.unknowns) meaning << "\nunknown " << unknown.name;
@@ -230,6 +253,7 @@ EquationText parse_equation_text(const std::string& file, std::string_view text)
     toml::table all = toml::parse(text);
     EquationText read = EquationReader(file, text).read(all);
     read.checksum = checksum_of(std::move(all), read);
+    read.contents = text;
     return read;
   } catch (const toml::parse_error& fault) {
     reject_at(file, position_of(fault.source()), fmt::format("no TOML: {}", fault.description()));

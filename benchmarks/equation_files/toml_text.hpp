@@ -30,6 +30,7 @@ class TomlReader {
 
  protected:
   [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] std::string_view text() const { return text_; }
   [[noreturn]] void reject(const TextPosition& place, std::string_view what) const;
   [[noreturn]] void reject_kind(const toml::node& node, std::string_view name,
                                 std::string_view allowed) const;

@@ -223,25 +223,31 @@ std::optional<long double> ExpressionPool::value(Expression of) const {
   return values.back();
 }
 
-Expression ExpressionPool::without_variables(Expression of, int first) {
+std::vector<Expression> ExpressionPool::substituted(const std::vector<Expression>& of,
+                                                    const std::function<Expression(int variable)>& value) {
   const auto used = subexpressions(of);
-  std::vector<Expression> made(used.size(), none);
-  for (Expression e = 0; e <= of; ++e) {
-    if (!used[static_cast<std::size_t>(e)]) continue;
-    const Node entry = (*this)[e];
-    auto& replaced = made[static_cast<std::size_t>(e)];
+  std::vector<Expression> replaced(used.size(), none);
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    if (!used[e]) continue;
+    const Node entry = (*this)[static_cast<Expression>(e)];
     if (entry.operation == Operation::variable) {
-      replaced = entry.variable >= first ? number(0) : e;
+      replaced[e] = value(entry.variable);
     } else if (entry.arguments[0] == none) {
-      replaced = e;
+      replaced[e] = static_cast<Expression>(e);
     } else {
       std::array<Expression, 3> from{none, none, none};
       for (std::size_t i = 0; i < from.size(); ++i)
-        if (entry.arguments[i] != none) from[i] = made[static_cast<std::size_t>(entry.arguments[i])];
-      replaced = make_expression(entry.operation, from[0], from[1], from[2]);
+        if (entry.arguments[i] != none) from[i] = replaced[static_cast<std::size_t>(entry.arguments[i])];
+      replaced[e] = make_expression(entry.operation, from[0], from[1], from[2]);
     }
   }
-  return made.back();
+  std::vector<Expression> results;
+  for (const auto e : of) results.push_back(replaced[static_cast<std::size_t>(e)]);
+  return results;
+}
+
+Expression ExpressionPool::without_variables(Expression of, int first) {
+  return substituted({of}, [&](int i) { return i >= first ? number(0) : variable(i); }).front();
 }
 
 }  // namespace fde::bench

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -90,6 +91,9 @@ class ExpressionPool {
   Expression derivative(Expression of, int variable);
   // The derivatives of several expressions, in which each common part is differentiated once.
   std::vector<Expression> derivatives(const std::vector<Expression>& of, int variable);
+  // The expressions with each variable i replaced by value(i).
+  std::vector<Expression> substituted(const std::vector<Expression>& of,
+                                      const std::function<Expression(int variable)>& value);
   // The expression with the variables from index `first` on replaced by 0.
   Expression without_variables(Expression of, int first);
 

@@ -181,10 +181,13 @@ class FormulaParser {
     if (!is_letter(unknown.text.empty() ? ' ' : unknown.text.front())) expected("an unknown");
     advance();
     if (!take(",")) expected("',', as in D(x, 0.5)");
+    const FormulaToken first = token_;
     const auto order = sum();
+    const FormulaToken second = next_token(text_, first.byte_offset + first.text.size());
+    const bool is_decimal = second.byte_offset == token_.byte_offset && !is_letter(first.text.front());
     if (!take(")")) expected("')', as in D(x, 0.5)");
     try {
-      return names_.derivative(unknown.text, order);
+      return names_.derivative(unknown.text, order, is_decimal);
     } catch (const std::invalid_argument& none) {
       fault(none.what(), token.byte_offset);
     }

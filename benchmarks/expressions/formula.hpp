@@ -15,9 +15,10 @@ namespace fde::bench {
 // The names in a formula, other than functions and pi.
 struct FormulaNames {
   std::function<std::optional<Expression>(std::string_view name)> resolve{};
-  // D(x, order), a derivative of an unknown; empty: derivatives are not allowed. Throws std::invalid_argument
-  // with the reason if there is no derivative of that order.
-  std::function<Expression(std::string_view unknown, Expression order)> derivative{};
+  // D(x, order), a derivative of an unknown; `is_decimal`: whether the order is written as a number, as in
+  // D(x, 1). Empty: derivatives are not allowed. Throws std::invalid_argument with the reason if there is no
+  // derivative of that order.
+  std::function<Expression(std::string_view unknown, Expression order, bool is_decimal)> derivative{};
   std::vector<std::string_view> accepted_names{};  // the names that `resolve` accepts, for messages
 };
 

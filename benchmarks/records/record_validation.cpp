@@ -62,7 +62,8 @@ void require_setup(const Record& row) {
   if (std::isfinite(setup.budget)) require_in("budget", setup.budget, positive);
 }
 
-// A scene of an equation file, which need not be present: its name, the SHA-256 of its contents, and numbers.
+// A scene of an equation file, which need not be present: its name, the SHA-256 of its contents, and
+// numbers or words.
 void require_file(const SceneSettings& scene) {
   constexpr std::size_t digits = 64, most = 4096;
   if (scene.id.empty() || scene.id.size() > most || !is_printable(scene.id))
@@ -72,7 +73,10 @@ void require_file(const SceneSettings& scene) {
     reject_text("checksum", scene.checksum, "a SHA-256 in hexadecimal");
   for (const auto& [name, value] : scene.values) {
     const auto* number = std::get_if<double>(&value);
-    if (number == nullptr || !std::isfinite(*number)) reject_text(name, to_text(value), any_number.text());
+    const auto* word = std::get_if<std::string>(&value);
+    const bool is_allowed =
+        number != nullptr ? std::isfinite(*number) : word != nullptr && is_printable(*word);
+    if (!is_allowed) reject_text(name, to_text(value), any_number.text());
   }
 }
 

@@ -35,6 +35,7 @@ PosedProblem reference_problem_of(const Scene& scene) {
   if (!scene.reference_problem) return {scene.problem, scene.outputs};
   PosedProblem posed = *scene.reference_problem;
   posed.problem.end = scene.problem.end;
+  posed.problem.jump_times = scene.problem.jump_times;
   return posed;
 }
 

@@ -113,6 +113,8 @@ const std::vector<double>& Parameters::numbers(std::string_view name) const {
   return std::get<std::vector<double>>(values_.at(std::string(name)));
 }
 
+const ParameterValue& Parameters::value(std::string_view name) const { return values_.at(std::string(name)); }
+
 std::string Parameters::text() const {
   std::string text;
   for (const auto& [name, value] : values_)

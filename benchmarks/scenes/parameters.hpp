@@ -68,6 +68,9 @@ class Parameters {
   // std::out_of_range for an unknown name.
   [[nodiscard]] std::optional<double> explicit_value(std::string_view name) const;
 
+  // Its value. Throws std::out_of_range for an unknown name.
+  [[nodiscard]] const ParameterValue& value(std::string_view name) const;
+
   [[nodiscard]] std::string text() const;  // "a=1 b=0.5 c=word", sorted by name
 
  private:

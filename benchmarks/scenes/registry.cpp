@@ -7,6 +7,8 @@
 
 namespace fde::bench {
 
+// Defined in the C++ of the scene, or for an equation file in the source that cmake/embed_scenes.cmake
+// writes.
 #define FDE_SCENE(id) SceneFactory id();
 #include "fdebench/benchmarks/scenes/list.def"
 #undef FDE_SCENE

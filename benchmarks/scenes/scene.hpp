@@ -165,14 +165,16 @@ struct DisplayEquation {
   std::string left, right;
 };
 
-// How a scene is made: one file in scenes/ and one line in scenes/list.def, or at run time.
+// How a scene is made: one file in scenes/, in C++ or an equation file, and one line in scenes/list.def, or
+// at run time.
 struct SceneFactory {
   std::string id, title, source;
   std::vector<Parameter> parameters;
   std::function<Scene(const Parameters&)> make;
-  std::string checksum{};  // checksum of the contents of an equation file; empty: the scene is compiled in
+  std::string checksum{};  // of the contents of a user's equation file; empty: the scene is compiled in
   std::vector<EquationFormula> equations{};          // empty: no equations as text
   std::vector<DisplayEquation> display_equations{};  // used if `equations` cannot express them
+  std::string toml{};  // the contents of its equation file; empty: the scene is made in C++
 };
 
 // Sets the end of the problem and recomputes its jumps up to it.

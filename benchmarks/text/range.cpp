@@ -16,6 +16,7 @@ std::string Range::text() const {
   const bool below = low > any_number.low, above = high < any_number.high;
   if (!below && !above) return "a finite number";
   if (!above) return fmt::format("a finite number {} {}", open_low ? "above" : "of at least", low);
+  if (!below) return fmt::format("a finite number {} {}", open_high ? "below" : "of at most", high);
   return fmt::format("a number in {}{}, {}{}", open_low ? '(' : '[', low, high, open_high ? ')' : ']');
 }
 

@@ -69,12 +69,12 @@ LinearTransform transform_of(const LinearEquation& equation, const std::vector<d
       }
     }
   }
-  for (const auto& [coefficient, power, from] : equation.loads) {
+  for (const auto& [coefficient, power, from, over_gamma] : equation.loads) {
     auto& numerators = transform.group_at(shortest_decimal(from), orders.size()).numerators;
     const Rational next = shortest_decimal(power) + 1;
     for (std::size_t j = 0; j < orders.size(); ++j) {
-      add_term(numerators[j], Rational(shortest_decimal(orders[j]) - next), coefficient_of_gamma(next),
-               shortest_decimal(coefficient));
+      add_term(numerators[j], Rational(shortest_decimal(orders[j]) - next),
+               coefficient_of_gamma(over_gamma ? Rational(1) : next), shortest_decimal(coefficient));
     }
   }
   return transform;

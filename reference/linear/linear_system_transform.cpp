@@ -35,11 +35,12 @@ std::vector<RightSide> right_sides(const LinearSystem& system) {
     const Rational order = shortest_decimal(system.orders[j]);
     for (std::size_t k = 0; k < system.initial[j].size(); ++k)
       add_term(sides.front().rows[j], Rational(order - 1 - k), shortest_decimal(system.initial[j][k]));
-    for (const auto& [coefficient, power, from] : system.loads[j]) {
+    for (const auto& [coefficient, power, from, over_gamma] : system.loads[j]) {
       const Rational time = shortest_decimal(from), next = shortest_decimal(power) + 1;
       auto side = std::ranges::find(sides, time, &RightSide::from);
       if (side == sides.end()) side = sides.insert(side, {time, std::vector<GeneralizedPolynomial>(size)});
-      add_term(side->rows[j], Rational(-next), coefficient_of_gamma(next), shortest_decimal(coefficient));
+      add_term(side->rows[j], Rational(-next), coefficient_of_gamma(over_gamma ? Rational(1) : next),
+               shortest_decimal(coefficient));
     }
   }
   return sides;

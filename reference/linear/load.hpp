@@ -6,12 +6,13 @@
 
 namespace fde::reference {
 
-// The load coefficient * (t - start_time)^power for t >= start_time, power > -1. Power 0 is a constant; a
-// second load with the opposite sign switches it off.
+// The load coefficient * (t - start_time)^power for t >= start_time, power > -1; with over_gamma divided by
+// Gamma(power + 1). Power 0 is a constant; a second load with the opposite sign switches it off.
 struct Load {
   double coefficient;
   double power = 0.0;
   double start_time = 0.0;
+  bool over_gamma = false;
 };
 
 // The error message for an invalid load; nullopt for a valid one.

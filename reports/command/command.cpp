@@ -65,14 +65,14 @@ void check_subcommand(const CommandLine& program, const std::vector<std::string>
 
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
                  const SceneRegistry& known) {
-  const SceneRegistry named = with_equation_files(known);
-  CommandLine program("fdebench",
-                      "Which numerical scheme to use for a fractional differential equation, with proof",
-                      this_session().version);
+  try {
+    const SceneRegistry named = with_equation_files(known);
+    CommandLine program("fdebench",
+                        "Which numerical scheme to use for a fractional differential equation, with proof",
+                        this_session().version);
 #define FDE_COMMAND(file) add_##file(program, streams, named);
 #include "fdebench/reports/command/list.def"
 #undef FDE_COMMAND
-  try {
     check_none_empty(arguments);
     check_subcommand(program, arguments);
     program.run(arguments, streams.out, streams.err);

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
+#include <stdexcept>
 #include <string_view>
+#include <type_traits>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
@@ -198,9 +200,15 @@ void print_one(const Scheme& scheme, std::ostream& out) {
   print_table(rows, out);
 }
 
+// Prints the equation file of a scene.
+void print_toml(const SceneFactory& maker, std::ostream& out) {
+  if (maker.toml.empty()) reject_text("--toml", maker.id, "a scene that is an equation file");
+  out << maker.toml;
+}
+
 struct ListArguments {
   std::optional<std::string> id;
-  bool json = false, detail = false;
+  bool json = false, detail = false, toml = false;
 };
 
 // A command that lists entries: id and title, or `details` with the flag `detail`, or JSON; or one entry in
@@ -208,14 +216,21 @@ struct ListArguments {
 template <typename Entries, typename Named, typename Details>
 void add_list(Subcommand command, const std::string& detail, const std::string& help, Entries entries,
               Named named, Details details, std::ostream& out) {
+  using Entry = std::remove_cvref_t<decltype(named(std::string()))>;
   auto arguments = std::make_shared<ListArguments>();
   auto* json = command.flag("--json", arguments->json, "everything about each, as JSON");
   Subcommand::exclude(command.flag(detail, arguments->detail, help), json);
   command.option("id", arguments->id, "one of them, in full");
+  if constexpr (std::is_same_v<Entry, SceneFactory>)
+    command.flag("--toml", arguments->toml, "the equation file of the scene, a start for one's own");
   command.callback([=, &out] {
+    if (arguments->toml && !arguments->id) throw std::invalid_argument("--toml: must have the id of a scene");
     if (arguments->id) {
       const auto& one = named(*arguments->id);
       if (arguments->json || arguments->detail) reject_text("id", *arguments->id, "alone");
+      if constexpr (std::is_same_v<Entry, SceneFactory>) {
+        if (arguments->toml) return print_toml(one, out);
+      }
       print_one(one, out);
     } else if (arguments->json) {
       print_json(entries(), out);

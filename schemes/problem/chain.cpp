@@ -29,6 +29,13 @@ Chain::Chain(Term leading, const std::vector<Term>& terms, std::vector<double> i
   }
 }
 
+Chain Chain::single_row(Term leading, std::vector<double> initial, Eigen::Index first_row) {
+  Chain chain(leading, {}, std::move(initial), first_row);
+  chain.nodes_ = {0.0};
+  chain.coefficients_.setZero(1);
+  return chain;
+}
+
 std::vector<Term> Chain::terms() const {
   std::vector<Term> terms;
   for (Eigen::Index i = 0; i < size(); ++i) {
@@ -44,6 +51,7 @@ std::optional<Eigen::Index> Chain::row(double order) const {
 }
 
 std::vector<Component> Chain::components() const {
+  if (size() == 1) return {{leading_.order, initial_}};
   std::vector<Component> components;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const double next = i + 1 < nodes_.size() ? nodes_[i + 1] : leading_.order;

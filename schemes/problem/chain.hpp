@@ -20,6 +20,8 @@ class Chain {
   // [0, leading) or the coefficient of D^leading u is 0.
   Chain(Term leading, const std::vector<Term>& terms, std::vector<double> initial,
         Eigen::Index first_row = 0);
+  // D^leading u = force as a single row, also for a leading order above 1.
+  static Chain single_row(Term leading, std::vector<double> initial, Eigen::Index first_row = 0);
 
   [[nodiscard]] Term leading() const { return leading_; }
   [[nodiscard]] const std::vector<double>& initial() const { return initial_; }
@@ -35,7 +37,8 @@ class Chain {
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(nodes_.size()); }
   // The index of the row D^order u; nullopt where order is not a node (compared exactly).
   [[nodiscard]] std::optional<Eigen::Index> row(double order) const;
-  // The rows as components, with the initial values at the integer nodes and 0 elsewhere (eq. 2.2).
+  // The rows as components, with the initial values at the integer nodes and 0 elsewhere (eq. 2.2). A single
+  // row has all of them.
   [[nodiscard]] std::vector<Component> components() const;
 
  private:

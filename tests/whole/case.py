@@ -55,6 +55,7 @@ class Case:
         if "formulation" in self.chosen:
             found.add(("formulation", self.chosen["formulation"]))
         text = "\n".join(self.file)
+        found |= set(re.findall(r'^(formulation|principle) = "(\w+)"', text, re.MULTILINE))
         found |= {("formula", name) for name in re.findall(r"\b([a-z_0-9]+)\(", text)}
         found |= {("section", name) for name in re.findall(r"^\[+([a-z]+)", text, re.MULTILINE)}
         return found

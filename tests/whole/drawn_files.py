@@ -6,6 +6,7 @@ from pathlib import Path
 from random import Random
 
 from drawn_formulas import frequency, number, right_side, signed
+from drawn_mechanics import drawn_mechanics, free
 from drawn_numbers import spread, typed
 
 EXAMPLES = Path(__file__).parents[2] / "docs/examples"
@@ -63,7 +64,10 @@ def example(random: Random, events: bool) -> tuple[str, ...]:
 
 
 def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str, ...]:
-    """Lines of a file: one to three unknowns, and sometimes parameters, an algebraic row, a jump or an event."""
+    """Lines of a file: mechanics, or one to three unknowns and sometimes parameters, an algebraic row or a jump; sometimes an event."""
+    if random.random() < 0.35:
+        lines = free() if random.random() < 0.03 else drawn_mechanics(random, rows)
+        return (*lines, *event(random, "x")) if events and random.random() < 0.15 else lines
     if (chance := random.random()) < 0.2 and not rows:
         return made(random) if chance < 0.1 else example(random, events)
     names = ["x", "y", "z"][:rows or random.choice([1, 1, 1, 2, 2, 3])]

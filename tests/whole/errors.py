@@ -27,7 +27,7 @@ def end_of(case: Case, lists: Lists) -> float:
         return float(case.chosen["until"])
     if case.scene:
         return float(lists.scenes[case.scene]["end"])
-    return float(next(line for line in case.file if line.startswith("end")).split("=")[1])
+    return float(next((line for line in case.file if line.startswith("end")), "end = 0").split("=")[1])
 
 
 def drawn_accuracy(random: Random, lists: Lists) -> Case:
@@ -44,12 +44,20 @@ def drawn_accuracy(random: Random, lists: Lists) -> Case:
 def perturbed(case: Case, size: float) -> Case:
     """The case with initial values perturbed by `size` (1 + |value|)."""
     def moved(text: str) -> str:
+        if '"' in text:
+            return text
         value = float(text)
         return repr(value + size * (1 + abs(value)))
+
+    def moved_line(line: str) -> str:
+        name, _, value = line.partition(" = ")
+        if name == "initial":
+            return "initial = [" + ", ".join(map(moved, value[1:-1].split(", "))) + "]"
+        return f"{name} = {moved(value)}" if INITIAL.fullmatch(name) else line
+
     if case.scene:
         return replace(case, chosen={k: moved(v) if INITIAL.fullmatch(k) else v for k, v in case.chosen.items()})
-    return replace(case, file=tuple("initial = [" + ", ".join(map(moved, line[11:-1].split(","))) + "]" if line.startswith("initial") else line
-                                    for line in case.file))
+    return replace(case, file=tuple(map(moved_line, case.file)))
 
 
 def solved(program: Program, case: Case, accuracy: float) -> Table | None:
@@ -119,6 +127,7 @@ def least_gap(case: Case) -> float:
         orders = [float(v) for k, v in case.chosen.items() if k in ORDERS and "," not in v]
     else:
         orders = [float(q) for line in case.file if line.startswith(("order", "terms")) for q in re.findall(r"(?:, |= )([\d.e-]+)\]?", line)]
+        orders += [float(q) for line in case.file for q in re.findall(r"D\(\w+, ([\d.e-]+)\)", line)]
     known = {0.0, 1.0, 2.0, *orders}
     return min(abs(a - b) for a in known for b in known if a != b)
 

@@ -3,31 +3,12 @@
 
 #include <array>
 
-#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
+#include "fdebench/benchmarks/scenes/with_reference.hpp"
 #include "fdebench/reference/linear/linear_system.hpp"
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 
 namespace fde::bench {
 namespace {
-
-using namespace mechanics;
-
-// u = (k1 q1^2 + k2 q2^2)/2 + g q2; constraint f = a.v + b.w - C0 = 0.
-struct LinearConstraint {
-  static constexpr int coordinates = 2, constraints = 1;
-  static constexpr bool constant = true, linear = true;
-  double order, a1, a2, b1, b2, k1, k2, g, c0;
-
-  template <class S>
-  [[nodiscard]] S potential(const Vector<S, 2>& q) const {
-    return 0.5 * (k1 * q[0] * q[0] + k2 * q[1] * q[1]) + g * q[1];
-  }
-  template <class S>
-  [[nodiscard]] Vector<S, 1> constraint(const S& /*t*/, const Vector<S, 2>& /*q*/, const Vector<S, 2>& v,
-                                        const Vector<S, 2>& w) const {
-    return Vector<S, 1>(S(a1 * v[0] + a2 * v[1] + b1 * w[0] + b2 * w[1] - c0));
-  }
-};
 
 constexpr std::size_t multiplier_component = 6;
 
@@ -94,49 +75,20 @@ double constant_of(const Parameters& p) {
 
 }  // namespace
 
+SceneFactory fractional_constraint_2d_file();  // of fractional_constraint_2d.toml
+
 SceneFactory fractional_constraint_2d() {
-  const std::vector<Parameter> parameters{
-      {"alpha", 0.5, order_below_two, "order of the constraint"},
-      {"a1", 1.0, any_number, "weight of q1'"},
-      {"a2", 2.0, any_number, "weight of q2'"},
-      {"b1", 0.5, any_number, "weight of D^alpha q1"},
-      {"b2", -0.3, any_number, "weight of D^alpha q2"},
-      {"k1", 1.0, any_number, "stiffness of q1"},
-      {"k2", 2.0, any_number, "stiffness of q2"},
-      {"g", 0.0, any_number, "force on -q2"},
-      {"q1", 1.0, any_number, "q1(0)"},
-      {"q2", 0.0, any_number, "q2(0)"},
-      {"v1", 0.4, any_number, "q1'(0)"},
-      {"v2", -0.2, any_number, "q2'(0)"},
-      derived_number("C0", "a1*v1+a2*v2", any_number, "what a.v + b.w is; (a+b).v at alpha = 1, free above")};
-  return {
-      .id = "fractional_constraint_2d",
-      .title = "Oscillator in the plane with a linear fractional constraint",
-      .source = "Tarasov & Zaslavsky 2006, eqs 41-43, 55-63",
-      .parameters = with_formulations(parameters, all_formulations()),
-      .make = [](const Parameters& p) -> Scene {
-        if (p["a1"] == 0.0 && p["a2"] == 0.0) reject("a1", 0.0, "other than 0 where a2 = 0");
-        const MechanicalSetup<LinearConstraint> setting{
-            .system = {p["alpha"], p["a1"], p["a2"], p["b1"], p["b2"], p["k1"], p["k2"], p["g"],
-                       constant_of(p)},
-            .start = {{p["q1"], p["q2"]}, {p["v1"], p["v2"]}},
-            .coordinates = {"q1", "q2"},
-            .end = 10.0};
-        Scene scene = mechanical_scene(setting, formulation_choice_of(p));
-        reference::LinearSystem system = system_of(p);
-        scene.reference = reference::linear_reference(system);
-        system.outputs = {multiplier_component};
-        if (!scene.reactions.depends_on_columns_only())
-          scene.reactions.exact = reference::linear_reference(system);
-        return scene;
-      },
-      .equations = {
-          {.unknown = "q1", .terms = {{"1", "2"}}, .rhs = "-k1*q1 + a1*lambda", .initial = {"q1", "v1"}},
-          {.unknown = "q2", .terms = {{"1", "2"}}, .rhs = "-k2*q2 - g + a2*lambda", .initial = {"q2", "v2"}},
-          {.unknown = "lambda",
-           .terms = {{"1", "0"}},
-           .rhs = "a1*D(q1,1) + a2*D(q2,1) + b1*D(q1,alpha) + b2*D(q2,alpha) - C0",
-           .initial = {"0"}}}};
+  SceneFactory file = fractional_constraint_2d_file();
+  file.make = [file](const Parameters& p) -> Scene {
+    Scene scene = file.make(with_value(file, p, "C0", constant_of(p)));
+    reference::LinearSystem system = system_of(p);
+    scene.reference = reference::linear_reference(system);
+    system.outputs = {multiplier_component};
+    if (!scene.reactions.depends_on_columns_only())
+      scene.reactions.exact = reference::linear_reference(system);
+    return scene;
+  };
+  return file;
 }
 
 }  // namespace fde::bench

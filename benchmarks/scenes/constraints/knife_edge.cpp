@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <numbers>
 
-#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
-#include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
+#include "fdebench/benchmarks/scenes/with_reference.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 #include "fdebench/reference/linear/closed_forms/quotients.hpp"
 
 namespace fde::bench {
 namespace {
-
-using namespace mechanics;
 
 // phi = omega t; the speed along the blade is (a/omega) sin phi, with a = g sin theta. Hence
 //   x = (a / 2 omega^2) sin^2 phi,   y = (a / 2 omega^2)(phi - 1/2 sin 2 phi),
@@ -36,36 +33,12 @@ struct KnifeEdgeMotion {
 
 }  // namespace
 
-// Chaplygin's skate on a slope: it does not slide down but drifts sideways.
+SceneFactory knife_edge_file();  // of knife_edge.toml
+
 SceneFactory knife_edge() {
-  const std::vector<Parameter> parameters{
-      {"g", 9.81, any_number, "acceleration of gravity"},
-      {"theta", 0.5, {.low = 0.0, .high = std::numbers::pi / 2}, "slope of the plane, radians"},
-      {"omega", 1.0, any_number, "phi'(0)"}};
-  return {
-      .id = "knife_edge",
-      .title = "Blade on an inclined plane",
-      .source = "Tarasov & Zaslavsky 2006, eqs 7, 13, with x' sin phi = y' cos phi",
-      .parameters = with_formulations(parameters, all_formulations()),
-      .make = [](const Parameters& p) -> Scene {
-        const MechanicalSetup<Blade> setting{.system = {p["g"] * std::sin(p["theta"])},
-                                             .start = {Vector<double, 3>::Zero(), {0.0, 0.0, p["omega"]}},
-                                             .coordinates = {"x", "y", "phi"}};
-        Scene scene = mechanical_scene(setting, formulation_choice_of(p));
-        scene.reference = reference::closed_form(KnifeEdgeMotion{p["g"], p["theta"], p["omega"]});
-        scene.display_path = select_components({"x", "y"}, {0, 1});
-        return scene;
-      },
-      .equations = {{.unknown = "x",
-                     .terms = {{"1", "2"}},
-                     .rhs = "g*sin(theta) + lambda*sin(phi)",
-                     .initial = {"0", "0"}},
-                    {.unknown = "y", .terms = {{"1", "2"}}, .rhs = "-lambda*cos(phi)", .initial = {"0", "0"}},
-                    {.unknown = "phi", .terms = {{"1", "2"}}, .rhs = "0", .initial = {"0", "omega"}},
-                    {.unknown = "lambda",
-                     .terms = {{"1", "0"}},
-                     .rhs = "D(x,1)*sin(phi) - D(y,1)*cos(phi)",
-                     .initial = {"0"}}}};
+  return with_reference(knife_edge_file(), [](const Parameters& p) {
+    return reference::closed_form(KnifeEdgeMotion{p["g"], p["theta"], p["omega"]});
+  });
 }
 
 }  // namespace fde::bench

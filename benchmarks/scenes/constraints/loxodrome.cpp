@@ -4,14 +4,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
-#include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
+#include "fdebench/benchmarks/scenes/with_reference.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 
 namespace fde::bench {
 namespace {
-
-using namespace mechanics;
 
 double time_to_pole(double theta0, double k, double speed) {
   return (std::numbers::pi - theta0) * std::hypot(1.0, k) / speed;
@@ -45,46 +42,12 @@ struct Loxodrome {
 
 }  // namespace
 
-// Niminet & Blanuta's case: a Riemannian metric with Christoffel symbols and a constraint linear in the
-// velocity.
+SceneFactory loxodrome_file();  // of loxodrome.toml
+
 SceneFactory loxodrome() {
-  const std::vector<Parameter> parameters{
-      {"theta0",
-       0.5,
-       {.low = 0.0, .high = std::numbers::pi, .open_low = true, .open_high = true},
-       "theta(0), distance from the pole"},
-      {"k", 2.0, any_number, "tangent of the angle to the meridians"},
-      {"speed", 0.1, positive, "speed on the sphere"}};
-  return {.id = "loxodrome",
-          .title = "Point that keeps its course on a sphere",
-          .source = "Niminet & Blanuta 2009, eq. 2.6 without the factor 1/2, on the unit sphere",
-          .parameters = with_formulations(parameters, all_formulations()),
-          .make = [](const Parameters& p) -> Scene {
-            const double theta0 = p["theta0"], k = p["k"], rate = p["speed"] / std::hypot(1.0, k);
-            // The end is before the pole, around which the curve winds infinitely often.
-            const MechanicalSetup<ConstantCourseOnSphere> setting{
-                .system = {k},
-                .start = {{theta0, 0.0}, {rate, k * rate / std::sin(theta0)}},
-                .coordinates = {"theta", "phi"},
-                .end = std::min(50.0, 0.9 * time_to_pole(theta0, k, p["speed"]))};
-            Scene scene = mechanical_scene(setting, formulation_choice_of(p));
-            exclude_poles(scene);
-            scene.reference = reference::closed_form(Loxodrome{theta0, k, p["speed"]});
-            scene.display_path = path_on_sphere();
-            return scene;
-          },
-          .equations = {{.unknown = "theta",
-                         .terms = {{"1", "2"}},
-                         .rhs = "sin(theta)*cos(theta)*D(phi,1)^2 - k*lambda",
-                         .initial = {"theta0", "speed/sqrt(1 + k^2)"}},
-                        {.unknown = "phi",
-                         .terms = {{"1", "2"}},
-                         .rhs = "-2*cos(theta)/sin(theta)*D(theta,1)*D(phi,1) + lambda/sin(theta)",
-                         .initial = {"0", "k*speed/sqrt(1 + k^2)/sin(theta0)"}},
-                        {.unknown = "lambda",
-                         .terms = {{"1", "0"}},
-                         .rhs = "sin(theta)*D(phi,1) - k*D(theta,1)",
-                         .initial = {"0"}}}};
+  return with_reference(loxodrome_file(), [](const Parameters& p) {
+    return reference::closed_form(Loxodrome{p["theta0"], p["k"], p["speed"]});
+  });
 }
 
 }  // namespace fde::bench

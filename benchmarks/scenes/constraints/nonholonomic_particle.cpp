@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "fdebench/benchmarks/scenes/constraints/particle.hpp"
+#include "fdebench/benchmarks/scenes/with_reference.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 #include "fdebench/reference/linear/closed_forms/quotients.hpp"
 
 namespace fde::bench {
 namespace {
-
-using namespace mechanics;
 
 // With r = sqrt(1 + y^2), c = r x' is conserved: x' = c/r, z' = y c/r, and y = y0 + b t. The integrals
 //   x = (c/b)(arsinh y - arsinh y0) = (2c/b) artanh(b t / (r + r0)),
@@ -44,34 +42,12 @@ struct ParticleMotion {
 
 }  // namespace
 
-std::vector<Parameter> particle_parameters() {
-  return {
-      {"y0", 0.5, any_number, "y(0)"}, {"dx0", 1.0, any_number, "x'(0)"}, {"dy0", 1.0, any_number, "y'(0)"}};
-}
+SceneFactory nonholonomic_particle_file();  // of nonholonomic_particle.toml
 
-MechanicalSetup<Particle> particle_setting(const Parameters& p) {
-  return {.system = {},
-          .start = {{0.0, p["y0"], 0.0}, {p["dx0"], p["dy0"], p["y0"] * p["dx0"]}},
-          .coordinates = {"x", "y", "z"}};
-}
-
-// The reaction does no work, and the projected motion is not a geodesic of the planes.
 SceneFactory nonholonomic_particle() {
-  return {.id = "nonholonomic_particle",
-          .title = "Free particle with the constraint z' = y x'",
-          .source = "Tarasov & Zaslavsky 2006, eqs 7, 13",
-          .parameters = with_formulations(particle_parameters(), all_formulations()),
-          .make = [](const Parameters& p) -> Scene {
-            Scene scene = mechanical_scene(particle_setting(p), formulation_choice_of(p));
-            scene.reference = reference::closed_form(ParticleMotion{p["y0"], p["dx0"], p["dy0"]});
-            scene.display_path = select_components({"x", "y", "z"}, {0, 1, 2});
-            return scene;
-          },
-          .equations = {
-              {.unknown = "x", .terms = {{"1", "2"}}, .rhs = "-lambda*y", .initial = {"0", "dx0"}},
-              {.unknown = "y", .terms = {{"1", "2"}}, .rhs = "0", .initial = {"y0", "dy0"}},
-              {.unknown = "z", .terms = {{"1", "2"}}, .rhs = "lambda", .initial = {"0", "y0*dx0"}},
-              {.unknown = "lambda", .terms = {{"1", "0"}}, .rhs = "D(z,1) - y*D(x,1)", .initial = {"0"}}}};
+  return with_reference(nonholonomic_particle_file(), [](const Parameters& p) {
+    return reference::closed_form(ParticleMotion{p["y0"], p["dx0"], p["dy0"]});
+  });
 }
 
 }  // namespace fde::bench

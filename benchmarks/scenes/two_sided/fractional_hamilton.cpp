@@ -2,28 +2,16 @@
 #include <algorithm>
 #include <array>
 
-#include "fdebench/benchmarks/mechanics/dual_derivatives.hpp"
 #include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
 namespace fde::bench {
 namespace {
 
-// f = A.q' with A = (1 + kappa q1 + epsilon w, 1), w = D^alpha q1.
 struct Coefficients {
   double kappa, epsilon;
 
-  template <class S>
-  [[nodiscard]] mechanics::Vector<S, 2> at(const mechanics::Vector<S, 3>& q_and_w) const {
-    return {S(1.0 + kappa * q_and_w[0] + epsilon * q_and_w[2]), S(1.0)};
-  }
-
-  // The gradient of A.v with respect to q1, q2, w.
-  template <class S>
-  [[nodiscard]] mechanics::Vector<S, 3> slope(const mechanics::Vector<S, 3>& q_and_w,
-                                              const mechanics::Vector<S, 2>& v) const {
-    const auto a = at<mechanics::Dual<S, 3>>(mechanics::variables<3>(q_and_w));
-    return v[0] * mechanics::derivatives<3>(a[0]) + v[1] * mechanics::derivatives<3>(a[1]);
-  }
+  // f = A.q' with A = (1 + kappa q1 + epsilon w, 1), w = D^alpha q1.
+  [[nodiscard]] Plane at(double q1, double w) const { return {1.0 + kappa * q1 + epsilon * w, 1.0}; }
 };
 
 // The manufactured solution, a sum of powers: q1' = 15/16 t^2 (2-t)^2 vanishes at both ends to an order that
@@ -63,42 +51,53 @@ struct Hamilton {
   double end = manufactured_end;
   std::function<Plane(double t)> force{};  // in addition to -grad u
 
-  template <class S>
   struct State {
-    mechanics::Vector<S, 2> v, p;
-    S mu;
+    Plane v, p, a;
+    double mu;
   };
-  template <class S>
-  [[nodiscard]] State<S> state(const mechanics::Vector<S, size>& y) const {
-    const mechanics::Vector<S, 2> p(S(y[pi] - y[r]), y[pi + 1]);
-    const mechanics::Vector<S, 2> a = coefficients.at<S>(y.template head<3>());
-    const S mu = S(a.dot(p)) / S(a.dot(a));
-    return {mechanics::Vector<S, 2>(p - mu * a), p, mu};
+  [[nodiscard]] State state(In y) const {
+    const Plane p(y[pi] - y[r], y[pi + 1]), a = coefficients.at(y[q], y[w]);
+    const double mu = a.dot(p) / a.squaredNorm();
+    return {p - mu * a, p, a, mu};
   }
 
-  template <class S>
-  [[nodiscard]] mechanics::Vector<S, size> rates(const mechanics::Vector<S, size>& y,
-                                                 const Plane& push) const {
-    const auto [v, p, mu] = state<S>(y);
-    const auto slope = coefficients.slope<S>(y.template head<3>(), v);
-    mechanics::Vector<S, size> f;
+  // dA.v/dq1 = kappa v1 and dA.v/dw = epsilon v1.
+  void rhs(double t, In y, Out f) const {
+    const auto [v, p, a, mu] = state(y);
+    const Plane push = force(t);
+    f.segment<2>(q) = v;
     f[w] = v[0];
-    f[r] = mu * slope[2];
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      f[q + i] = v[i];
-      f[pi + i] = stiffness[i] * y[q + i] - mu * slope[i] - push[i];
-    }
-    return f;
+    f[r] = mu * coefficients.epsilon * v[0];
+    f.segment<2>(pi) = stiffness.cwiseProduct(y.segment<2>(q)) - push;
+    f[pi] -= mu * coefficients.kappa * v[0];
   }
-  void rhs(double t, In y, Out f) const { f = rates<double>(y, force(t)); }
+
+  // With respect to A1, p1 and p2: d mu = (p1 - 2 mu A1, A1, 1) / A^2 and dv = dp - A dmu - mu dA. A1 depends
+  // on q1 and w, p1 on pi1 and r.
   void jacobian(In y, OutMatrix result) const {
-    const auto f = rates<mechanics::Dual<double, size>>(
-        mechanics::variables<size>(mechanics::Vector<double, size>(y)), Plane::Zero());
-    for (Eigen::Index i = 0; i < size; ++i) result.row(i) = mechanics::derivatives<size>(f[i]).transpose();
+    const auto [v, p, a, mu] = state(y);
+    const Eigen::RowVector3d by_mu = Eigen::RowVector3d(p[0] - 2.0 * mu * a[0], a[0], 1.0) / a.squaredNorm();
+    Eigen::Matrix<double, 3, size> arguments = Eigen::Matrix<double, 3, size>::Zero();
+    arguments(0, q) = coefficients.kappa;
+    arguments(0, w) = coefficients.epsilon;
+    arguments(1, pi) = arguments(2, pi + 1) = 1.0;
+    arguments(1, r) = -1.0;
+    Eigen::Matrix<double, 2, 3> by_v = -a * by_mu;
+    by_v(0, 0) -= mu;
+    by_v(0, 1) += 1.0;
+    by_v(1, 2) += 1.0;
+    const Eigen::RowVector3d by_product = by_mu * v[0] + mu * by_v.row(0);  // of mu v1
+    result.setZero();
+    result.middleRows<2>(q) = by_v * arguments;
+    result.row(w) = by_v.row(0) * arguments;
+    result.row(r) = coefficients.epsilon * by_product * arguments;
+    result.row(pi) = -coefficients.kappa * by_product * arguments;
+    result(pi, q) += stiffness[0];
+    result(pi + 1, q + 1) += stiffness[1];
   }
 
   void columns(double /*t*/, In y, Out result) const {
-    const auto [v, p, mu] = state<double>(y);
+    const auto [v, p, a, mu] = state(y);
     result << y.head<2>(), v, y[w], y[r], p, mu;
   }
 
@@ -106,7 +105,7 @@ struct Hamilton {
     return columns.segment<2>(2).squaredNorm() / 2 + stiffness.dot(columns.head<2>().cwiseAbs2()) / 2;
   }
   [[nodiscard]] double constraint(double /*t*/, In columns) const {
-    return coefficients.at<double>({columns[0], columns[1], columns[4]}).dot(columns.segment<2>(2));
+    return coefficients.at(columns[0], columns[4]).dot(columns.segment<2>(2));
   }
 };
 

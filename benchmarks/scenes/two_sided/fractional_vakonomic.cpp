@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 
-#include "fdebench/benchmarks/mechanics/dual_derivatives.hpp"
 #include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
 namespace fde::bench {
@@ -17,48 +16,36 @@ struct ConstrainedExtremum {
   std::function<double(double t)> drive{};  // F
   Plane force{0.0, 0.0};
 
-  template <class S>
   struct State {
-    mechanics::Vector<S, 2> v;
-    S mu;
+    Plane v;
+    double mu;
   };
   // p = pi - b rho + c ell = v + mu a, and mu follows from f = 0.
-  template <class S>
-  [[nodiscard]] State<S> state(double t, const mechanics::Vector<S, size>& y) const {
-    mechanics::Vector<S, 2> v;
-    S defect(-drive(t));
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      v[i] = y[pi + i] - b[i] * y[rho] + c[i] * y[ell];
-      defect += a[i] * v[i] + b[i] * y[w + i] + c[i] * y[r + i];
-    }
-    const S mu = defect / a.squaredNorm();
-    for (Eigen::Index i = 0; i < 2; ++i) v[i] -= a[i] * mu;
-    return {v, mu};
+  [[nodiscard]] State state(double load, In y) const {
+    const Plane p = y.segment<2>(pi) - b * y[rho] + c * y[ell];
+    const double mu = (a.dot(p) + b.dot(y.segment<2>(w)) + c.dot(y.segment<2>(r)) - load) / a.squaredNorm();
+    return {p - mu * a, mu};
   }
 
-  template <class S>
-  [[nodiscard]] mechanics::Vector<S, size> rates(double t, const mechanics::Vector<S, size>& y) const {
-    const auto [v, mu] = state<S>(t, y);
-    mechanics::Vector<S, size> f;
+  [[nodiscard]] Vec rates(double load, const Plane& given_force, In y) const {
+    const auto [v, mu] = state(load, y);
+    Vec f(size);
     f[rho] = f[ell] = mu;
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      f[q + i] = f[w + i] = v[i];
-      f[r + i] = -v[i];
-      f[pi + i] = stiffness[i] * y[q + i] - force[i];
-    }
+    f.segment<2>(q) = f.segment<2>(w) = v;
+    f.segment<2>(r) = -v;
+    f.segment<2>(pi) = stiffness.cwiseProduct(y.segment<2>(q)) - given_force;
     return f;
   }
-  void rhs(double t, In y, Out f) const { f = rates<double>(t, y); }
-  void jacobian(In y, OutMatrix result) const {
-    const auto f = rates<mechanics::Dual<double, size>>(
-        0.0, mechanics::variables<size>(mechanics::Vector<double, size>(y)));
-    for (Eigen::Index i = 0; i < size; ++i) result.row(i) = mechanics::derivatives<size>(f[i]).transpose();
+  void rhs(double t, In y, Out f) const { f = rates(drive(t), force, y); }
+  // The rates are linear in y.
+  void jacobian(In /*y*/, OutMatrix result) const {
+    for (Eigen::Index j = 0; j < size; ++j) result.col(j) = rates(0.0, Plane::Zero(), Vec::Unit(size, j));
   }
 
   // The last column: the component across a of c ell - b rho, by which the momentum differs from that of the
   // motion.
   void columns(double t, In y, Out result) const {
-    const auto [v, mu] = state<double>(t, y);
+    const auto [v, mu] = state(drive(t), y);
     result << y.head<2>(), v, y.segment<4>(w), mu,
         perpendicular(a).dot(c) * y[ell] - perpendicular(a).dot(b) * y[rho];
   }

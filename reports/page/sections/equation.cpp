@@ -23,7 +23,9 @@ json equations_of(const SceneSettings& scene) {
   json all = json::array();
   const SceneFactory* maker = find_scene(scene.id);
   if (maker == nullptr) return all;
+  const bool has_statements = !maker->display_equations.empty();
   for (const auto& [unknown, terms, rhs, initial] : maker->equations) {
+    if (has_statements) break;
     json of_unknown = json::array();
     for (const auto& [coefficient, order] : terms) of_unknown.push_back({coefficient, order});
     all.push_back({{"unknown", unknown}, {"terms", of_unknown}, {"rhs", rhs}});

@@ -71,11 +71,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         InvalidFile{"", "line 1, column 1", "the file: has no end"},
         InvalidFile{"end = 1", "line 1, column 1", "the file: has no unknown"},
-        InvalidFile{with("  unknwon = 1\n" + x), "line 2, column 3",
-                    "unknwon: no such key of the file, did you mean 'unknown'?; there are title, end"},
         InvalidFile{
-            with(x + "rsh = 1\n"), "line 6, column 1",
-            "rsh: no such key of unknown x, did you mean 'rhs'?; there are terms, order, rhs, initial"},
+            with("  unknwon = 1\n" + x), "line 2, column 3",
+            "unknwon: no such key of the file, did you mean 'unknown'?; there are title, source, end"},
+        InvalidFile{with(x + "rsh = 1\n"), "line 6, column 1",
+                    "rsh: no such key of unknown x, did you mean 'rhs'?; there are terms, order, chain, "
+                    "factor, rhs, initial, unless"},
         InvalidFile{with("__proto__ = 1\n" + x), "line 2, column 1", "__proto__: no such key"},
         InvalidFile{with("[unknown]\n"), "line 2, column 1", "there are 0 unknowns: must be 1 to 100"},
         InvalidFile{with("unknown = 3"), "line 2, column 11", "unknown: is a number, must be a table"},

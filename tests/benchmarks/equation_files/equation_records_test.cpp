@@ -72,10 +72,10 @@ TEST_F(EquationFileCommand, PrintsNamesOfDerivativesInQuotes) {
 }
 
 TEST_F(EquationFileCommand, IsJudgedByTheColumnsThatItPrints) {
-  const auto solved = fdebench("solve " + example("bagley_torvik.toml") + " --scheme l1 --steps 64");
+  const auto solved = fdebench("solve " + example("falling.toml") + " --scheme l1 --steps 64");
   folder_.write("path.csv", solved.out);
   const auto judged =
-      fdebench("judge " + example("bagley_torvik.toml") + " " + (folder_.path() / "path.csv").string());
+      fdebench("judge " + example("falling.toml") + " " + (folder_.path() / "path.csv").string());
   EXPECT_EQ(judged.code, 0) << judged.err;
   EXPECT_THAT(judged.out, HasSubstr("ending finished"));
 }

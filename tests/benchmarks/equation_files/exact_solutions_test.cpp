@@ -78,16 +78,6 @@ TEST(ExactColumns, AreAskedForWhereTheyDoNotFollow) {
       "test.toml: line 11, column 1: exact: has no y, it must have every unknown");
 }
 
-// The load of the scene ends at t = 1.
-TEST(LinearEquationFile, HasTheReferenceOfItsTwin) {
-  const Scene file = scene_of_example("bagley_torvik.toml"), code = scene_of("bagley_torvik");
-  for (const double t : {0.0, 0.5, 1.0, 7.0, 16.0}) {
-    const auto ours = file.reference.digits(t, 25), theirs = code.reference.digits(t, 25);
-    EXPECT_EQ(ours[0].value, theirs[0].value) << t;  // y
-    EXPECT_EQ(ours[1].value, theirs[1].value) << t;  // y'
-  }
-}
-
 // D^0.6 x = -x + y, D^1.5 y = -x - 4 y: the scene linear_system.
 TEST(LinearEquationFile, MayHaveSeveralUnknowns) {
   const Scene file = scene_of_text(

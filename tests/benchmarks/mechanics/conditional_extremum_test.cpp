@@ -2,107 +2,177 @@
 // Constrained motion compared with the conditional extremum: Tarasov & Zaslavsky (67) and the residual of
 // (72).
 
-#include "fdebench/benchmarks/mechanics/formulations/conditional_extremum.hpp"
-
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <random>
 
-#include "fdebench/benchmarks/mechanics/extremum_residual.hpp"
+#include "benchmarks/mechanics/mechanical_files_testing.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
-#include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
 namespace {
 
-using namespace mechanics;
+using Eigen::Vector3d;
 
-// f = d/dt phi with phi = q1^2 + q2 q3 + t q1, and with phi = |q|^2/2: differentiated holonomic constraints.
-struct Derived {
-  static constexpr int coordinates = 3, constraints = 2;
-  template <class S>
-  [[nodiscard]] Vector<S, 2> constraint(const S& t, const Vector<S, 3>& q, const Vector<S, 3>& v) const {
-    return {2.0 * q[0] * v[0] + v[1] * q[2] + q[1] * v[2] + q[0] + t * v[0],
-            q[0] * v[0] + q[1] * v[1] + q[2] * v[2]};
+// The residual of a motion of a constrained system in the equations of a conditional extremum, a covector:
+//   P^T mu (df/dq - d/dt df/dv),
+// the factor of the variations delta q = P x, (df/dv) delta q = 0, in Tarasov & Zaslavsky (72). d/dt is along
+// q' = v, v' = acceleration; mu' cancels.
+class ExtremumResidual {
+ public:
+  explicit ExtremumResidual(std::string_view toml) : motion_(toml) {
+    const auto& [system, algebra] = std::tie(motion_.system, motion_.algebra);
+    auto& pool = algebra.pool();
+    const auto n = system.size(), first = system.column_count() + 1;
+    const auto variable = [&](std::size_t i) { return pool.variable(static_cast<int>(i)); };
+    const auto& f = system.constraints;
+    const auto by_place = algebra.jacobian(f, system.q()), by_velocity = algebra.jacobian(f, system.v());
+    // The state moves by (1, v, v') in the variables (t, q, v).
+    std::vector<int> moving{0};
+    mechanics::Expressions rates{algebra.number(1.0)};
+    for (std::size_t i = 0; i < 2 * n; ++i) moving.push_back(static_cast<int>(i) + 1);
+    for (std::size_t i = 0; i < n; ++i) rates.push_back(variable(n + i + 1));
+    for (std::size_t i = 0; i < n; ++i) rates.push_back(variable(first + i));
+    const auto turning = algebra.product(algebra.jacobian(by_velocity.entries, moving), rates);
+    mechanics::Expressions force(n, algebra.zero());
+    for (std::size_t j = 0; j < f.size(); ++j) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto term = algebra.difference(by_place(j, i), turning[j * n + i]);
+        force[i] = algebra.sum(force[i], algebra.product(variable(first + n + j), term));
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      mechanics::Expressions unit(n, algebra.zero());
+      unit[i] = algebra.number(1.0);
+      residual_.push_back(algebra.dot(force, motion_.dynamics.projected(unit)));
+    }
   }
+
+  [[nodiscard]] Vec at(double t, const Vec& q, const Vec& v, const Vec& acceleration, const Vec& mu) const {
+    return motion_.values(residual_, t, {q, v, acceleration, mu});
+  }
+
+ private:
+  DynamicsOfFile motion_;
+  mechanics::Expressions residual_{};
 };
 
-template <int n>
-Vector<double, n> some(std::mt19937& generator) {
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  return Vector<double, n>::NullaryExpr([&] { return uniform(generator); });
+constexpr const char* unit_masses = "(D(x,1)^2 + D(y,1)^2 + D(z,1)^2)/2";
+
+Vec vector_of(const std::vector<double>& of) { return Eigen::Map<const Vec>(of.data(), std::ssize(of)); }
+
+WrittenSystem particle_in_planes() {
+  return {.coordinates = {"x", "y", "z"},
+          .position = {0.1, 0.5, 0.3},
+          .velocity = {2.0, 3.0, 1.0},
+          .lagrangian = unit_masses,
+          .constraints = {"D(z,1) - y*D(x,1)"}};
 }
 
+WrittenSystem blade_on_slope(double pull) {
+  return {.coordinates = {"x", "y", "phi"},
+          .position = {0.1, 0.2, 0.3},
+          .velocity = {std::cos(0.3), std::sin(0.3), 0.7},
+          .lagrangian = fmt::format("(D(x,1)^2 + D(y,1)^2 + D(phi,1)^2)/2 + {}*x", pull),
+          .constraints = {"D(x,1)*sin(phi) - D(y,1)*cos(phi)"}};
+}
+
+// Of radius 1/2.
+WrittenSystem disc_on_plane(double mass, double spin_inertia, double turn_inertia, double pull) {
+  return {
+      .coordinates = {"x", "y", "phi", "psi"},
+      .position = {0.1, 0.2, 0.3, 0.4},
+      .velocity = {0.6 * std::cos(0.3), 0.6 * std::sin(0.3), 0.7, 1.2},
+      .lagrangian = fmt::format("({0}*(D(x,1)^2 + D(y,1)^2) + {1}*D(phi,1)^2 + {2}*D(psi,1)^2)/2 + {0}*{3}*x",
+                                mass, turn_inertia, spin_inertia, pull),
+      .constraints = {"D(x,1) - D(psi,1)*cos(phi)/2", "D(y,1) - D(psi,1)*sin(phi)/2"}};
+}
+
+Scene extremum_of(const WrittenSystem& system, const Vec& multipliers) {
+  return scene_of_mechanical_file(mechanical_file_of(
+      system, fmt::format("principle = \"vakonomic\"\nmultipliers = [{}]\n", fmt::join(multipliers, ", "))));
+}
+
+// f = d/dt phi with phi = x^2 + y z + t x, and with phi = |q|^2/2: differentiated holonomic constraints.
 TEST(ExtremumResidual, IsZeroForDerivativesOfFunctionsOfThePlace) {
+  const ExtremumResidual residual(
+      mechanical_file_of({.coordinates = {"x", "y", "z"},
+                          .position = {0.0, 0.0, 0.0},
+                          .velocity = {0.0, 0.0, 0.0},
+                          .lagrangian = unit_masses,
+                          .constraints = {"2*x*D(x,1) + D(y,1)*z + y*D(z,1) + x + t*D(x,1)",
+                                          "x*D(x,1) + y*D(y,1) + z*D(z,1)"}}));
   std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto some = [&](Eigen::Index size) -> Vec {
+    return Vec::NullaryExpr(size, [&] { return uniform(generator); });
+  };
   for (int i = 0; i < 20; ++i) {
-    const MotionState<3> at{0.4, some<3>(generator), some<3>(generator), some<3>(generator)};
-    EXPECT_LT(extremum_residual(Derived{}, at, some<2>(generator)).cwiseAbs().maxCoeff(), 1e-13);
+    const Vec q = some(3), v = some(3), acceleration = some(3), mu = some(2);
+    EXPECT_LT(residual.at(0.4, q, v, acceleration, mu).cwiseAbs().maxCoeff(), 1e-13);
   }
 }
 
 // mu (y', -x', 0), projected along (-y, 0, 1).
 TEST(ExtremumResidual, OfTheParticle) {
-  const MotionState<3> at{0.0, {0.2, 0.5, 0.1}, {2.0, 3.0, 1.0}, {0.3, 0.0, -0.4}};
-  const Vector<double, 3> expected = 1.5 * Vector<double, 3>(3.0 / 1.25, -2.0, 0.5 * 3.0 / 1.25);
-  EXPECT_LT((extremum_residual(Particle{}, at, Vector<double, 1>(1.5)) - expected).norm(), 1e-15);
-  EXPECT_EQ(extremum_residual(Particle{}, at, Vector<double, 1>(0.0)).norm(), 0.0);
+  const ExtremumResidual residual(mechanical_file_of(particle_in_planes()));
+  const auto with = [&](double mu) {
+    return residual.at(0.0, Vector3d(0.2, 0.5, 0.1), Vector3d(2.0, 3.0, 1.0), Vector3d(0.3, 0.0, -0.4),
+                       Vec::Constant(1, mu));
+  };
+  EXPECT_LT((with(1.5) - 1.5 * Vector3d(3.0 / 1.25, -2.0, 0.5 * 3.0 / 1.25)).norm(), 1e-15);
+  EXPECT_EQ(with(0.0).norm(), 0.0);
 }
 
 // q'' of the extremum by differences along its flow, minus q'' of the motion at the same q and v: the
 // residual with its index raised.
-template <class System>
-void expect_residual_between(const System& system, const InitialState<System::coordinates>& start,
-                             const Vector<double, System::constraints>& multiplier) {
-  constexpr int n = System::coordinates;
-  using State = Vector<double, 2 * n>;
-  const ConditionalExtremum<System> extremum{system, start, multiplier};
-  State y;
-  for (int i = 0; i < 2 * n; ++i) y[i] = extremum.components()[static_cast<std::size_t>(i)].initial[0];
-  const State f = extremum.template rhs<double>(0.0, y);
-  EXPECT_LT((f.template head<n>() - start.v).norm(), 1e-15);
-  const auto at = [&](double h) {
-    return Vector<double, n>(extremum.template rhs<double>(0.0, y + h * f).template head<n>());
+void expect_residual_between(const WrittenSystem& system, const Vec& multipliers) {
+  const auto n = std::ssize(system.coordinates);
+  const Vec q = vector_of(system.position), v = vector_of(system.velocity);
+  const Scene extremum = extremum_of(system, multipliers);
+  const auto rate = [](const Scene& scene, const Vec& y) {
+    Vec f(y.size());
+    scene.problem.rhs(0.0, y, f);
+    return f;
   };
-  const Vector<double, n> acceleration = (at(1e-5) - at(-1e-5)) / 2e-5;
-  const Vector<double, n> motion = AccelerationWithoutMemory<System>{system, start, 0.0}
-                                       .template rhs<double>(0.0, State(stacked<double>(start.q, start.v)))
-                                       .template tail<n>();
-  const Vector<double, n> residual =
-      extremum_residual(system, {0.0, start.q, start.v, acceleration}, multiplier);
+  const Vec y = taylor_part(extremum.problem, 0.0), f = rate(extremum, y);
+  EXPECT_LT((f.head(n) - v).norm(), 1e-15);
+  const Vec acceleration = (rate(extremum, y + 1e-5 * f) - rate(extremum, y - 1e-5 * f)).head(n) / 2e-5;
+  const std::string text = mechanical_file_of(system);
+  const Scene motion = scene_of_mechanical_file(text, {{"formulation", "acceleration"}});
+  const Vec of_motion = rate(motion, taylor_part(motion.problem, 0.0)).tail(n);
+  const Vec residual = ExtremumResidual(text).at(0.0, q, v, acceleration, multipliers);
   EXPECT_GT(residual.norm(), 0.1);
-  EXPECT_LT((acceleration - motion - raise_index<double>(system, start.q, residual)).norm(), 1e-8);
+  const Matrix metric = motion.geometry.at(q, v).metric;
+  EXPECT_LT((acceleration - of_motion - metric.lu().solve(residual)).norm(), 1e-8);
 }
 
 TEST(ExtremumResidual, IsTheDifferenceOfTheAccelerations) {
-  expect_residual_between(Particle{}, {{0.1, 0.5, 0.3}, {2.0, 3.0, 1.0}}, Vector<double, 1>(1.5));
-  expect_residual_between(Blade{4.0}, {{0.1, 0.2, 0.3}, {std::cos(0.3), std::sin(0.3), 0.7}},
-                          Vector<double, 1>(1.2));
-  const double rolled = 0.5 * 1.2;
-  expect_residual_between(Disc{0.5, 2.0, 0.3, 0.2, 0.4},
-                          {{0.1, 0.2, 0.3, 0.4}, {rolled * std::cos(0.3), rolled * std::sin(0.3), 0.7, 1.2}},
-                          Vector<double, 2>(1.2, -0.7));
+  expect_residual_between(particle_in_planes(), Vec::Constant(1, 1.5));
+  expect_residual_between(blade_on_slope(4.0), Vec::Constant(1, 1.2));
+  expect_residual_between(disc_on_plane(2.0, 0.3, 0.2, 0.4), Eigen::Vector2d(1.2, -0.7));
 }
 
 // In two dimensions every constraint a(q) v = 0 is a multiple of the derivative of some phi(q): extremum and
 // motion coincide.
 TEST(ExtremumResidual, IsZeroWithTwoCoordinates) {
-  const MotionState<2> at{0.0, {0.7, 0.2}, {0.4, 0.8 / std::sin(0.7)}, {0.3, -0.9}};
-  EXPECT_LT(extremum_residual(ConstantCourseOnSphere{2.0}, at, Vector<double, 1>(1.5)).norm(), 1e-15);
+  const ExtremumResidual residual(scene_maker("loxodrome").toml);
+  const Eigen::Vector2d q(0.7, 0.2), v(0.4, 0.8 / std::sin(0.7)), acceleration(0.3, -0.9);
+  EXPECT_LT(residual.at(0.0, q, v, acceleration, Vec::Constant(1, 1.5)).norm(), 1e-15);
 }
 
 // The constraints of a rolling disc are nonholonomic, and yet each of its free motions is an extremum, with
 // mu(0) = -m (x', y'): then mu = -m (x', y') at all times. With another mu(0) it is not.
 TEST(ConditionalExtremum, EveryFreeMotionOfTheDiscIsOne) {
   const Scene disc = scene_of("rolling_disc");
-  const double mass = 1.0, radius = 0.5, spin = 2.0;
   const auto extremum = [&](double times) {
-    const MechanicalSetup<Disc> setting{.system = {radius, mass, 0.125, 0.0625, 0.0},
-                                        .start = {Vector<double, 4>::Zero(), {radius * spin, 0.0, 1.0, spin}},
-                                        .coordinates = {"x", "y", "phi", "psi"}};
-    Scene scene = extremum_scene(setting, Vector<double, 2>(-times * mass * radius * spin, 0.0));
+    auto system = disc_on_plane(1.0, 0.125, 0.0625, 0.0);
+    system.position = {0.0, 0.0, 0.0, 0.0};
+    system.velocity = {1.0, 0.0, 1.0, 2.0};
+    Scene scene = extremum_of(system, Eigen::Vector2d(-times, 0.0));
     scene.problem.end = 3.0;
     return Vec(reference_of(scene).at(3.0).value);
   };
@@ -127,8 +197,8 @@ TEST(VakonomicParticle, LeavesTheMotionWithTheResidual) {
   const double t = 1e-3, mu = 2.0;
   const Vec motion = scene_of("nonholonomic_particle").reference.at(t).value;
   const Vec extremum = reference_of(scene_of("vakonomic_particle", {{"mu0", mu}})).at(t).value;
-  const Vector<double, 3> left = (extremum - motion).head<3>() / (t * t / 2);
-  EXPECT_LT((left - mu * Vector<double, 3>(0.8, -1.0, 0.4)).norm(), 2e-3);
+  const Vector3d left = (extremum - motion).head<3>() / (t * t / 2);
+  EXPECT_LT((left - mu * Vector3d(0.8, -1.0, 0.4)).norm(), 2e-3);
 }
 
 TEST(VakonomicParticle, KeepsConstraintEnergyAndMomenta) {

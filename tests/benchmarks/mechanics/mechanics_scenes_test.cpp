@@ -6,75 +6,62 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fdebench/benchmarks/mechanics/formulations/mechanical_scene.hpp"
+#include "benchmarks/mechanics/mechanical_files_testing.hpp"
 #include "fdebench/benchmarks/observers/energy_balance.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
-#include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
 namespace {
 
-using namespace mechanics;
-
-// The derivative of a function in direction k by differences.
+// The derivative of a function of two variables in direction k by differences.
 template <class Function>
-auto differenced(const Function& function, const Vector<double, 2>& at, int k) {
+Vec slope_of(const Function& function, const Eigen::Vector2d& at, int k) {
   constexpr double h = 1e-6;
-  const Vector<double, 2> step = h * Vector<double, 2>::Unit(k);
-  return ((function(Vector<double, 2>(at + step)) - function(Vector<double, 2>(at - step))) / (2 * h)).eval();
+  const Eigen::Vector2d step = h * Eigen::Vector2d::Unit(k);
+  return (function(Vec(at + step)) - function(Vec(at - step))) / (2 * h);
 }
 
-const Vector<double, 2> place(0.7, 0.3), speed(0.4, -0.9);
+const Eigen::Vector2d place(0.7, 0.3), speed(0.4, -0.9);
 
 TEST(Derivatives, OfAConstraintAreThoseByDifferences) {
-  const ConstantCourseOnSphere sphere{2.0};
-  const auto rates = linearize_constraints<double>(sphere, 0.0, place, speed, speed);
+  const DynamicsOfFile sphere(scene_maker("loxodrome").toml);
+  const auto& motion = sphere.dynamics;
+  const Matrix directions = sphere.values(motion.reaction_directions(), 0.0, {place, speed});
   double flow = 0.0;
   for (int k = 0; k < 2; ++k) {
-    const auto of_speed = [&](const Vector<double, 2>& v) {
-      return sphere.constraint<double>(0.0, place, v);
-    };
-    const auto of_place = [&](const Vector<double, 2>& q) {
-      return sphere.constraint<double>(0.0, q, speed);
-    };
-    EXPECT_NEAR(rates.velocity_jacobian(0, k), differenced(of_speed, speed, k)[0], 1e-9);
-    flow += differenced(of_place, place, k)[0] * speed[k];
+    const auto of_speed = [&](const Vec& v) { return sphere.values(motion.constraint(), 0.0, {place, v}); };
+    const auto of_place = [&](const Vec& q) { return sphere.values(motion.constraint(), 0.0, {q, speed}); };
+    EXPECT_NEAR(directions(0, k), slope_of(of_speed, speed, k)[0], 1e-9);
+    flow += slope_of(of_place, place, k)[0] * speed[k];
   }
-  EXPECT_NEAR(rates.convective_rate[0], flow, 1e-9);
+  EXPECT_NEAR(sphere.values(motion.convective_rate(), 0.0, {place, speed})[0], flow, 1e-9);
 }
 
-// d/dt (G v) - 1/2 grad(v'G v) - G v'.
+// G v' = -(d/dt (G v) - 1/2 grad(v'G v) - G v') without forces.
 TEST(Derivatives, OfAMetricAreThoseByDifferences) {
-  const ConstantCourseOnSphere sphere{2.0};
-  const auto momentum = [&](const Vector<double, 2>& q) {
-    return Vector<double, 2>(sphere.metric<double>(q) * speed);
-  };
-  Vector<double, 2> terms = Vector<double, 2>::Zero();
+  const DynamicsOfFile sphere(scene_maker("loxodrome").toml);
+  const auto metric = [&](const Vec& q) { return sphere.values(sphere.dynamics.metric(), 0.0, {q, speed}); };
+  const auto momentum = [&](const Vec& q) -> Vec { return metric(q) * speed; };
+  Eigen::Vector2d terms = Eigen::Vector2d::Zero();
   for (int k = 0; k < 2; ++k) {
-    const Vector<double, 2> slope = differenced(momentum, place, k);
+    const Vec slope = slope_of(momentum, place, k);
     terms += slope * speed[k];
     terms[k] -= 0.5 * slope.dot(speed);
   }
-  EXPECT_LT((christoffel_terms<double>(sphere, place, speed) - terms).norm(), 1e-9);
+  const Vec free = sphere.values(sphere.dynamics.free_acceleration(), 0.0, {place, speed});
+  EXPECT_LT((metric(place) * free + terms).norm(), 1e-9);
 }
 
-struct UnitParticle : Particle {
-  template <class S>
-  [[nodiscard]] Diagonal<S, 3> metric(const Vector<S, 3>& /*q*/) const {
-    return Diagonal<S, 3>({S(1.0), S(1.0), S(1.0)});
-  }
-};
-
+// The same kinetic energy, written as a metric that depends on the place.
 TEST(Metric, OfTheIdentityIsNone) {
-  static_assert(HasMetric<UnitParticle> && !HasMetric<Particle>);
-  const mechanics::InitialState<3> start{{0.0, 0.5, 0.0}, {1.0, 1.0, 0.5}};
-  const auto both = [&]<class System>(const System& system) {
-    return pose_formulation(MechanicalSetup<System>{system, start, {"x", "y", "z"}},
-                            {Formulation::integrated})
-        .problem;
-  };
-  const Problem with = both(UnitParticle{}), without = both(Particle{});
+  const WrittenSystem particle{.coordinates = {"x", "y", "z"},
+                               .position = {0.0, 0.5, 0.0},
+                               .velocity = {1.0, 1.0, 0.5},
+                               .lagrangian = "(sin(y)^2 + cos(y)^2)*(D(x,1)^2 + D(y,1)^2 + D(z,1)^2)/2",
+                               .constraints = {"D(z,1) - y*D(x,1)"}};
+  const Problem with = scene_of_mechanical_file(mechanical_file_of(particle)).problem,
+                without = scene_of("nonholonomic_particle").problem;
   const Vec y = (Vec(6) << 0.3, -0.7, 0.2, 1.1, 0.4, -0.6).finished();
   Vec f(6), g(6);
   with.rhs(0.5, y, f);
@@ -85,16 +72,19 @@ TEST(Metric, OfTheIdentityIsNone) {
 // On the constraint all formulations have the same v'. Off it the stabilised one differs by -kappa f /
 // |df/dv|^2 along df/dv.
 TEST(Formulations, AgreeOnTheConstraint) {
-  const mechanics::InitialState<3> start{{0.0, 0.5, 0.0}, {1.0, 1.0, 0.5}};
-  const AccelerationWithoutMemory<Particle> plain{{}, start, 0.0}, stabilised{{}, start, 10.0};
-  Vector<double, 6> y;
-  y << 0.0, 0.5, 0.0, 1.0, 1.0, 0.5;
-  EXPECT_EQ((plain.rhs<double>(0.0, y) - stabilised.rhs<double>(0.0, y)).norm(), 0.0);
+  const auto rate = [](const std::string& formulation, const Vec& y) {
+    const Scene scene = scene_of("nonholonomic_particle", {{"formulation", formulation}, {"kappa", 10.0}});
+    Vec f(6);
+    scene.problem.rhs(0.0, y, f);
+    return f;
+  };
+  Vec y = (Vec(6) << 0.0, 0.5, 0.0, 1.0, 1.0, 0.5).finished();
+  EXPECT_EQ((rate("acceleration", y) - rate("stabilised", y)).norm(), 0.0);
   y[5] += 0.1;
-  const Vector<double, 6> difference = stabilised.rhs<double>(0.0, y) - plain.rhs<double>(0.0, y);
-  const Vector<double, 3> expected = -10.0 * 0.1 / 1.25 * Vector<double, 3>(-0.5, 0.0, 1.0);
-  EXPECT_LT((difference.tail<3>() - expected).norm(), 1e-15);
-  EXPECT_EQ(difference.head<3>().norm(), 0.0);
+  const Vec difference = rate("stabilised", y) - rate("acceleration", y);
+  const Eigen::Vector3d expected = -10.0 * 0.1 / 1.25 * Eigen::Vector3d(-0.5, 0.0, 1.0);
+  EXPECT_LT((difference.tail(3) - expected).norm(), 1e-15);
+  EXPECT_EQ(difference.head(3).norm(), 0.0);
 }
 
 // lambda(0) = x' y' / (1 + y^2), and the reaction of the multiplier form equals that of the others.

@@ -1,60 +1,72 @@
 // SPDX-License-Identifier: MIT
 // The geometry of Niminet & Blanuta 2009, without the factor 1/2 of their (2.6) and (2.8).
 
-#include "fdebench/benchmarks/mechanics/semispray.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
-#include "fdebench/benchmarks/scenes/constraints/classical_systems.hpp"
+#include "benchmarks/mechanics/mechanical_files_testing.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
 namespace {
 
-using namespace mechanics;
+using Eigen::Matrix2d, Eigen::Matrix3d, Eigen::Vector2d, Eigen::Vector3d;
 
-template <int n>
-Vector<double, n> first(const Vec& columns) {
-  return columns.head<n>();
+const Vector2d on_sphere(0.7, 0.3), along_sphere(0.4, -0.9);
+
+// The geometry of a scene at one state.
+Geometry geometry_at(std::string_view scene, const Vec& q, const Vec& v, const ParameterValues& values = {}) {
+  return scene_of(scene, values).geometry.at(q, v);
 }
 
-const ConstantCourseOnSphere sphere{2.0};
+// The unit sphere without a constraint, with these forces on theta and phi.
+WrittenSystem sphere_with(const std::vector<std::string>& forces, const Vector2d& q = on_sphere,
+                          const Vector2d& v = along_sphere) {
+  return {.coordinates = {"theta", "phi"},
+          .position = {q[0], q[1]},
+          .velocity = {v[0], v[1]},
+          .lagrangian = "(D(theta,1)^2 + sin(theta)^2*D(phi,1)^2)/2",
+          .constraints = {},
+          .forces = forces};
+}
 
 // Gamma^theta_phi,phi = -sin cos, Gamma^phi_theta,phi = cot; the others are 0.
 TEST(ChristoffelSymbols, OfTheSphere) {
   const double theta = 0.7;
-  const auto symbols = christoffel_symbols<double>(sphere, Vector<double, 2>(theta, 1.1));
-  const Table<double, 2, 2> of_theta{{0.0, 0.0}, {0.0, -std::sin(theta) * std::cos(theta)}};
-  const Table<double, 2, 2> of_phi{{0.0, 1.0 / std::tan(theta)}, {1.0 / std::tan(theta), 0.0}};
+  const auto symbols = geometry_at("loxodrome", Vector2d(theta, 1.1), along_sphere).christoffel;
+  const Matrix2d of_theta{{0.0, 0.0}, {0.0, -std::sin(theta) * std::cos(theta)}};
+  const Matrix2d of_phi{{0.0, 1.0 / std::tan(theta)}, {1.0 / std::tan(theta), 0.0}};
   EXPECT_LT((symbols[0] - of_theta).norm(), 1e-15);
   EXPECT_LT((symbols[1] - of_phi).norm(), 1e-15);
 }
 
-TEST(ChristoffelSymbols, AreZeroWithoutAMetricAndForAConstantOne) {
-  for (const auto& symbols : christoffel_symbols<double>(Particle{}, Vector<double, 3>(1.0, 2.0, 3.0)))
-    EXPECT_EQ(symbols.norm(), 0.0);
-  const Disc disc{0.5, 2.0, 0.3, 0.2, 0.0};
-  for (const auto& symbols : christoffel_symbols<double>(disc, Vector<double, 4>(1.0, 2.0, 3.0, 4.0)))
-    EXPECT_EQ(symbols.norm(), 0.0);
+TEST(ChristoffelSymbols, AreZeroForAConstantMetric) {
+  const Geometry particle = geometry_at("nonholonomic_particle", Vector3d(1, 2, 3), Vector3d(1, 1, 2));
+  EXPECT_EQ(particle.metric, Matrix3d::Identity());
+  const Geometry disc = geometry_at("rolling_disc", Eigen::Vector4d(1, 2, 3, 4), Eigen::Vector4d(1, 0, 1, 2),
+                                    {{"R", 0.5}, {"m", 2.0}, {"I", 0.3}, {"J", 0.2}});
+  EXPECT_EQ(disc.metric, Matrix(Eigen::Vector4d(2.0, 2.0, 0.2, 0.3).asDiagonal()));
+  for (const auto& geometry : {particle, disc})
+    for (const auto& symbols : geometry.christoffel) EXPECT_EQ(symbols.norm(), 0.0);
 }
 
 // The canonical metrical connection (2.9): symmetric, and dg_ij/dx^k = Gamma^m_ki g_mj + Gamma^m_kj g_im.
 TEST(ChristoffelSymbols, MakeTheMetricParallel) {
-  const Vector<double, 2> x(0.9, 0.4);
-  const auto symbols = christoffel_symbols<double>(sphere, x);
-  const Table<double, 2, 2> g = sphere.metric<double>(x);
+  const Scene scene = scene_of("loxodrome");
+  const Vector2d x(0.9, 0.4);
+  const auto at = [&](const Vector2d& q) { return scene.geometry.at(q, along_sphere); };
+  const Geometry here = at(x);
   constexpr double h = 1e-5;
   for (int k = 0; k < 2; ++k) {
-    const Vector<double, 2> step = h * Vector<double, 2>::Unit(k);
-    const Table<double, 2, 2> above = sphere.metric<double>(x + step),
-                              below = sphere.metric<double>(x - step);
-    const Table<double, 2, 2> slope = (above - below) / (2 * h);
-    Table<double, 2, 2> connected = Table<double, 2, 2>::Zero();
-    for (std::size_t m = 0; m < 2; ++m) {
-      const Vector<double, 2> row = symbols.at(m).row(k);
-      const Vector<double, 2> lower = g.col(static_cast<Eigen::Index>(m));
+    const Vector2d step = h * Vector2d::Unit(k);
+    const Matrix2d slope = (at(x + step).metric - at(x - step).metric) / (2 * h);
+    Matrix2d connected = Matrix2d::Zero();
+    for (int m = 0; m < 2; ++m) {
+      const Matrix2d symbols = here.christoffel[static_cast<std::size_t>(m)];
+      EXPECT_EQ(symbols, symbols.transpose());
+      const Vector2d row = symbols.row(k), lower = here.metric.col(m);
       connected += row * lower.transpose() + lower * row.transpose();
     }
     EXPECT_LT((slope - connected).norm(), 1e-9) << "k = " << k;
@@ -62,48 +74,64 @@ TEST(ChristoffelSymbols, MakeTheMetricParallel) {
 }
 
 TEST(Semispray, IsHomogeneousWithoutForces) {
-  const Vector<double, 2> x(0.7, 0.3), y(0.4, -0.9);
+  const Vec one = geometry_at("loxodrome", on_sphere, along_sphere).constrained_semispray;
   for (const double factor : {-1.0, 2.0, 5.0}) {
-    const Vector<double, 2> scaled =
-        semispray<double>(sphere, EnforcingMultipliers{}, x, Vector<double, 2>(factor * y));
-    EXPECT_LT((scaled - factor * factor * semispray<double>(sphere, EnforcingMultipliers{}, x, y)).norm(),
-              1e-14);
+    const Vec scaled = geometry_at("loxodrome", on_sphere, factor * along_sphere).constrained_semispray;
+    EXPECT_LT((scaled - factor * factor * one).norm(), 1e-14);
   }
 }
 
 // Without constraint forces it is the geodesic spray: great circles, q'' = -2 G with y^i = x'^i. Tested for
-// the meridian and the equator.
+// the meridian and the equator, with the constraint left out of the file and out of the geometry.
 TEST(Semispray, WithoutMultipliersIsThatOfGeodesics) {
-  const GivenMultipliers none{[]<class S>(const Vector<S, 2>&) { return Vector<S, 1>(S(0.0)); }};
-  EXPECT_EQ(semispray<double>(sphere, none, Vector<double, 2>(0.7, 0.0), Vector<double, 2>(1.3, 0.0)).norm(),
-            0.0);
-  const Vector<double, 2> equator(std::numbers::pi / 2, 0.0);
-  EXPECT_LT(semispray<double>(sphere, none, equator, Vector<double, 2>(0.0, 1.3)).norm(), 2e-16);
+  const Scene free = scene_of_mechanical_file(mechanical_file_of(sphere_with({}))),
+              bound = scene_of("loxodrome");
+  const Vector2d equator(std::numbers::pi / 2, 0.0);
+  for (const auto* scene : {&free, &bound}) {
+    const auto spray = [&](const Vector2d& x, const Vector2d& y) {
+      return scene->geometry.at(x, y).semispray;
+    };
+    EXPECT_EQ(spray(Vector2d(0.7, 0.0), Vector2d(1.3, 0.0)).norm(), 0.0);
+    EXPECT_LT(spray(equator, Vector2d(0.0, 1.3)).norm(), 2e-16);
+  }
+  EXPECT_EQ(free.geometry.at(on_sphere, along_sphere).constrained_semispray.size(), 0);
+}
+
+// A motion without forces stays in the plane through the centre that it starts in, at a constant speed.
+TEST(Semispray, OfGeodesicsHasGreatCirclesAsItsIntegralCurves) {
+  const Scene scene = scene_of_mechanical_file(
+      mechanical_file_of(sphere_with({}, Vector2d(std::numbers::pi / 2, 0.0), Vector2d(0.6, 0.8))));
+  const auto error = [&](int steps) {
+    const Vec end = solve("product_trapezoidal", scene.problem, steps).y.rightCols(1);
+    const double theta = end[0], phi = end[1];
+    const Vector3d place(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+    const Vector3d start(1.0, 0.0, 0.0), direction(0.0, 0.8, -0.6);
+    return (place - start * std::cos(1.0) - direction * std::sin(1.0)).norm();
+  };
+  EXPECT_LT(error(2000), 1e-6);
+  EXPECT_NEAR(std::log2(error(500) / error(1000)), 2.0, 0.05);
 }
 
 // lambda = x' y' / (1 + y^2).
 TEST(Semispray, MultipliersOfTheParticleAreQuadraticInTheVelocity) {
-  const Vector<double, 3> place(0.0, 0.5, 0.0);
-  const auto lambda = [&](double dx, double dy) {
-    return EnforcingMultipliers{}.of<double>(Particle{}, place, Vector<double, 3>(dx, dy, 0.5 * dx))[0];
+  const auto lambda = [](double dx, double dy) {
+    return geometry_at("nonholonomic_particle", Vector3d(0.0, 0.5, 0.0), Vector3d(dx, dy, 0.5 * dx))
+        .multipliers[0];
   };
   EXPECT_NEAR(lambda(1.0, 1.0), 0.8, 1e-15);
   EXPECT_NEAR(lambda(2.0, 1.0), 1.6, 1e-15);
 }
 
 // Theorem 2.3: x' = y, y' = -2 G* from the initial state of a scene reproduces its closed form.
-template <class System>
-void expect_evolution(const System& system, const Scene& scene) {
-  constexpr int n = System::coordinates;
+void expect_evolution(const Scene& scene) {
+  const auto n = scene.geometry.position.size();
   Problem problem{.rhs =
-                      [system](double, In state, Out f) {
-                        const Vector<double, n> x = state.head<n>(), y = state.tail<n>();
-                        f.head<n>() = y;
-                        f.tail<n>() = -semispray<double>(system, EnforcingMultipliers{}, x, y);
+                      [&](double, In state, Out f) {
+                        f.head(n) = state.tail(n);
+                        f.tail(n) = -scene.geometry.at(state.head(n), state.tail(n)).constrained_semispray;
                       },
                   .end = 2.0};
   for (const double value : scene.reference.at(0.0).value) problem.components.push_back({1.0, {value}});
-  Vec before;
   std::vector<double> errors;
   for (const int steps : {500, 1000, 2000}) {
     const Vec end = solve("product_trapezoidal", problem, steps).y.rightCols(1);
@@ -115,44 +143,45 @@ void expect_evolution(const System& system, const Scene& scene) {
 }
 
 TEST(Semispray, HasTheEvolutionCurvesAsItsIntegralCurves) {
-  expect_evolution(Particle{}, scene_of("nonholonomic_particle"));
-  expect_evolution(ConstantCourseOnSphere{2.0}, scene_of("loxodrome", {{"speed", 0.5}}));
-  expect_evolution(Blade{9.81 * std::sin(0.5)}, scene_of("knife_edge"));
-  expect_evolution(Disc{0.5, 1.0, 0.125, 0.0625, 0.6}, scene_of("rolling_disc", {{"pull", 0.6}}));
+  expect_evolution(scene_of("nonholonomic_particle"));
+  expect_evolution(scene_of("loxodrome", {{"speed", 0.5}}));
+  expect_evolution(scene_of("knife_edge"));
+  expect_evolution(scene_of("rolling_disc", {{"pull", 0.6}}));
 }
 
-// Theorem 2.4: N* = N for any multipliers that are functions of position only.
+// Theorem 2.4: N* = N for any multipliers that are functions of position only, lambda = sin(theta) cos(phi)
+// with a = (-2, sin(theta)). Their forces change G* but not its derivative.
 TEST(NonlinearConnection, IsRiemannsForMultipliersOfThePlace) {
-  const GivenMultipliers given{[]<class S>(const Vector<S, 2>& x) {
-    using std::cos, std::sin;
-    return Vector<S, 1>(S(sin(x[0]) * cos(x[1])));
-  }};
-  const Vector<double, 2> x(0.7, 0.3), y(0.4, -0.9);
-  EXPECT_LT((semispray_connection(sphere, given, x, y) - riemannian_connection(sphere, x, y)).norm(), 1e-15);
+  const std::string text =
+      mechanical_file_of(sphere_with({"-2*sin(theta)*cos(phi)", "sin(theta)^2*cos(phi)"}));
+  const DynamicsOfFile motion(text);
+  const auto by_velocity = motion.algebra.jacobian(motion.dynamics.free_acceleration(), motion.system.v());
+  const Matrix connection = -0.5 * motion.values(by_velocity, 0.0, {on_sphere, along_sphere});
+  const Geometry geometry = scene_of_mechanical_file(text).geometry.at(on_sphere, along_sphere);
+  EXPECT_LT((connection - geometry.connection).norm(), 1e-15);
+  const Vector2d expected = Vector2d(2.0 * std::sin(0.7), -1.0) * std::cos(0.3);
+  const Vec free = geometry_at("loxodrome", on_sphere, along_sphere).semispray;
+  EXPECT_LT((geometry.semispray - free - expected).norm(), 1e-15);
 }
 
 // It does not hold for the multipliers that enforce the constraint: G* contains -lambda a / 2, lambda = x'
 // y'/(1 + y^2), a = (-y, 0, 1), and N = 0.
 TEST(NonlinearConnection, IsAnotherForMultipliersThatKeepTheConstraint) {
-  const Vector<double, 3> x(0.0, 0.5, 0.0), y(2.0, 1.0, 1.0);
-  const Vector<double, 3> slope = Vector<double, 3>(1.0, 2.0, 0.0) / 1.25;  // d lambda / d(x', y', z')
-  const Table<double, 3, 3> expected = -0.5 * Vector<double, 3>(-0.5, 0.0, 1.0) * slope.transpose();
-  EXPECT_EQ(riemannian_connection(Particle{}, x, y).norm(), 0.0);
-  EXPECT_LT((semispray_connection(Particle{}, EnforcingMultipliers{}, x, y) - expected).norm(), 1e-15);
-  EXPECT_GT((semispray_connection(sphere, EnforcingMultipliers{}, Vector<double, 2>(0.7, 0.3),
-                                  Vector<double, 2>(0.4, -0.9)) -
-             riemannian_connection(sphere, Vector<double, 2>(0.7, 0.3), Vector<double, 2>(0.4, -0.9)))
-                .norm(),
-            0.1);
+  const Geometry particle =
+      geometry_at("nonholonomic_particle", Vector3d(0.0, 0.5, 0.0), Vector3d(2.0, 1.0, 1.0));
+  const Vector3d slope = Vector3d(1.0, 2.0, 0.0) / 1.25;  // d lambda / d(x', y', z')
+  const Matrix3d expected = -0.5 * Vector3d(-0.5, 0.0, 1.0) * slope.transpose();
+  EXPECT_EQ(particle.connection.norm(), 0.0);
+  EXPECT_LT((particle.constrained_connection - expected).norm(), 1e-15);
+  const Geometry sphere = geometry_at("loxodrome", on_sphere, along_sphere);
+  EXPECT_GT((sphere.constrained_connection - sphere.connection).norm(), 0.1);
 }
 
 // G* is homogeneous of degree 2 without forces, so N* y = 2 G*.
 TEST(NonlinearConnection, TimesTheVelocityIsTheSemispray) {
-  const Vector<double, 2> x(0.7, 0.3), y(0.4, -0.9);
-  EXPECT_LT((semispray_connection(sphere, EnforcingMultipliers{}, x, y) * y -
-             semispray<double>(sphere, EnforcingMultipliers{}, x, y))
-                .norm(),
-            1e-14);
+  const Geometry sphere = geometry_at("loxodrome", on_sphere, along_sphere);
+  EXPECT_LT((sphere.constrained_connection * along_sphere - sphere.constrained_semispray).norm(), 1e-14);
+  EXPECT_LT((sphere.connection * along_sphere - sphere.semispray).norm(), 1e-14);
 }
 
 }  // namespace

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/equation_files/file_reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "fdebench/benchmarks/equation_files/exact_columns.hpp"
+#include "fdebench/benchmarks/equation_files/linear_file_reference.hpp"
+#include "fdebench/benchmarks/equation_files/rounded_values.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
+#include "fdebench/reference/linear/closed_forms/free_pendulum.hpp"
+
+namespace fde::bench {
+namespace {
+
+using Columns = std::vector<SystemColumn>;
+
+// Rejects an exact column whose value at t = 0 differs from the initial value. A value that is not finite at
+// t = 0 is not checked.
+void require_exact_start(const EquationText& text, const Columns& columns, const Problem& problem,
+                         const reference::Reference& reference) {
+  constexpr double rounding = 1e-9;
+  const auto [value, bound] = reference.at(0.0);
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (columns[c].row < 0) continue;
+    const auto& initial = problem.components[static_cast<std::size_t>(columns[c].row)].initial;
+    const double at_start = value[static_cast<Eigen::Index>(c)];
+    if (initial.empty() || !std::isfinite(at_start)) continue;
+    if (std::abs(at_start - initial.front()) <= rounding * (1.0 + std::abs(initial.front()))) continue;
+    reject_at(text.file, text.exact.front().position,
+              fmt::format("exact: {} is {:.6g} at t = 0: must be {:.6g}, its initial value", columns[c].name,
+                          at_start, initial.front()));
+  }
+}
+
+// c, if the expression is c sin(x), x being the first row.
+std::optional<double> factor_of_sine(Expression of, const ExpressionPool& pool) {
+  const auto is_sine = [&](Expression e) {
+    return pool[e].operation == Operation::sin &&
+           pool[pool[e].arguments[0]].operation == Operation::variable &&
+           pool[pool[e].arguments[0]].variable == 1;
+  };
+  if (is_sine(of)) return 1.0;
+  const auto& [a, b, c] = pool[of].arguments;
+  if (pool[of].operation == Operation::negate && is_sine(a)) return -1.0;
+  if (pool[of].operation != Operation::multiply || !is_sine(b)) return std::nullopt;
+  const auto factor = pool.value(a);
+  return factor ? std::optional(static_cast<double>(*factor)) : std::nullopt;
+}
+
+// x'' = c sin x and no other term.
+reference::Reference free_pendulum(const EquationSystem& system, const Columns& columns,
+                                   const ExpressionPool& pool) {
+  const auto& unknown = system.unknowns.front();
+  const bool alone = system.unknowns.size() == 1 && unknown.chain && unknown.chain->terms().empty();
+  if (!alone || unknown.factor || unknown.chain->leading().order != 2.0 ||
+      unknown.chain->leading().coefficient != 1.0)
+    return {};
+  const bool state = columns.size() == 2 && columns[0].order == 0.0 && columns[1].order == 1.0;
+  const auto factor = factor_of_sine(*unknown.rhs, pool);
+  if (!factor || !state) return {};
+  const auto& initial = unknown.chain->initial();
+  return reference::pendulum_reference({-*factor, initial[0], initial[1]});
+}
+
+// In columns that are rows of the problem or their derivatives.
+reference::Reference known_derivatives(const EquationSystem& system, const Problem& problem,
+                                       const Columns& columns, FileFormulas& formulas) {
+  const auto& text = formulas.text();
+  if (!text.exact.empty()) {
+    auto known = exact_columns(text, formulas.parameters(), columns_of(system), columns);
+    require_exact_start(text, columns, problem, known);
+    return known;
+  }
+  if (auto known = linear_file_reference(text, formulas.parameters(), problem, columns)) return *known;
+  return free_pendulum(system, columns, formulas.pool());
+}
+
+// Formulas of the rows, with the bounds of these and of their own rounding. Column c of `rows` is row c.
+reference::Reference formulas_of(const reference::Reference& rows, const Columns& columns,
+                                 ExpressionPool& pool) {
+  using Value = reference::ConditionedValue<long double>;
+  constexpr long double unit =
+      reference::closed_form_rounding_factor * std::numeric_limits<long double>::epsilon();
+  std::vector<Expression> values;
+  for (const auto& column : columns)
+    values.push_back(column.value ? *column.value : pool.variable(static_cast<int>(column.row) + 1));
+  const auto at = [=, kept = std::make_shared<const ExpressionPool>(pool)](double t) {
+    const auto [value, bound] = rows.at(t);
+    std::vector<Value> known;
+    for (Eigen::Index i = 0; i < value.size(); ++i) known.push_back({value[i], bound[i] / unit});
+    const auto found = rounded_values(*kept, values, reference::from_shortest_decimal<long double>(t), known);
+    reference::ReferenceValue result{Vec(std::ssize(found)), Vec(std::ssize(found))};
+    for (std::size_t c = 0; c < found.size(); ++c) {
+      const auto i = static_cast<Eigen::Index>(c);
+      result.value[i] = static_cast<double>(found[c].value);
+      const long double rounding = std::abs(found[c].value - static_cast<long double>(result.value[i]));
+      result.bound[i] = static_cast<double>(unit * found[c].size + rounding);
+    }
+    return result;
+  };
+  return {.at = at, .evidence = rows.evidence};
+}
+
+}  // namespace
+
+reference::Reference file_reference(const EquationSystem& system, const Problem& problem,
+                                    const Columns& columns, FileFormulas& formulas) {
+  if (std::ranges::all_of(columns, &SystemColumn::is_derivative))
+    return known_derivatives(system, problem, columns, formulas);
+  auto rows = columns_of(system);
+  std::ranges::sort(rows, {}, &SystemColumn::row);
+  const auto known = known_derivatives(system, problem, rows, formulas);
+  return known.at ? formulas_of(known, columns, formulas.pool()) : reference::Reference{};
+}
+
+}  // namespace fde::bench

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/expressions/expression_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "fdebench/benchmarks/expressions/program.hpp"
+
+namespace fde::bench {
+namespace {
+
+struct Entry {
+  Eigen::Index row, column;
+  Expression value;
+};
+
+// Throws DerivativeError for the row whose derivative with respect to a variable is not available.
+void reject_derivative(const std::vector<Expression>& rows, ExpressionPool& pool, int variable) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    try {
+      pool.derivative(rows[i], variable);
+    } catch (const std::invalid_argument& of_row) {
+      throw DerivativeError(static_cast<Eigen::Index>(i), of_row.what());
+    }
+  }
+}
+
+// The nonzero entries of df_i/dy_j, row by row.
+std::vector<Entry> derivatives_of(const std::vector<Expression>& rows, ExpressionPool& pool) {
+  std::vector<Entry> entries;
+  const auto zero = pool.number(0);
+  for (Eigen::Index column = 0; column < std::ssize(rows); ++column) {
+    const auto variable = static_cast<int>(column) + 1;
+    try {
+      const auto values = pool.derivatives(rows, variable);
+      for (std::size_t row = 0; row < values.size(); ++row)
+        if (values[row] != zero) entries.push_back({static_cast<Eigen::Index>(row), column, values[row]});
+    } catch (const std::invalid_argument&) {
+      reject_derivative(rows, pool, variable);
+    }
+  }
+  std::ranges::stable_sort(entries, {}, &Entry::row);
+  return entries;
+}
+
+// The arguments of sign and step in the rows that depend on unknowns.
+std::vector<Expression> switches_of(const std::vector<Expression>& rows, const ExpressionPool& pool) {
+  std::vector<Expression> found;
+  for (const auto argument : pool.arguments(rows, {Operation::sign, Operation::step}))
+    if (pool.depends_on_unknowns(argument)) found.push_back(argument);
+  return found;
+}
+
+// Whether a row has a kink or a jump in the unknowns; its derivative may be constant elsewhere.
+bool piecewise(const std::vector<Expression>& rows, const ExpressionPool& pool) {
+  const auto arguments = pool.arguments(
+      rows, {Operation::abs, Operation::sign, Operation::step, Operation::min, Operation::max});
+  return std::ranges::any_of(arguments, [&](Expression e) { return pool.depends_on_unknowns(e); });
+}
+
+// The value of an expression if it is constant, either as written or because its derivatives vanish: (y +
+// 1)^2 - y^2 has a constant derivative.
+std::optional<double> constant_of(Expression value, Eigen::Index size, ExpressionPool& pool) {
+  constexpr Eigen::Index few = 12;
+  if (const auto known = pool.value(value)) return static_cast<double>(*known);
+  const auto zero = pool.number(0);
+  // sign and step have derivative 0 but are not constant
+  const bool jumps = !pool.arguments({value}, {Operation::sign, Operation::step}).empty();
+  if (size > few || jumps) return std::nullopt;
+  for (int variable = 0; variable <= size; ++variable) {
+    const auto slope = pool.derivative(value, variable);
+    if (slope != zero && pool.value(slope) != 0.0L) return std::nullopt;
+  }
+  const auto at_zero = pool.value(pool.without_variables(value, 0));
+  if (!at_zero || !std::isfinite(static_cast<double>(*at_zero))) return std::nullopt;
+  return static_cast<double>(*at_zero);
+}
+
+std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index size, ExpressionPool& pool) {
+  Matrix matrix = Matrix::Zero(size, size);
+  for (const auto& [row, column, value] : entries) {
+    const auto known = constant_of(value, size, pool);
+    if (!known || !std::isfinite(*known)) return std::nullopt;
+    matrix(row, column) = *known;
+  }
+  return matrix;
+}
+
+// The program writes to the places of a matrix without gaps between its columns.
+DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, const ExpressionPool& pool) {
+  std::vector<Expression> values;
+  std::vector<Eigen::Index> places;
+  for (const auto& [row, column, value] : entries) {
+    values.push_back(value);
+    places.push_back(column * size + row);
+  }
+  const auto count = static_cast<std::size_t>(size * size);
+  return {[size, count, has_zeros = entries.size() < count, program = Program(pool, values, places, size)](
+              double t, In y, OutMatrix jacobian) {
+    if (jacobian.outerStride() != size) {
+      Matrix matrix = Matrix::Zero(size, size);
+      program.evaluate(t, y, {matrix.data(), count});
+      jacobian = matrix;
+      return;
+    }
+    if (has_zeros) std::fill_n(jacobian.data(), count, 0.0);
+    program.evaluate(t, y, {jacobian.data(), count});
+  }};
+}
+
+}  // namespace
+
+Problem expression_problem(std::vector<Component> components, const std::vector<Expression>& rows, double end,
+                           ExpressionPool& pool) {
+  const auto size = std::ssize(rows);
+  Problem problem{.components = std::move(components), .end = end};
+  problem.rhs = [program = Program(pool, rows, size)](double t, In y, Out f) {
+    program.evaluate(t, y, {f.data(), static_cast<std::size_t>(f.size())});
+  };
+  for (const auto value : switches_of(rows, pool))
+    problem.switching_functions.emplace_back(Program(pool, {value}, size));
+  const auto entries = derivatives_of(rows, pool);
+  auto matrix = piecewise(rows, pool) ? std::nullopt : matrix_of(entries, size, pool);
+  if (matrix) {
+    problem.derivatives = DenseLinearPart{std::move(*matrix)};
+  } else {
+    problem.derivatives = jacobian_of(entries, size, pool);
+  }
+  return problem;
+}
+
+}  // namespace fde::bench

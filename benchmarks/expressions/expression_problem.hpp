@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "fdebench/benchmarks/expressions/expressions.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
+
+namespace fde::bench {
+
+// Row `row` of a right-hand side has no derivative with respect to an unknown.
+struct DerivativeError : std::invalid_argument {
+  DerivativeError(Eigen::Index row_index, const std::string& what)
+      : std::invalid_argument(what), row(row_index) {}
+  Eigen::Index row;
+};
+
+// The problem D^(order_i) y_i = rows[i], expressions of t (variable 0) and y_j (variable j + 1): f, df/dy (a
+// matrix if f is linear in y with constant coefficients) and the switching functions, which are the arguments
+// of sign and step that depend on y. Throws DerivativeError.
+Problem expression_problem(std::vector<Component> components, const std::vector<Expression>& rows, double end,
+                           ExpressionPool& pool);
+
+}  // namespace fde::bench

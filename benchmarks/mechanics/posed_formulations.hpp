@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fdebench/benchmarks/mechanics/formulation.hpp"
+#include "fdebench/benchmarks/mechanics/motion_start.hpp"
+#include "fdebench/benchmarks/mechanics/posed_equations.hpp"
+
+// The equations of one system in several formulations (docs/mechanics.md). All throw std::invalid_argument if
+// the formulation does not exist for any values of the parameters, and state an `ill_posed_reason` if it does
+// not for these.
+namespace fde::bench::mechanics {
+
+// For constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w) (Tarasov & Zaslavsky 38):
+//   q' = v = P z - a^# beta,  z' = P (free acceleration) + P' v,  and the rows of w,
+// with the projector P = I - a^# a, a^# = G^-1 a^T (a G^-1 a^T)^-1. z(0) = P v(0). For constant a and f = a.v
+// + b.w - C0 this is q' = z - A w, z' = -P grad u with A = a b^T/|a|^2, and no term is singular.
+PosedEquations integrated_equations(const Dynamics& dynamics);
+
+// v' = free acceleration + the reaction that gives df/dt + kappa f = 0; kappa = 0 is the printed form (37,
+// 42). Without memory in the constraints the rows are q' = v and v'. With orders a_1 < a_2 < ... below 1 the
+// rows of a coordinate are D^a_1 v = s_1, D^(a_2 - a_1) s_1 = s_2, ..., D^(1 - a_m) s_m = v'. The terms c_k
+// t^(1 - a_k - a_j) / Gamma(2 - a_k - a_j) of s_j, with c_k from singular_directions, are subtracted from the
+// state. The right-hand side of the last row, v' without its unbounded part, starts like t^(1 - a_k - a_m):
+// the form is well posed if all these are above 0.
+PosedEquations acceleration_equations(const Dynamics& dynamics, double kappa);
+
+// q' = v, v' = free acceleration + G^-1 (df/dv)^T lambda, 0 = f, and the rows of w.
+PosedEquations multiplier_equations(const Dynamics& dynamics);
+
+// One constraint a.v + b.w + sum_k b_k.w_k + c(t) = 0 with constant coefficients, w of one order alpha in (1,
+// 2) and w_k of orders below 1; w = D^(alpha-1) v. With z = P v, chi = b.v and W = P w:
+//   q' = v = z + a^# (a.v),  a.v = (chi - b.z) / (b.a^#),
+//   z' = P (free acceleration),  D^(2-alpha) W = P (free acceleration),  D^(alpha-1) chi = b.w.
+// It needs b.a^# != 0: otherwise the constraint contains no derivative of order alpha along a^#.
+PosedEquations integrated_above_one(const Dynamics& dynamics);
+
+// The multiplier formulation of the same: D^(alpha-1) v = w, D^(2-alpha) w = v' without its part
+// t^(alpha-2)/Gamma(alpha-1) w(0), which is along the reaction: the multiplier is lambda without that part.
+PosedEquations multiplier_above_one(const Dynamics& dynamics);
+
+// lambda(0) of a constraint of order above 1; nullopt if it is unbounded.
+std::optional<Vec> initial_multiplier_above_one(const Dynamics& dynamics);
+
+// The equations in the chosen formulation.
+PosedEquations posed(const Dynamics& dynamics, const FormulationChoice& choice);
+
+// Reasons for which a formulation is refused: a term is unbounded at t = 0; the constraint has no derivative
+// of this order along a^#.
+std::string refused_as_singular(Formulation formulation, double order);
+std::string refused_as_unaligned(double order);
+
+// The formulation in which a reference is computed: integrated if it exists, otherwise acceleration where it
+// is well posed, otherwise multiplier.
+Formulation reference_formulation(const Dynamics& dynamics);
+
+}  // namespace fde::bench::mechanics
