@@ -111,26 +111,23 @@ std::function<Vec(In q, In v)> allowed_velocity(const Dynamics& dynamics) {
   const auto size = static_cast<Eigen::Index>(system.column_count());
   const auto step = dynamics.compensation(dynamics.constraint());
   return [size, program = Program(dynamics.algebra().pool(), step, size)](In q, In v) -> Vec {
-    constexpr int most_steps = 50;
-    constexpr double rounding = 1e-15;
-    Vec columns = Vec::Zero(size), moved(v.size());
+    Vec columns = Vec::Zero(size);
     columns.head(q.size()) = q;
-    columns.segment(q.size(), v.size()) = v;
-    for (int i = 0; i < most_steps; ++i) {
+    return velocity_on_constraints(v, [&](const Vec& now) -> Vec {
+      Vec moved(now.size());
+      columns.segment(q.size(), now.size()) = now;
       program.evaluate(0.0, columns, {moved.data(), static_cast<std::size_t>(moved.size())});
-      columns.segment(q.size(), v.size()) += moved;
-      if (!(moved.norm() > rounding * columns.segment(q.size(), v.size()).norm())) break;
-    }
-    return columns.segment(q.size(), v.size());
+      return moved;
+    });
   };
 }
 
 }  // namespace
 
-StateGeometry geometry_of(const Dynamics& dynamics) {
+StateGeometry geometry_of(const Dynamics& dynamics, const std::vector<std::string>& coordinates) {
   const auto& system = dynamics.system();
   const auto program = std::make_shared<const GeometryProgram>(dynamics);
-  StateGeometry geometry{system.coordinates, system.position, system.velocity,
+  StateGeometry geometry{coordinates, system.position, system.velocity,
                          [program](In q, In v) { return program->at(q, v); }};
   if (system.memory.empty() && dynamics.has_constraints()) geometry.allowed = allowed_velocity(dynamics);
   return geometry;

@@ -44,18 +44,12 @@ struct ConstraintsAtStart {
   }
 };
 
-// Newton's method for f(0, q, v, w = 0) = 0, each step along the reaction.
+// The velocity nearest to v(0) with f(0, q, v, w = 0) = 0.
 Vec nearest_velocity(const Dynamics& dynamics) {
-  constexpr int most_steps = 50;
-  constexpr double rounding = 1e-15;
-  Vec velocity = dynamics.system().velocity;
-  for (int i = 0; i < most_steps; ++i) {
+  return velocity_on_constraints(dynamics.system().velocity, [&](const Vec& velocity) -> Vec {
     const ConstraintsAtStart now(dynamics, velocity);
-    const Vec step = -now.raised * (now.directions * now.raised).lu().solve(now.value);
-    velocity += step;
-    if (!(step.norm() > rounding * velocity.norm())) break;
-  }
-  return velocity;
+    return -now.raised * (now.directions * now.raised).lu().solve(now.value);
+  });
 }
 
 // Whether a matrix is singular to rounding, whatever the units of its rows and columns; false if it is not
@@ -79,6 +73,17 @@ std::string velocity_text(const MechanicalSystem& system, const Vec& velocity) {
 }
 
 }  // namespace
+
+Vec velocity_on_constraints(Vec velocity, const std::function<Vec(const Vec& velocity)>& step) {
+  constexpr int most_steps = 50;
+  constexpr double rounding = 1e-15;
+  for (int i = 0; i < most_steps; ++i) {
+    const Vec moved = step(velocity);
+    velocity += moved;
+    if (!(moved.norm() > rounding * velocity.norm())) break;
+  }
+  return velocity;
+}
 
 Vec at_start(const Dynamics& dynamics, const Expressions& of) {
   return values_at(dynamics.algebra().pool(), of, 0.0, columns_at_start(dynamics.system()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -27,6 +28,10 @@ Vec consistent_velocity(const Dynamics& dynamics);
 
 // lambda(0) as a guess: 0 if it is unbounded.
 Vec initial_multiplier(const Dynamics& dynamics);
+
+// Newton's method for the constraints at a fixed place, from the velocity v: step(v) is its step, along the
+// reaction.
+Vec velocity_on_constraints(Vec velocity, const std::function<Vec(const Vec& velocity)>& step);
 
 // The value of expressions of t and the columns at t = 0.
 Vec at_start(const Dynamics& dynamics, const Expressions& of);

@@ -27,7 +27,8 @@ Energy energy_of(const Dynamics& dynamics);
 // `start_exponents`: the powers of t with which the columns w start.
 Reactions reactions_of(const Dynamics& dynamics, const std::vector<double>& start_exponents);
 
-// The geometry of the metric at any state. Forces and constraints are evaluated at t = 0, with w = 0.
-StateGeometry geometry_of(const Dynamics& dynamics);
+// The geometry of the metric at any state, with the names of the coordinates. Forces and constraints are
+// evaluated at t = 0, with w = 0.
+StateGeometry geometry_of(const Dynamics& dynamics, const std::vector<std::string>& coordinates);
 
 }  // namespace fde::bench::mechanics

@@ -35,6 +35,13 @@ TEST(GeometryCommand, PrintsTheSymbolsOfTheSphere) {
   EXPECT_NEAR(value_of(answer.out, "semispray,phi,,"), 2.0 * c / s * 0.3 * turn, 1e-15);
 }
 
+// The file of isokinetic calls its coordinates x1, x2, x3, because q1 is a parameter.
+TEST(GeometryCommand, NamesCoordinatesAsTheirColumns) {
+  const auto answer = fdebench({"geometry", "isokinetic"});
+  EXPECT_EQ(value_of(answer.out, "metric,q2,q2,"), 1.0);
+  EXPECT_EQ(value_of(answer.out, "metric,q1,q2,"), 0.0);
+}
+
 // From rest the blade slides along its edge: no reaction, x'' = g sin(theta), and the semispray is 2G* =
 // -x''.
 TEST(GeometryCommand, TakesTheStartOfTheSceneWhereNoStateIsGiven) {
