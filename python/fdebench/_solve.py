@@ -100,16 +100,18 @@ def choose(
     scale: str = "mixed",
     columns: Sequence[str] | None = None,
     seconds: float | None = None,
+    runs: str = "many",
 ) -> dict[str, Any]:
     """The scheme, grid and number of steps to take for an accuracy, found by making runs.
 
     ``norm``: "maximum" over all steps, or "end". ``scale``: "absolute", "relative" or "mixed", |e| / (1 + |y|). ``columns``: those
-    that count; default all. ``seconds``: for the search; default 60. Returns the fields that ``fdebench choose --json`` has: scheme,
+    that count; default all. ``seconds``: for the search; default 60. ``runs``: "1" ranks by the first run of a process, which
+    computes start weights and tables, "many" by later runs. Returns the fields that ``fdebench choose --json`` has: scheme,
     grid, steps, error, seconds, runner_up, ...; of a problem of one's own ``command`` is None. Raises NumericalFailure where no
     run is within the accuracy. Solve what was found with ``solve(..., steps, grid=grid)``, or with ``accuracy=asked`` where
     ``asked`` is not None: a scheme that chooses its own steps.
     """
-    options = ["--error", repr(_real("error", error)), "--norm", norm, "--scale", scale, "--json"]
+    options = ["--error", repr(_real("error", error)), "--norm", norm, "--scale", scale, "--runs", runs, "--json"]
     if columns is not None:
         options += ["--columns", ",".join(columns)]
     if seconds is not None:

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "fdebench/reports/analysis/recommendation.hpp"
 
@@ -16,6 +18,38 @@ nlohmann::json json_of(const ErrorEstimate& estimate) {
            {json_of(estimate.first, estimate.first_steps), json_of(estimate.second, estimate.second_steps)}},
           {"difference", estimate.difference},
           {"error", estimate.error()}};
+}
+
+// What was run, what it takes and delivers; null where a scheme has no run, or none to its end.
+nlohmann::json json_of(const Recommendation& made, const RecommendedRun& option, const std::string& outcome) {
+  nlohmann::json json{{"scheme", option.schemes.front()},
+                      {"grid", nullptr},
+                      {"asked", nullptr},
+                      {"steps", nullptr},
+                      {"error", nullptr},
+                      {"seconds", nullptr},
+                      {"first_run_seconds", nullptr},
+                      {"outcome", outcome}};
+  if (const auto* accuracy = std::get_if<Tolerance>(&option.setup.resolution)) {
+    json["asked"] = accuracy->rtol;
+  } else {
+    json["grid"] = grid_text(option.setup.grading);
+  }
+  if (option.steps == 0) return json;
+  json["steps"] = option.steps;
+  if (std::isfinite(option.error)) json["error"] = option.error;
+  json["seconds"] = later_run_seconds(made, option);
+  json["first_run_seconds"] = first_run_seconds(made, option);
+  return json;
+}
+
+nlohmann::json others_of(const Recommendation& made) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const RecommendedRun& option : made.options)
+    if (&option != &made.options.front()) all.push_back(json_of(made, option, "within"));
+  for (const RejectedScheme& scheme : made.rejected)
+    all.push_back(json_of(made, scheme.finest, scheme.reason));
+  return all;
 }
 
 }  // namespace
@@ -63,6 +97,7 @@ std::string json_of(const Recommendation& made) {
     json["runner_up"] = second->schemes.front();
     json["factor"] = second->time.median / first.time.median;
   }
+  json["others"] = others_of(made);
   return json.dump() + '\n';
 }
 

@@ -87,7 +87,7 @@ def shards_are_the_whole(program: Program, case: Case, lists: Lists) -> None:
 
 
 def drawn_choice(random: Random, lists: Lists) -> Case:
-    return Case("what_is_chosen_is_within_the_error", options={"--error": accuracy(random, 1e-8)} | random.choice([{}, {"--norm": "end"}]),
+    return Case("what_is_chosen_is_within_the_error", options={"--error": accuracy(random, 1e-8)} | random.choice([{}, {"--norm": "end"}]) | random.choice([{}, {"--runs": "1"}]),
                 **drawn_problem(random, lists, files=0.5, wild=0.1))
 
 
@@ -111,9 +111,61 @@ def what_is_chosen_is_within_the_error(program: Program, case: Case, lists: List
         raise Fault("error", f"{answer['scheme']} with N = {answer['steps']} has {name} {values[0]:.3g}")
 
 
+def drawn_choice_beside_others(random: Random, lists: Lists) -> Case:
+    kinds = [{}, {"--norm": "end"}, {"--scale": "relative"}, {"--scale": "absolute", "--norm": "end"}]
+    return Case("a_slower_scheme_has_a_slower_run", options={"--error": accuracy(random, 1e-10)} | random.choice(kinds),
+                **drawn_problem(random, lists, files=0.4, wild=0.2))
+
+
+@must_hold(drawn_choice_beside_others, 0.5)
+def a_slower_scheme_has_a_slower_run(program: Program, case: Case, lists: Lists) -> None:
+    """Each scheme that choose calls slower has a run outside the accuracy that takes longer than the answer."""
+    chosen = program.run("choose", *case.problem(), *case.given(), "--max-time", "4", "--json", seconds=120)
+    if not chosen.done:
+        return
+    answer, noise = json.loads(chosen.out), 0.7  # the machine may be busy while the answer is timed
+    for other in answer["others"]:
+        if other["outcome"].startswith("slower") and not (other["seconds"] or 0.0) > noise * answer["seconds"]:
+            raise Fault("unsupported", f"{other} is called slower than {answer['seconds']:.3g} s")
+        if other["outcome"] == "within" and other["seconds"] < noise * answer["seconds"] and other["error"] <= answer["error"]:
+            raise Fault("not the quickest", f"{other} is quicker than {answer['seconds']:.3g} s")
+
+
 def drawn_figure(random: Random, lists: Lists) -> Case:
     scene, chosen = drawn_scene(random, lists, 0.1)
     return Case("figures_are_json", scene=scene, chosen=chosen, options={"--kind": random.choice(["solution", "phase", "motion", "stability"])})
+
+
+def drawn_page(random: Random, lists: Lists) -> Case:
+    schemes = random.sample(list(lists.schemes), 3)
+    listed = {"--steps": f"{random.randint(4, 60)},{random.randint(61, 300)}", "--accuracy": "1e-3"}
+    return Case("a_page_is_a_function_of_its_file", words=tuple(word for scheme in schemes for word in ("--scheme", scheme)),
+                options=random.choice([listed, {}]) | {"--budget": "1"}, **drawn_problem(random, lists, files=0.5, wild=0.1))
+
+
+@must_hold(drawn_page, 0.5)
+def a_page_is_a_function_of_its_file(program: Program, case: Case, lists: Lists) -> None:
+    """The page of a results file is the same without the equation file, without a cache and in another time zone and language."""
+    words = [*case.problem()]
+    ran = program.run("run", "--scene", words[0], *words[1:], *case.words, *case.given(), "--repeat", "1", "--out", "run.jsonl", seconds=120)
+    if not ran.done:
+        return
+    usual = program.environment
+    first = program.run("report", "run.jsonl", "--out", "first", seconds=60)
+    try:
+        for file in program.folder.glob("*.toml"):
+            file.unlink()
+        program.environment = {**usual, "FDEBENCH_CACHE": str(program.folder / "empty"), "TZ": "Asia/Tokyo", "LC_ALL": "de_DE.UTF-8",
+                               "HOME": str(program.folder)}
+        second = program.run("report", "run.jsonl", "--out", "second", seconds=60)
+    finally:
+        program.environment = usual
+    if first.done != second.done:
+        raise Fault("page", f"one report ends with {first.err or second.err}")
+    if first.done and (program.folder / "first/index.html").read_bytes() != (program.folder / "second/index.html").read_bytes():
+        raise Fault("page", "two pages of one file differ")
+    if (program.folder / "empty").exists():
+        raise Fault("cache", "report computes a reference")
 
 
 @must_hold(drawn_figure, 0.3)
