@@ -53,6 +53,13 @@ constexpr std::string_view baseline_measure(const ErrorKind& kind) {
   return ids[static_cast<std::size_t>(std::ranges::find(error_kinds, kind) - error_kinds.begin())];
 }
 
+// The id of the measure of the variation that a maximum over the steps of a grid misses (TotalVariation).
+constexpr std::string_view unresolved_measure(Scale scale) {
+  constexpr std::array<std::string_view, 3> ids{"unresolved_maximum", "unresolved_maximum_relative",
+                                                "unresolved_maximum_mixed"};
+  return ids.at(static_cast<std::size_t>(scale));
+}
+
 // The divisors of errors, one row a column of the scene, one column a time; infinity if an error is left out.
 // Precondition: the times increase.
 Rows divisors(Scale scale, const std::vector<double>& times, const Rows& reference);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/measures/errors.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -32,11 +33,27 @@ Value baseline(const FinishedRun& run) {
   return least <= *error<kind>(run) ? Value(least) : std::nullopt;
 }
 
+// The variation within one step, where it is more than the maximum error at the steps.
+template <Scale scale>
+Value unresolved(const FinishedRun& run) {
+  constexpr std::size_t kind =
+      std::ranges::find(error_kinds, ErrorKind{Norm::maximum, scale}) - error_kinds.begin();
+  const Value& variation = run.observed.unresolved.at(static_cast<std::size_t>(scale));
+  if (!has_reference(run) || !variation) return std::nullopt;
+  return *variation > *error<kind>(run) ? variation : std::nullopt;
+}
+
+template <Scale scale>
+constexpr Measure unresolved_row{.id = unresolved_measure(scale), .value = unresolved<scale>};
+
 template <std::size_t... kind>
 constexpr auto rows_of_kinds(std::index_sequence<kind...> /*kinds*/) {
   return std::array{
       Measure{.id = error_measure(error_kinds[kind]), .value = error<kind>, .error = error_kinds[kind]}...,
-      Measure{.id = baseline_measure(error_kinds[kind]), .value = baseline<kind>}...};
+      Measure{.id = baseline_measure(error_kinds[kind]), .value = baseline<kind>}...,
+      unresolved_row<Scale::absolute>,
+      unresolved_row<Scale::relative>,
+      unresolved_row<Scale::mixed>};
 }
 
 Value digits(const FinishedRun& run) {

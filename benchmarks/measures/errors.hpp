@@ -7,7 +7,8 @@
 
 namespace fde::bench {
 
-// The error of each kind, then its constant-solution baseline of each kind, in the order of error_kinds.
+// The error of each kind, then its constant-solution baseline of each kind, in the order of error_kinds; then
+// the unresolved variation of each scale.
 std::span<const Measure> error_measures();
 
 }  // namespace fde::bench

@@ -14,18 +14,6 @@
 #include "fdebench/schemes/stepping/setup_time.hpp"
 
 namespace fde::bench {
-namespace {
-
-// Smallest order of the differential (not algebraic) rows, at most 1.
-double smallest_order(const Problem& problem) {
-  double order = 1.0;
-  for (const auto& component : problem.components)
-    if (!is_algebraic(component)) order = std::min(order, component.order);
-  return order;
-}
-
-}  // namespace
-
 StepsOrTolerance resolution_of(const CandidateRun& attempt) {
   if (attempt.requested_tolerance)
     return Tolerance{*attempt.requested_tolerance, *attempt.requested_tolerance};

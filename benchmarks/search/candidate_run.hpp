@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/run_outcome.hpp"
+#include "fdebench/benchmarks/measures/total_variation.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
-#include "fdebench/benchmarks/search/total_variation.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {

@@ -171,7 +171,10 @@ NextRun next_tolerance(const SearchGoal& goal, const Refinement& of, const Error
   const double seconds = finest->seconds.value_or(0.0);
   const RefinementRun* best = quickest_within(of, target);
   const bool is_settled = best != nullptr && *best->seconds > long_run;  // a tighter one takes longer still
-  const bool is_early = of.runs.size() < goal.fewest_runs && seconds <= goal.most_seconds;
+  // A solution that one polynomial fits may take less time with a tighter tolerance, not only with the next.
+  constexpr std::size_t fewest = 6;
+  const bool is_early = of.runs.size() < std::max(goal.fewest_runs, seconds < long_run ? fewest : 0) &&
+                        seconds <= goal.most_seconds;
   if (!finest->fails_with_more_steps && !is_settled &&
       (is_early || seconds <= std::min(goal.most_seconds, goal.margin * quickest))) {
     if (const auto next = untried(goal, of, std::get<Tolerance>(finest->resolution).rtol / decade))

@@ -10,6 +10,7 @@
 
 #include "fdebench/benchmarks/measures/judge.hpp"
 #include "fdebench/benchmarks/measures/rounding.hpp"
+#include "fdebench/benchmarks/measures/total_variation.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/observers/energy_balance.hpp"
@@ -122,7 +123,10 @@ Examined solve_and_judge(const Scene& scene, MemoizedReference& reference, const
   if (path.status == SolveStatus::finished) {
     observed.rounded = rounded_otherwise(scene, scheme, resolution, options, path);
     observers.store_results(observed);
-    if (observed.grid) tell_rates(scene, scheme, *observed.grid, observed);
+    if (observed.grid) {
+      tell_rates(scene, scheme, *observed.grid, observed);
+      observed.unresolved = unresolved_variations(scene.problem, reference, *observed.grid);
+    }
   }
   return {path.steps, judge(scene, path, columns, reference, observed)};
 }

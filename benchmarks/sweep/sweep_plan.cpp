@@ -18,6 +18,8 @@ RunError error_of(const RecordedRun& run, Norm norm) {
   const ErrorKind kind{.norm = norm, .scale = Scale::mixed};
   RunError error;
   error.value = run[error_measure(kind)].value_or(error.value);
+  if (norm == Norm::maximum && run[error_measure(kind)])
+    error.value = std::max(error.value, run[unresolved_measure(kind.scale)].value_or(0.0));
   error.baseline = run[baseline_measure(kind)].value_or(error.baseline);
   const bool at_end = norm == Norm::end;
   const auto absolute = run[at_end ? "error_end" : "error_maximum"],

@@ -13,9 +13,16 @@
 namespace fde::bench {
 namespace {
 
+// The error of a run; in the maximum norm at least the variation that one of its steps contains.
+std::optional<double> counted_error(const MeasuredRun& run, const ErrorKind& kind) {
+  const auto error = run[error_measure(kind)];
+  if (!error || kind.norm == Norm::end) return error;
+  return std::max(*error, run[unresolved_measure(kind.scale)].value_or(0.0));
+}
+
 // nullopt if the run has no error of this kind.
 std::optional<RecommendedRun> option_of(const MeasuredRun& run, const ErrorKind& kind) {
-  const auto error = run[error_measure(kind)];
+  const auto error = counted_error(run, kind);
   if (!error) return std::nullopt;
   RecommendedRun option{.schemes = {run.key.scheme},
                         .setup = run.key.setup,

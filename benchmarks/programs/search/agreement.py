@@ -9,6 +9,7 @@ import csv
 import json
 import subprocess
 import sys
+import tempfile
 
 ACCURACIES = ["1e-2", "1e-4", "1e-6", "1e-8", "1e-10", "1e-12"]
 
@@ -18,18 +19,19 @@ def ask(program, scene, *options):
     return json.loads(done.stdout) if done.returncode == 0 else None
 
 
-def scenes_of(results):
-    labels = []
+def rows_by_scene(results):
+    """The lines of each scene by its label, with the sessions."""
+    sessions, rows = [], {}
     with open(results, encoding="utf-8") as lines:
         for line in lines:
             row = json.loads(line)
+            if "session" in row:
+                sessions.append(line)
             if "quantity" not in row or "checksum" in row:
                 continue
             settings = ",".join(f"{name}={value}" for name, value in row.get("settings", {}).items())
-            label = row["scene"] + (":" + settings if settings else "")
-            if label not in labels:
-                labels.append(label)
-    return labels
+            rows.setdefault(row["scene"] + (":" + settings if settings else ""), sessions[-1:]).append(line)
+    return rows
 
 
 def unsupported(answer):
@@ -42,11 +44,15 @@ def main():
     writer = csv.writer(sys.stdout)
     writer.writerow(["scene", "norm", "accuracy", "choose", "steps", "seconds", "sweep", "its steps", "its seconds", "ratio"])
     agree, asked, slower = 0, 0, 0
-    for scene in scenes or scenes_of(results):
+    part = tempfile.mktemp(suffix=".jsonl")
+    rows = rows_by_scene(results)
+    for scene in scenes or rows:
+        with open(part, "w", encoding="utf-8") as file:
+            file.writelines(rows[scene])
         for norm in ("maximum", "end"):
             for accuracy in ACCURACIES:
                 question = (scene, "--error", accuracy, "--norm", norm)
-                answer, swept = ask(program, *question), ask(program, *question, "--results", results)
+                answer, swept = ask(program, *question), ask(program, *question, "--results", part)
                 if answer is None:
                     writer.writerow([scene, norm, accuracy, "none"])
                     continue

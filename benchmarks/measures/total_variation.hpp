@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
+#include "fdebench/benchmarks/measures/error_kind.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/schemes/problem/grid.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde::bench {
@@ -28,5 +33,14 @@ class TotalVariation {
   std::vector<double> times_;
   Rows variation_;
 };
+
+// The smallest order of the differential (not algebraic) rows, at most 1.
+double smallest_order(const Problem& problem);
+
+// What the maximum error of a run over the grid misses, on each scale in the order of Scale, by the variation
+// of the reference at times that do not depend on the grid. Empty where the reference is not known or not
+// finite there.
+std::array<std::optional<double>, 3> unresolved_variations(const Problem& problem,
+                                                           MemoizedReference& reference, const Grid& grid);
 
 }  // namespace fde::bench

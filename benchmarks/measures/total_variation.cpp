@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/benchmarks/search/total_variation.hpp"
+#include "fdebench/benchmarks/measures/total_variation.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
+
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
 
 namespace fde::bench {
 
@@ -46,6 +49,31 @@ double TotalVariation::median_time(Eigen::Index column) const {
   const auto row = variation_.row(column);
   const auto found = std::ranges::lower_bound(row, 0.5 * row[row.size() - 1]);
   return times_[static_cast<std::size_t>(std::max<Eigen::Index>(1, found - row.begin()))];
+}
+
+double smallest_order(const Problem& problem) {
+  double order = 1.0;
+  for (const auto& component : problem.components)
+    if (!is_algebraic(component)) order = std::min(order, component.order);
+  return order;
+}
+
+std::array<std::optional<double>, 3> unresolved_variations(const Problem& problem,
+                                                           MemoizedReference& reference, const Grid& grid) {
+  constexpr int evenly = 64;
+  const auto times = comparison_times(problem, evenly);
+  std::array<std::optional<double>, 3> found;
+  try {
+    const Rows values = reference.at(times);
+    if (!values.allFinite()) return found;
+    for (const Scale scale : {Scale::absolute, Scale::relative, Scale::mixed}) {
+      const TotalVariation variation(times, values, divisors(scale, times, values));
+      found.at(static_cast<std::size_t>(scale)) = variation.unresolved_variation(grid, smallest_order(problem));
+    }
+  } catch (const std::runtime_error&) {  // without a reference there is no error either
+    return {};
+  }
+  return found;
 }
 
 }  // namespace fde::bench
