@@ -14,8 +14,8 @@
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/sweep/trials.hpp"
-#include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/assets.hpp"
+#include "fdebench/reports/page/facts.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
@@ -23,30 +23,11 @@ namespace {
 
 using nlohmann::json;
 
-json to_json(const Section& section) {
-  json shown{{"id", section.id}, {"title", section.title}, {"paragraphs", section.paragraphs}};
-  if (!section.table.empty()) shown["table"] = to_json(section.table);
-  for (std::size_t i = 0; i < section.tables.size(); ++i)
-    shown["tables"][error_measure(error_kinds[i])] = to_json(section.tables[i]);
-  if (section.collapsed) shown["folded"] = true;
-  return shown;
-}
-
-// The machine of each session.
-std::vector<std::string> machines_of(const PageInput& page) {
-  std::vector<std::string> machines;
-  for (const Session& session : page.sessions) machines.push_back(session.machine);
-  return machines;
-}
-
 // The kinds of error that the page's controls offer.
 json kinds() {
   json all = json::array();
   for (const ErrorKind& kind : error_kinds) {
-    all.push_back({{"id", error_measure(kind)},
-                   {"norm", name(kind.norm)},
-                   {"scale", name(kind.scale)},
-                   {"title", error_title(kind)}});
+    all.push_back({{"id", error_measure(kind)}, {"norm", name(kind.norm)}, {"scale", name(kind.scale)}});
   }
   return all;
 }
@@ -101,18 +82,7 @@ bool at_rounding(const ConstrainedScene& scene) {
 }
 
 // The stability regions, which depend on no results and are computed in advance.
-json regions_section() {
-  return {
-      {"id", "regions"},
-      {"title", "Stability: linear equations"},
-      {"paragraphs",
-       {"What a scheme makes of D^γ y = λ y with steps h depends on z = λ h^γ alone. The solution decays to "
-        "the left of the dashed ray, where |arg z| > γπ/2; a scheme does to the left of its curve. A curve "
-        "that stays in the right half bounds no step: the scheme may take any where the solution decays. One "
-        "that ends on the negative axis bounds them: z has to be inside. Of schemes with the same curve one "
-        "is drawn. fdebench stability prints the curves for any order."}},
-      {"regions", json::parse(assets::regions())}};
-}
+json regions_section() { return {{"id", "regions"}, {"regions", json::parse(assets::regions())}}; }
 
 }  // namespace
 
@@ -147,19 +117,17 @@ std::string section_of(const SceneSettings& scene) {
 json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
   PageInput page{.sessions = std::move(read.sessions), .names = LineNames::of_several_scenes(read.runs)};
   page.runs = std::move(read.runs);
-  const Section compared = before ? compared_section(page, before->runs) : Section{};
+  json compared = before ? compared_section(page, before->runs) : json();
   page.trials = take_trials(page.runs);
   page.rates = rates(page.runs);
   json sections = json::array();
-  const auto add = [&](const Section& section) {
-    if (!section.table.empty() || !section.tables.empty()) sections.push_back(to_json(section));
+  const auto add = [&](json section) {
+    section = compact(std::move(section));
+    if (section.contains("groups") && section["groups"].front().contains("rows"))
+      sections.push_back(std::move(section));
   };
-  if (json answers = to_json(answers_section(page)); answers.contains("tables")) {
-    for (const ErrorKind& kind : error_kinds)
-      answers["verdicts"][error_measure(kind)] = to_json(scheme_verdicts(page, kind));
-    sections.push_back(std::move(answers));
-  }
-  if (before) sections.push_back(to_json(compared));
+  if (json answers = answers_section(page); !answers.empty()) sections.push_back(std::move(answers));
+  if (before) sections.push_back(compact(std::move(compared)));
   add(stability_section(page));
   sections.push_back(regions_section());
   for (auto& scene : scene_sections(page)) sections.push_back(std::move(scene));
@@ -171,15 +139,12 @@ json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
       if (!at_rounding(scene)) sections.back()["drifts"].push_back(drift_charts(page, scene));
     }
   }
-  add(cost_section(page));
-  add(expansion_section(page));
-  add(reference_section(page));
-  add(failures_section(page));
-  add(schemes_section(page));
+  for (auto* const section_of_page :
+       {cost_section, expansion_section, reference_section, failures_section, schemes_section})
+    add(section_of_page(page));
   return {{"lines", line_labels(page)},
           {"kinds", kinds()},
-          {"sessions", to_json(sessions_table(page))},
-          {"machines", machines_of(page)},
+          {"sessions", session_facts(page)},
           {"sections", sections}};
 }
 

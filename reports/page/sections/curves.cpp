@@ -7,7 +7,6 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reports/analysis/parameter_curves.hpp"
-#include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/reports/page/run_columns.hpp"
 
@@ -48,12 +47,10 @@ json curve_sections(const PageInput& page) {
     const auto scene = without_defaults(curves);
     sections.push_back(
         {{"id", fmt::format("curve-{}{}-{}", label_of(scene), short_checksum(scene), curves.parameter)},
-         {"title", fmt::format("{} over {}", name_of_scene(scene).title, curves.parameter)},
+         {"scene", name_of_scene(scene).title},
          {"name", label_of(scene)},
-         {"paragraphs",
-          json::array({fmt::format("Every run has N = {}, the most steps that all lines have in common.",
-                                   count_text(curves.steps))})},
          {"parameter", curves.parameter},
+         {"steps", curves.steps},
          {"runs", runs_of_curves(page, curves)}});
   }
   return sections;

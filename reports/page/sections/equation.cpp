@@ -35,18 +35,17 @@ json equations_of(const SceneSettings& scene) {
   return all;
 }
 
-Table parameters_table(const SceneSettings& scene) {
-  Table table{.caption = "Parameters", .columns = {{"parameter"}, {"value"}, {"meaning"}}};
+json parameters_of(const SceneSettings& scene) {
+  json all = json::array();
   const SceneFactory* maker = find_scene(scene.id);
-  if (maker == nullptr || maker->parameters.empty()) return table;
-  RowGroup rows;
+  if (maker == nullptr) return all;
   for (const Parameter& parameter : maker->parameters) {
-    Cell value{.text = value_text(parameter, scene)};
-    value.highlighted = scene.values.contains(parameter.name);
-    rows.rows.push_back({{.text = parameter.name}, value, {.text = parameter.description}});
+    all.push_back({{"name", parameter.name},
+                   {"value", value_text(parameter, scene)},
+                   {"meaning", parameter.description},
+                   {"given", scene.values.contains(parameter.name)}});
   }
-  table.groups.push_back(std::move(rows));
-  return table;
+  return all;
 }
 
 }  // namespace fde::bench
