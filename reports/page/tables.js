@@ -17,12 +17,12 @@ const unbroken = (text) => text.split(/([Nt] = [^\s,]+|\S+e-\d+)/).map((part, i)
 // The colour and the shape that a line's points have in the charts.
 const swatch = (lines, line) => element("i", { class: "swatch", "data-shape": shapeOf(lines, line), style: `background:${colourOf(lines, line)}` });
 
-// What a verdict is in a map of narrow cells.
+// What a verdict is in a map of narrow cells; one that is not here is shown by its id.
 const signs = { survives: "✓", "stops rightly": "✓", inaccurate: "≈", fails: "✗", refuses: "–", "not judged": "?" };
 
 // A map's cells are narrow: a line's short name and a time, a verdict's sign and an error. The whole name is what a screen reader says.
 function mapContent(cell, to) {
-  const sign = cell.line ? shortNameOfLine(cell.line) : signs[cell.tone] ?? "";
+  const sign = cell.line ? shortNameOfLine(cell.line) : signs[cell.tone] ?? cell.tone ?? "";
   const detail = cell.short ?? cell.detail ?? (sign ? "" : cell.text);
   const parts = [...(sign ? [element("b", {}, sign)] : []), ...(sign && detail ? [" "] : []), ...(detail ? [element("small", {}, ...unbroken(detail))] : [])];
   if (to && cell.text) return [element("a", { href: `#${to}`, "aria-label": `${sign} ${detail}: ${cell.text}` }, ...parts)];

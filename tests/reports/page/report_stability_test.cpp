@@ -34,9 +34,10 @@ void add_run(Results& results, const SceneSettings& scene, const std::string& sc
   if (finished) add("time_minimum", 1e-3);
 }
 
-std::vector<std::string> texts(const nlohmann::json& row) {
+// The verdicts of a row; empty where a scheme was not run.
+std::vector<std::string> verdicts(const nlohmann::json& row) {
   std::vector<std::string> all;
-  for (const auto& cell : row) all.push_back(to_text(cell));
+  for (const auto& cell : row["cells"]) all.push_back(cell.is_null() ? "" : cell["verdict"]);
   return all;
 }
 
@@ -47,14 +48,21 @@ TEST(StabilitySection, HasAVerdictInEveryCell) {
           {SolveStatus::non_finite, "at step 7, t = 0.5"}, 0.0);
   add_run(results, first.scene.key(), "l1", first.steps, {}, 1e-4);
   add_run(results, trials()[1].scene.key(), "l1", trials()[1].steps, {}, 0.5);
-  const auto table = section(page_data(read_runs(results)), "stability")["table"];
-  const auto& groups = table["groups"];
+  const auto of = section(page_data(read_runs(results)), "stability");
+  EXPECT_THAT(of["lines"], ElementsAre("adams_pc", "l1"));
+  const auto& groups = of["groups"];
   ASSERT_EQ(groups.size(), 2U);
-  EXPECT_THAT(texts(groups[0]["rows"][0]), ElementsAre("survived", "0 of 1", "1 of 2"));
+  const auto& totals = groups[0]["rows"][0]["cells"];
+  EXPECT_EQ(totals[0], nlohmann::json({{"survive", 0}, {"trials", 1}}));
+  EXPECT_EQ(totals[1], nlohmann::json({{"survive", 1}, {"trials", 2}}));
   EXPECT_EQ(groups[1]["title"], first.kind);
-  EXPECT_THAT(texts(groups[1]["rows"][0]), ElementsAre(first.scene.label(), "fails", "survives"));
-  EXPECT_THAT(texts(groups[1]["rows"][1]), ElementsAre(trials()[1].scene.label(), "not run", "inaccurate"));
-  EXPECT_EQ(groups[1]["rows"][0][1]["hint"], "not finite at step 7, t = 0.5");
+  const auto& rows = groups[1]["rows"];
+  EXPECT_EQ(rows[0]["scene"], first.scene.label());
+  EXPECT_EQ(rows[1]["scene"], trials()[1].scene.label());
+  EXPECT_THAT(verdicts(rows[0]), ElementsAre("fails", "survives"));
+  EXPECT_THAT(verdicts(rows[1]), ElementsAre("", "inaccurate"));
+  EXPECT_EQ(rows[0]["cells"][0]["ending"], "not_finite");
+  EXPECT_EQ(rows[0]["cells"][0]["detail"], "at step 7, t = 0.5");
 }
 
 TEST(StabilitySection, LeavesScenesWithTrialsOnlyToItself) {
