@@ -23,6 +23,10 @@ def fdebench(*words):
     return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
 
 
+def each(option, *values):
+    return [word for value in values for word in (option, value)]
+
+
 class Results(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -142,20 +146,27 @@ class Results(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
-    """What the page holds is what docs/page.schema.json says."""
+    """What the page holds is what docs/page.schema.json says, and all of it."""
 
     SCHEMA = json.loads((ROOT / "docs" / "page.schema.json").read_text())
 
     def test_is_what_the_schema_says(self):
         with tempfile.TemporaryDirectory() as folder:
             file, constrained = Path(folder) / "results.jsonl", "fractional_constraint_2d:alpha=0.3"
-            for words in (["relaxation:gamma=0.3", "relaxation", "relaxation:gamma=0.8", "pendulum"],
-                          [constrained, f"{constrained},formulation=multiplier", f"{constrained},formulation=acceleration", "loxodrome"]):
-                scenes = [word for scene in words for word in ("--scene", scene)]
-                run = fdebench("run", *scenes, "--scheme", "l1", "--scheme", "product_trapezoidal", "--scheme", "spectral_collocation",
-                               "--steps", "32,64,128", "--accuracy", "1e-3,1e-6", "--repeat", 1, "--out", file)  # fmt: skip
+            few = each("--scheme", "l1", "product_trapezoidal", "spectral_collocation")
+            sweeps = [
+                [*each("--scene", "relaxation:gamma=0.3", "relaxation", "relaxation:gamma=0.8", "pendulum", "pendulum:beta=0"), *few,
+                 *each("--scheme", "decoupled_multi_order", "commensurate_adams_pc"), "--steps", "64,128,256", "--accuracy", "1e-3,1e-6"],
+                [*each("--scene", constrained, f"{constrained},formulation=multiplier", f"{constrained},formulation=acceleration", "loxodrome"),
+                 *few, "--steps", "32,64,128"],
+                ["--scene", "relaxation:gamma=0.05", "--scheme", "l1", "--steps", 4096],  # a trial
+                ["--scene", "relaxation:lambda=0", "--scheme", "l1", "--steps", 32],  # without error
+                ["--scene", "relaxation", "--steps", 1, "--external", "end=echo 't,y\n0,1\n1,0.43' #"],  # the whole process is timed
+            ]  # fmt: skip
+            for words in sweeps:
+                run = fdebench("run", *words, "--repeat", 1, "--out", file)
                 self.assertEqual(run.returncode, 0, run.stderr)
-            self.assertEqual(fdebench("report", file, "--out", folder).returncode, 0)
+            self.assertEqual(fdebench("report", file, file, "--out", folder).returncode, 0)
             page = (Path(folder) / "index.html").read_text()
         data = json.loads(re.search('<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1])
         jsonschema.Draft202012Validator.check_schema(self.SCHEMA)
