@@ -38,17 +38,18 @@ function placeOf(token) {
 }
 
 // Parts: texts, places, and lists of parts that may be left out.
-const parsed = new Map();
-function partsOf(template) {
-  if (!parsed.has(template)) {
-    const open = [[]];
-    for (const token of template.split(/(\{[^}]*\}|[[\]])/).filter(Boolean)) {
-      if (token === "[") open.push([]);
-      else if (token === "]") open.at(-2).push(open.pop());
-      else open.at(-1).push(token.startsWith("{") ? placeOf(token) : token);
-    }
-    parsed.set(template, open[0]);
+function partsOf(text) {
+  const open = [[]];
+  for (const token of text.split(/(\{[^}]*\}|[[\]])/).filter(Boolean)) {
+    if (token === "[") open.push([]);
+    else if (token === "]") open.at(-2).push(open.pop());
+    else open.at(-1).push(token.startsWith("{") ? placeOf(token) : token);
   }
+  return open[0];
+}
+const parsed = new Map();
+function choicesOf(template) {
+  if (!parsed.has(template)) parsed.set(template, [template].flat().map(partsOf));
   return parsed.get(template);
 }
 
@@ -63,8 +64,8 @@ function filled(parts, facts) {
 }
 
 function said(template, facts) {
-  for (const one of [template].flat()) {
-    const text = filled(partsOf(one), facts)?.replace(/ {2,}/g, " ").trim();
+  for (const parts of choicesOf(template)) {
+    const text = filled(parts, facts)?.replace(/ {2,}/g, " ").trim();
     if (text) return text;
   }
   return null;
