@@ -24,7 +24,7 @@ function formatted(fact, format, between = ", ") {
   if (numberFormats[format]) return numberFormats[format](fact);
   const statement = statements[format];
   if (statement === undefined) return String(fact);
-  return typeof fact === "object" ? said(statement, fact) : statement[fact] ?? String(fact);
+  return typeof fact === "object" ? said(statement, fact) : Object.hasOwn(statement, fact) ? statement[fact] : String(fact);
 }
 
 const placePattern = /^\{([?!]?)([\w.]*)(?::(\w+))?(?:\/(.*))?(?:=(\w+))?\}$/;
