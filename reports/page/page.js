@@ -45,7 +45,7 @@ function showKind(section, page, kind, place) {
   const table = tableOf(section, kind, page.sections), now = table && viewed(table, viewNow(), page.sections);
   if (table) shown.push(table.map ? element("div", { class: "mapped" }, tableFrame(now, page.lines), ...keyOf(now)) : tableFrame(now, page.lines));
   if (section.schemes) {
-    const verdicts = verdictsViewed(section, now, kind, viewNow());
+    const verdicts = verdictsViewed(section, table, kind, viewNow(), page.sections);
     const [winners, others] = [true, false].map((wins) => verdicts.filter(({ won }) => won > 0 === wins));
     shown.push(element("h3", {}, "Each scheme: where it wins, where not to use it"), linesSaid(winners, page.lines, "winners"));
     if (others.length > 0) shown.push(element("h3", {}, "Schemes that are cheapest nowhere"), linesSaid(others, page.lines, "others"));

@@ -104,11 +104,12 @@ function winsIn({ groups }) {
   return Object.fromEntries([...new Set(shown.map(({ line }) => line))].map((line) => [line, factsOf(shown.filter((cell) => cell.line === line))]));
 }
 
-// What is said of each line, of the cells of the map that the view shows: { line, won, texts }, the first with the most cells. Where it is
-// nearest is known of the whole map only.
-function verdictsViewed({ schemes }, map, kind, view) {
-  const wins = winsIn(map), is_part = Boolean(view.scene.trim() || view.accuracy || view.machine);
+// What is said of each line, of the cells of the map that the view shows: { line, won, texts }, the first with the most cells there, then in
+// the whole map. Where a line is nearest is known of the whole map only.
+function verdictsViewed({ schemes }, map, kind, view, sections) {
+  const [wins, all] = [viewed(map, view, sections), map].map(winsIn), is_part = Boolean(view.scene.trim() || view.accuracy || view.machine);
+  const wonIn = (of, { line }) => of[line]?.won ?? 0;
   return schemes.filter(({ line }) => wantsLine(view, line)).map(({ line, nearest, ...facts }) => ({
-    line, won: wins[line]?.won ?? 0, texts: [say(statements.wins, { ...wins[line], is_part, nearest: nearest?.[kind.id] }), say(statements.faults, facts)],
-  })).sort((a, b) => b.won - a.won);
+    line, won: wonIn(wins, { line }), texts: [say(statements.wins, { ...wins[line], is_part, nearest: nearest?.[kind.id] }), say(statements.faults, facts)],
+  })).sort((a, b) => b.won - a.won || wonIn(all, b) - wonIn(all, a));
 }
