@@ -123,7 +123,7 @@ const sectionTables = {
   },
   schemes: {
     caption: "The schemes and where they come from", filter: "scheme",
-    columns: [{ head: "scheme", cell: "{scheme}" }, { head: "title", cell: ["{title}", "another program"] }, { head: "source", cell: "{source}" }],
+    columns: [{ head: "scheme", cell: "{scheme}" }, { head: "title", cell: ["{title}", "another program, or another version of fdebench"] }, { head: "source", cell: "{source}" }],
   },
   sessions: {
     caption: "Where and with what the numbers were made",
