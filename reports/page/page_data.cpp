@@ -7,13 +7,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
-#include "fdebench/benchmarks/scenes/registry.hpp"
-#include "fdebench/benchmarks/scenes/scene.hpp"
-#include "fdebench/benchmarks/scenes/variant.hpp"
-#include "fdebench/benchmarks/sweep/trials.hpp"
 #include "fdebench/reports/page/assets.hpp"
 #include "fdebench/reports/page/facts.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
@@ -32,31 +27,21 @@ json kinds() {
   return all;
 }
 
-// The labels of all lines, without repetitions: sorted by the cells of the map that they win, then in the
-// order of the list of schemes. The order determines the colours: only the first few lines have a unique one.
+// The labels of all lines: sorted by the cells of the map that they win, then in the order of the list of
+// schemes. The order determines the colours: only the first few lines have a unique one.
 std::vector<std::string> line_labels(const PageInput& page) {
-  std::vector<std::string> labels;
-  const auto add = [&](const MeasuredRun& run) {
-    const std::string label = page.label(run.key);
-    if (std::ranges::count(labels, label) == 0) labels.push_back(label);
-  };
-  for (const auto& scheme : schemes()) {
-    for (const MeasuredRun& run : page.runs.finished) {
-      if (run.key.scheme == scheme.id) add(run);
-    }
-  }
-  std::ranges::for_each(page.runs.finished, add);  // lines of schemes that this build does not have
+  std::vector<std::string> labels = page.labels(page.runs.finished);
   auto won = cells_won(page, {});
   std::ranges::stable_sort(labels, std::greater{}, [&](const std::string& label) { return won[label]; });
   return labels;
 }
 
-bool is_trial(const MeasuredRun& run) {
-  const auto& resolution = run.key.setup.resolution;
-  return std::ranges::any_of(trials(), [&](const Trial& trial) {
-    return (resolution == StepsOrTolerance(trial.steps) || resolution == StepsOrTolerance(trial_accuracy)) &&
-           trial.scene.key() == run.key.scene;
-  });
+bool is_trial(const Runs& runs, const RunKey& run) {
+  const auto* described = runs.describe(run.scene);
+  if (described == nullptr || !described->trial) return false;
+  const auto& [number, kind, steps, accuracy] = *described->trial;
+  return run.setup.resolution == StepsOrTolerance(steps) ||
+         run.setup.resolution == StepsOrTolerance(accuracy);
 }
 
 // Returns the runs of trials, and removes those of scenes without other runs from `runs`.
@@ -64,11 +49,13 @@ std::vector<MeasuredRun> take_trials(Runs& runs) {
   std::vector<MeasuredRun> taken;
   std::set<SceneSettings> swept;
   for (auto* some : {&runs.finished, &runs.failed}) {
-    for (const auto& run : *some) is_trial(run) ? taken.push_back(run) : void(swept.insert(run.key.scene));
+    for (const auto& run : *some)
+      is_trial(runs, run.key) ? taken.push_back(run) : void(swept.insert(run.key.scene));
   }
   for (auto* some : {&runs.finished, &runs.failed}) {
-    std::erase_if(*some,
-                  [&](const MeasuredRun& run) { return is_trial(run) && !swept.contains(run.key.scene); });
+    std::erase_if(*some, [&](const MeasuredRun& run) {
+      return is_trial(runs, run.key) && !swept.contains(run.key.scene);
+    });
   }
   return taken;
 }
@@ -81,33 +68,45 @@ bool at_rounding(const ConstrainedScene& scene) {
   });
 }
 
+// Distinguishes equation files of the same name.
+std::string file_text(const SceneSettings& scene) {
+  return scene.checksum.empty() ? "" : fmt::format(", file {}", short_checksum(scene));
+}
+
 // The stability regions, which depend on no results and are computed in advance.
 json regions_section() { return {{"id", "regions"}, {"regions", json::parse(assets::regions())}}; }
 
 }  // namespace
 
-SceneName name_of_scene(const SceneSettings& scene) {
-  const auto* found = find_scene(scene.id);
-  if (!scene.checksum.empty())
-    return {.title = fmt::format("{}, file {}", label_of(scene), short_checksum(scene))};
-  if (found == nullptr) return {.title = label_of(scene)};
-  const auto settings = settings_text(scene);
-  return {
-      .title = settings.empty() ? std::string(found->title) : fmt::format("{} ({})", found->title, settings),
-      .source = std::string(found->source)};
+std::vector<std::string> PageInput::labels(RunSpan of) const {
+  std::vector<std::string> found;
+  const auto add = [&](const MeasuredRun& run) {
+    auto name = label(run.key);
+    if (std::ranges::find(found, name) == found.end()) found.push_back(std::move(name));
+  };
+  for (const Scheme& scheme : schemes()) {
+    for (const MeasuredRun& run : of) {
+      if (run.key.scheme == scheme.id) add(run);
+    }
+  }
+  std::ranges::for_each(of, add);
+  return found;
 }
 
-// The equation files of scenes are not read here.
-std::optional<Scene> known_scene(const SceneSettings& settings) {
-  const SceneFactory* maker = settings.checksum.empty() ? find_scene(settings.id) : nullptr;
-  if (maker == nullptr) return std::nullopt;
-  try {
-    Scene scene = make_scene_unchecked(*maker, settings.values);
-    if (settings.until) set_end(scene, *settings.until);
-    return scene;
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
+// Settings change neither title nor source.
+SceneName name_of_scene(const PageInput& page, const SceneSettings& scene) {
+  const auto& scenes = page.runs.scenes;
+  const auto found = std::ranges::find_if(scenes, [&](const auto& described) {
+    return described.first.id == scene.id && described.first.checksum == scene.checksum;
+  });
+  if (found == scenes.end()) return {.title = fmt::format("{}{}", label_of(scene), file_text(scene))};
+  return {.title = with_settings(found->second.title, scene), .source = found->second.source};
+}
+
+std::string with_settings(const std::string& title, const SceneSettings& scene) {
+  const auto settings = settings_text(scene);
+  return fmt::format("{}{}{}", title, settings.empty() ? "" : fmt::format(" ({})", settings),
+                     file_text(scene));
 }
 
 std::string section_of(const SceneSettings& scene) {

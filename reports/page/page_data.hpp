@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reports/analysis/formulations.hpp"
 #include "fdebench/reports/analysis/line_names.hpp"
 #include "fdebench/reports/analysis/line_rates.hpp"
@@ -17,7 +16,8 @@ namespace fde::bench {
 
 // The data of the page as JSON for its script: lines, sessions, sections. They are facts without words, which
 // the templates of the page (section_texts.js, statements.js) make sentences and tables of;
-// docs/page.schema.json has the fields. `before`: earlier results, compared with these in a separate section.
+// docs/page.schema.json has the fields. A function of the results alone: nothing is solved or measured for
+// it, and scenes need not exist. `before`: earlier results, compared with these in a separate section.
 nlohmann::json page_data(ReadRuns read, const std::optional<ReadRuns>& before = {});
 
 // The input of the sections.
@@ -34,6 +34,9 @@ struct PageInput {
     return names.name(of.schemes.front(), of.setup);
   }
   [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.setup); }
+  // The labels of the lines of these runs, without repetitions, in the order of the list of schemes; those of
+  // schemes that this build does not have last.
+  [[nodiscard]] std::vector<std::string> labels(RunSpan of) const;
   // The line's grid if its name omits it; otherwise empty.
   [[nodiscard]] std::string grid(const RunSettings& setup) const { return names.grid(setup); }
 };
@@ -74,18 +77,8 @@ nlohmann::json schemes_section(const PageInput& page);
 // reaches, and the schemes that do not solve it.
 nlohmann::json conclusion(const PageInput& page, const SceneLines& lines, RunSpan runs,
                           const ErrorKind& kind);
-// The equations of a scene as formulas, the values and meanings of its parameters, and its solution for
-// charts: times, columns, values, the largest bound. Each is empty if there is none.
-nlohmann::json equations_of(const SceneSettings& scene);
-nlohmann::json parameters_of(const SceneSettings& scene);
-nlohmann::json solution_of(const SceneSettings& settings);
-// The scene with these settings; nullopt for a scene from a file or one that this build cannot make.
-std::optional<Scene> known_scene(const SceneSettings& settings);
-// The solution of a given scene: t, columns, values, bound; energy, reactions and motion with their own
-// columns and values. Throws std::runtime_error if there is no reference.
-nlohmann::json solution_of(const Scene& scene);
 // The drifts of a constrained scene by formulation: of all runs, and as a function of t for the run of
-// best_in_time(), which is solved again.
+// best_in_time().
 nlohmann::json drift_charts(const PageInput& page, const ConstrainedScene& scene);
 
 // One section per scene, with its runs and the rates of its lines.
@@ -95,11 +88,13 @@ nlohmann::json scene_sections(const PageInput& page);
 // values.
 nlohmann::json curve_sections(const PageInput& page);
 
-// Title and source of a scene; the label alone for a scene that this build does not have.
+// Title and source of a scene; the label alone for a scene that the results do not describe.
 struct SceneName {
   std::string title, source{};
 };
-SceneName name_of_scene(const SceneSettings& scene);
+SceneName name_of_scene(const PageInput& page, const SceneSettings& scene);
+// "Fractional pendulum (alpha=1.9)" from the title alone; for an equation file "Decay (k=2), file 0a1b2c3d".
+std::string with_settings(const std::string& title, const SceneSettings& scene);
 // The id of the scene's section.
 std::string section_of(const SceneSettings& scene);
 

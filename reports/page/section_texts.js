@@ -96,8 +96,8 @@ const sectionTexts = {
         "measured on the scene. The first of the two methods is a collocation on panels, as spectral_collocation is; for that scheme the second " +
         "one vouches alone, exponentials within a Radau IIA method. What is stated covers the difference of the two; where it is more than a " +
         "tenth of an error, that is marked.",
-      "Where two methods have to agree, a reference took {cost.seconds.0:time} to {cost.seconds.1:time} of a processor when it was recomputed " +
-        "for this page, as fdebench exact does.[ The quickest scheme over a grid without start weights takes {cost.grid.ratio:rough} times as " +
+      "Where two methods have to agree, it took {cost.seconds.0:time} to {cost.seconds.1:time} of a processor to compute a reference, as " +
+        "fdebench exact does.[ The quickest scheme over a grid without start weights takes {cost.grid.ratio:rough} times as " +
         "long to an error of 1e-12, in the median of {cost.grid.scenes} scenes[, for {cost.grid.forecasts} of them by its errors so far].]" +
         "[ The quickest that takes an accuracy gets there in {cost.adaptive.seconds:time}, in the median of the {cost.adaptive.scenes} where " +
         "one was measured.]",

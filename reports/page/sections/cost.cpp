@@ -27,7 +27,7 @@ json cost_section(const PageInput& page) {
   for (const RunSpan scene : by_scene(page.runs.finished)) {
     json rows = json::array();
     for (const RunSpan line : by_line(scene)) rows.push_back(row(page, line.back()));
-    groups.push_back({{"title", name_of_scene(scene.front().key.scene).title}, {"rows", rows}});
+    groups.push_back({{"title", name_of_scene(page, scene.front().key.scene).title}, {"rows", rows}});
   }
   return {{"id", "cost"}, {"groups", groups}};
 }

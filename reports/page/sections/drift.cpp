@@ -45,7 +45,7 @@ json best_of_formulations(const PageInput& page, const ConstrainedScene& scene) 
   }
   json first = std::move(others.front());
   others.erase(others.begin());
-  return {{"title", name_of_scene(scene.scene).title},
+  return {{"title", name_of_scene(page, scene.scene).title},
           {"seconds", fact(seconds)},
           {"best", std::move(first)},
           {"others", std::move(others)}};
@@ -87,7 +87,7 @@ json drift_section(const PageInput& page) {
       for (const RunSpan line : by_line(of.runs))
         rows.push_back(row(page, of.formulation, line, scene.steps));
     }
-    groups.push_back({{"title", name_of_scene(scene.scene).title}, {"rows", rows}});
+    groups.push_back({{"title", name_of_scene(page, scene.scene).title}, {"rows", rows}});
     if (auto facts = best_of_formulations(page, scene); !facts.empty()) best.push_back(std::move(facts));
   }
   return {{"id", "drift"},

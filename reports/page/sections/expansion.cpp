@@ -56,7 +56,7 @@ json expansion_section(const PageInput& page) {
     const auto facts = [&](const MeasuredRun& run) {
       return run_facts(page, run, {"states", "time_minimum", "error_end"});
     };
-    rows.push_back({{"title", name_of_scene(solved).title},
+    rows.push_back({{"title", name_of_scene(page, solved).title},
                     {"name", label_of(solved)},
                     {"steps", pair->chain->steps},
                     {"chain", facts(*pair->chain)},

@@ -82,12 +82,12 @@ json failures_section(const PageInput& page) {
   for (const RunSpan scene : by_scene(page.runs.failed)) {
     json rows = json::array();
     for (const EqualEndings& of : endings_of_scene(page, scene)) rows.push_back(row(of));
-    groups.push_back({{"title", name_of_scene(scene.front().key.scene).title}, {"rows", rows}});
+    groups.push_back({{"title", name_of_scene(page, scene.front().key.scene).title}, {"rows", rows}});
   }
   return {{"id", "failures"}, {"groups", groups}};
 }
 
-// The schemes of this build, then external programs.
+// The schemes of this build, then those of another version and external programs, of which the name is known.
 json schemes_section(const PageInput& page) {
   json rows = json::array();
   for (const auto& scheme : schemes()) {
@@ -95,13 +95,13 @@ json schemes_section(const PageInput& page) {
     if (std::ranges::any_of(page.runs.finished, of_this) || std::ranges::any_of(page.runs.failed, of_this))
       rows.push_back({{"scheme", scheme.id}, {"title", scheme.title}, {"source", scheme.source}});
   }
-  std::set<std::string> external;
+  std::set<std::string> others;
   for (const auto* runs : {&page.runs.finished, &page.runs.failed, &page.trials}) {
     for (const MeasuredRun& run : *runs) {
-      if (run.key.external) external.insert(run.key.scheme);
+      if (find_scheme(run.key.scheme) == nullptr) others.insert(run.key.scheme);
     }
   }
-  for (const auto& name : external) rows.push_back({{"scheme", name}});
+  for (const auto& name : others) rows.push_back({{"scheme", name}});
   return {{"id", "schemes"}, {"groups", json::array({{{"rows", rows}}})}};
 }
 

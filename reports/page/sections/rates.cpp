@@ -67,7 +67,7 @@ json rates_section(const PageInput& page) {
   }
   json groups = json::array();
   for (const RateRow& rate : page.rates) {
-    const std::string title = name_of_scene(rate.scene).title;
+    const std::string title = name_of_scene(page, rate.scene).title;
     if (groups.empty() || groups.back()["title"] != title) groups.push_back({{"title", title}});
     groups.back()["rows"].push_back(row(page, rate));
   }

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
@@ -40,40 +36,18 @@ json best_resolved(const PageInput& page, RunSpan scene, std::string_view error_
   return facts;
 }
 
-// CPU seconds to compute a reference by two methods without the cache, as `fdebench exact` does; nullopt if
-// the reference is a formula or cannot be computed.
-std::optional<double> seconds_to_compute(Scene scene) {
-  if (evidence_of(scene) != "two methods") return std::nullopt;
-  scene.name.clear();  // the cache on disk is keyed by the name
-  const auto start = std::clock();
-  try {
-    reference_of(scene);
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-struct Basis {
-  std::string_view evidence{};
-  std::optional<double> seconds{};
-};
-
-// Of scenes that differ in their settings only the first is timed.
-Basis basis_of(const SceneSettings& settings, bool is_first) {
-  const auto scene = known_scene(settings);
-  if (!scene) return {};
-  return {.evidence = evidence_of(*scene), .seconds = is_first ? seconds_to_compute(*scene) : std::nullopt};
-}
-
 // null if no run of the scene has an error and a bound.
-json reference_row(const PageInput& page, RunSpan scene, const Basis& basis) {
+json reference_row(const PageInput& page, RunSpan scene, const SceneDescription& described) {
   const auto& of = scene.front().key.scene;
   json end = best_resolved(page, scene, "error_end", "reference_bound"),
        maximum = best_resolved(page, scene, "error_maximum", "reference_bound_maximum");
   if (end.is_null() && maximum.is_null()) return {};
-  return {{"title", name_of_scene(of).title}, {"name", label_of(of)},  {"evidence", basis.evidence},
-          {"seconds", fact(basis.seconds)},   {"end", std::move(end)}, {"maximum", std::move(maximum)}};
+  return {{"title", name_of_scene(page, of).title},
+          {"name", label_of(of)},
+          {"evidence", described.evidence},
+          {"seconds", fact(described.reference_seconds)},
+          {"end", std::move(end)},
+          {"maximum", std::move(maximum)}};
 }
 
 constexpr ErrorKind judged{.norm = Norm::maximum, .scale = Scale::mixed};
@@ -155,12 +129,12 @@ class CostOfReferences {
 json reference_section(const PageInput& page) {
   json rows = json::array();
   CostOfReferences cost;
-  std::set<std::string> seen;
   for (const RunSpan scene : by_scene(page.runs.finished)) {
     const auto& of = scene.front().key.scene;
-    const Basis basis = basis_of(of, seen.insert(of.id).second);
-    if (basis.seconds) cost.add(SceneLines(page.runs, of), scene, *basis.seconds);
-    if (json row = reference_row(page, scene, basis); !row.is_null()) rows.push_back(std::move(row));
+    const auto* found = page.runs.describe(of);
+    const SceneDescription& described = found != nullptr ? *found : SceneDescription{};
+    if (described.reference_seconds) cost.add(SceneLines(page.runs, of), scene, *described.reference_seconds);
+    if (json row = reference_row(page, scene, described); !row.is_null()) rows.push_back(std::move(row));
   }
   return {{"id", "reference"}, {"cost", cost.facts()}, {"groups", json::array({{{"rows", rows}}})}};
 }

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "fdebench/benchmarks/records/description_text.hpp"
 #include "fdebench/reports/page/facts.hpp"
 #include "fdebench/reports/page/run_columns.hpp"
 
@@ -50,14 +51,20 @@ std::set<std::string> on_wall_clock(const PageInput& page, RunSpan scene) {
   return names;
 }
 
-// The parameters in which the solution is not continuous at their present values, with its limit there.
-json not_continuous(const SceneSettings& settings) {
-  json all = json::array();
-  const auto scene = known_scene(settings);
-  if (!scene) return all;
-  for (const auto& [parameter, limit] : scene->discontinuities)
-    all.push_back({{"parameter", parameter}, {"limit", limit}});
-  return all;
+// What the results say of the scene: the parameters in which the solution is not continuous at their present
+// values, with its limit there, the equations as text that the page typesets, the parameters, the solution.
+json description_facts(const SceneDescription& scene) {
+  json facts = json::object();
+  for (const auto& [parameter, limit] : scene.discontinuities)
+    facts["discontinuities"].push_back({{"parameter", parameter}, {"limit", limit}});
+  for (const auto& [left, right] : scene.equations)
+    facts["equations"].push_back({{"left", left}, {"right", right}});
+  for (const auto& [name, value, meaning, given] : scene.parameters) {
+    facts["parameters"].push_back(
+        compact({{"name", name}, {"value", value}, {"meaning", meaning}, {"given", given}}));
+  }
+  if (scene.solution) facts["solution"] = json_of(*scene.solution);
+  return facts;
 }
 
 // Formulations of one scene have the same solution: it is stored in the first of their sections only.
@@ -76,7 +83,7 @@ json scene_sections(const PageInput& page) {
   json sections = json::array();
   for (const RunSpan scene : by_scene(page.runs.finished)) {
     const SceneSettings& solved = scene.front().key.scene;
-    const auto [title, source] = name_of_scene(solved);
+    const auto [title, source] = name_of_scene(page, solved);
     const SceneLines lines(page.runs, solved);
     json answers = json::object(), conclusions = json::object();
     for (const ErrorKind& kind : error_kinds) {
@@ -87,17 +94,13 @@ json scene_sections(const PageInput& page) {
                             {"title", title},
                             {"name", label_of(solved)},
                             {"source", source},
-                            {"discontinuities", not_continuous(solved)},
                             {"not_drawn", not_drawn(page, scene)},
                             {"on_wall_clock", on_wall_clock(page, scene)},
-                            {"parameters", parameters_of(solved)},
                             {"answers", answers},
                             {"conclusions", conclusions}});
-    if (auto equations = equations_of(solved); !equations.empty())
-      section["equations"] = std::move(equations);
     section["runs"] = runs_of_scene(page, scene);
     section["rates"] = rates_of_scene(page, scene);
-    if (auto solution = solution_of(solved); !solution.empty()) section["solution"] = std::move(solution);
+    if (const auto* described = page.runs.describe(solved)) section.update(description_facts(*described));
     sections.push_back(std::move(section));
   }
   share_solutions(sections);

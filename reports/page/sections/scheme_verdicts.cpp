@@ -93,19 +93,20 @@ json against(const PageInput& page, const std::string& line) {
 }
 
 // The labels of finished runs, failed runs and trials, without repetitions, in the order of the list of
-// schemes.
+// schemes; those of schemes that this build does not have last.
 std::vector<std::string> labels_of(const PageInput& page) {
   std::vector<std::string> labels;
-  const auto add = [&](std::string_view id) {
+  const auto add = [&](const auto& is_next) {
     for (const auto* runs : {&page.runs.finished, &page.runs.failed, &page.trials}) {
       for (const MeasuredRun& run : *runs) {
-        if (run.key.scheme != id) continue;
+        if (!is_next(run.key.scheme)) continue;
         if (auto label = page.label(run.key); std::ranges::count(labels, label) == 0)
           labels.push_back(std::move(label));
       }
     }
   };
-  for (const auto& scheme : schemes()) add(scheme.id);
+  for (const auto& scheme : schemes()) add([&](const std::string& id) { return id == scheme.id; });
+  add([](const std::string&) { return true; });
   return labels;
 }
 

@@ -4,27 +4,23 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "fdebench/benchmarks/sweep/trials.hpp"
 #include "fdebench/reports/analysis/trial_result.hpp"
 #include "fdebench/reports/page/facts.hpp"
-#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
 namespace {
 
 using nlohmann::json;
 
-// The labels of the trials' lines, without repetitions, in the order of the list of schemes.
-std::vector<std::string> lines_of(const PageInput& page) {
-  std::vector<std::string> lines;
-  for (const auto& scheme : schemes()) {
-    for (const auto& run : page.trials) {
-      if (run.key.scheme != scheme.id) continue;
-      auto line = page.label(run.key);
-      if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
-    }
+// The scenes of the trials, in their order.
+std::vector<const SceneDescription*> scenes_of(const PageInput& page) {
+  std::vector<const SceneDescription*> scenes;
+  for (const auto& [scene, described] : page.runs.scenes) {
+    const auto of_this = [&](const MeasuredRun& run) { return run.key.scene == scene; };
+    if (std::ranges::any_of(page.trials, of_this)) scenes.push_back(&described);
   }
-  return lines;
+  std::ranges::stable_sort(scenes, {}, [](const auto* scene) { return scene->trial->number; });
+  return scenes;
 }
 
 // The verdict on a trial with its reason; null if it was not run.
@@ -56,25 +52,23 @@ json counts(const PageInput& page, const std::string& line) {
       {"survive", of_result[survives]}, {"trials", total}, {"stop", some(stops)}, {"refused", some(refuses)}};
 }
 
-json row(const PageInput& page, const Trial& trial, const std::vector<std::string>& lines) {
+json row(const PageInput& page, const SceneDescription& of, const std::vector<std::string>& lines) {
   json cells = json::array();
-  for (const auto& line : lines) cells.push_back(cell(page, trial.scene.key(), line));
-  return {{"scene", trial.scene.label()}, {"steps", trial.steps}, {"cells", cells}};
+  for (const auto& line : lines) cells.push_back(cell(page, of.scene, line));
+  return {{"scene", label_of(of.scene)}, {"steps", of.trial->steps}, {"cells", cells}};
 }
 
 }  // namespace
 
 json stability_section(const PageInput& page) {
-  const auto lines = lines_of(page);
+  const auto lines = page.labels(page.trials);
   if (lines.empty()) return {};
   json totals = json::array();
   for (const auto& line : lines) totals.push_back(counts(page, line));
   json groups = json::array({{{"rows", json::array({{{"cells", totals}}})}}});
-  for (const Trial& trial : trials()) {
-    const auto of_this = [&](const MeasuredRun& run) { return run.key.scene == trial.scene.key(); };
-    if (std::ranges::none_of(page.trials, of_this)) continue;
-    if (groups.back().value("title", "") != trial.kind) groups.push_back({{"title", trial.kind}});
-    groups.back()["rows"].push_back(row(page, trial, lines));
+  for (const SceneDescription* of : scenes_of(page)) {
+    if (groups.back().value("title", "") != of->trial->kind) groups.push_back({{"title", of->trial->kind}});
+    groups.back()["rows"].push_back(row(page, *of, lines));
   }
   return {{"id", "stability"}, {"lines", lines}, {"groups", groups}};
 }

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "fdebench/benchmarks/sweep/trials.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 #include "reports/page/page_section.hpp"
 
@@ -34,6 +33,20 @@ void add_run(Results& results, const SceneSettings& scene, const std::string& sc
   if (finished) add("time_minimum", 1e-3);
 }
 
+constexpr int steps_of_trials = 4096;
+
+SceneSettings stiff(int number) { return {"stiff_relaxation", {{"lambda", -10.0 * number}}}; }
+
+// Results that describe two trials, in the wrong order.
+Results with_trials() {
+  Results results{.sessions = {Session{}}, .records = {}};
+  for (const int number : {2, 1}) {
+    results.scenes.push_back(
+        {.scene = stiff(number), .trial = TrialRuns{number, "Stiff", steps_of_trials, {1e-6, 1e-300}}});
+  }
+  return results;
+}
+
 // The verdicts of a row; empty where a scheme was not run.
 std::vector<std::string> verdicts(const nlohmann::json& row) {
   std::vector<std::string> all;
@@ -42,12 +55,11 @@ std::vector<std::string> verdicts(const nlohmann::json& row) {
 }
 
 TEST(StabilitySection, HasAVerdictInEveryCell) {
-  const Trial& first = trials().front();
-  Results results{.sessions = {Session{}}, .records = {}};
-  add_run(results, first.scene.key(), "adams_pc", first.steps,
-          {SolveStatus::non_finite, "at step 7, t = 0.5"}, 0.0);
-  add_run(results, first.scene.key(), "l1", first.steps, {}, 1e-4);
-  add_run(results, trials()[1].scene.key(), "l1", trials()[1].steps, {}, 0.5);
+  Results results = with_trials();
+  add_run(results, stiff(1), "adams_pc", steps_of_trials, {SolveStatus::non_finite, "at step 7, t = 0.5"},
+          0.0);
+  add_run(results, stiff(1), "l1", steps_of_trials, {}, 1e-4);
+  add_run(results, stiff(2), "l1", steps_of_trials, {}, 0.5);
   const auto of = section(page_data(read_runs(results)), "stability");
   EXPECT_THAT(of["lines"], ElementsAre("adams_pc", "l1"));
   const auto& groups = of["groups"];
@@ -55,10 +67,10 @@ TEST(StabilitySection, HasAVerdictInEveryCell) {
   const auto& totals = groups[0]["rows"][0]["cells"];
   EXPECT_EQ(totals[0], nlohmann::json({{"survive", 0}, {"trials", 1}}));
   EXPECT_EQ(totals[1], nlohmann::json({{"survive", 1}, {"trials", 2}}));
-  EXPECT_EQ(groups[1]["title"], first.kind);
+  EXPECT_EQ(groups[1]["title"], "Stiff");
   const auto& rows = groups[1]["rows"];
-  EXPECT_EQ(rows[0]["scene"], first.scene.label());
-  EXPECT_EQ(rows[1]["scene"], trials()[1].scene.label());
+  EXPECT_EQ(rows[0]["scene"], label_of(stiff(1)));
+  EXPECT_EQ(rows[1]["scene"], label_of(stiff(2)));
   EXPECT_THAT(verdicts(rows[0]), ElementsAre("fails", "survives"));
   EXPECT_THAT(verdicts(rows[1]), ElementsAre("", "inaccurate"));
   EXPECT_EQ(rows[0]["cells"][0]["ending"], "not_finite");
@@ -66,11 +78,10 @@ TEST(StabilitySection, HasAVerdictInEveryCell) {
 }
 
 TEST(StabilitySection, LeavesScenesWithTrialsOnlyToItself) {
-  const Trial& first = trials().front();
-  Results results{.sessions = {Session{}}, .records = {}};
-  add_run(results, first.scene.key(), "l1", first.steps, {}, 1e-4);
+  Results results = with_trials();
+  add_run(results, stiff(1), "l1", steps_of_trials, {}, 1e-4);
   EXPECT_TRUE(section(page_data(read_runs(results)), "answer").is_null());
-  add_run(results, first.scene.key(), "l1", first.steps / 2, {}, 1e-4);
+  add_run(results, stiff(1), "l1", steps_of_trials / 2, {}, 1e-4);
   EXPECT_FALSE(section(page_data(read_runs(results)), "answer").is_null());
   EXPECT_FALSE(section(page_data(read_runs(results)), "stability").is_null());
 }
