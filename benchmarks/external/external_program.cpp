@@ -175,7 +175,7 @@ std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, c
     if (made.reported_seconds) reported.push_back(*made.reported_seconds);
   }
   const bool is_wall_clock = reported.size() < wall.size();
-  auto rows = rows_of_times(row, is_wall_clock ? wall : reported);
+  auto rows = rows_of_times(row, {.seconds = is_wall_clock ? wall : reported});
   for (Record& of : rows) of.wall_clock = is_wall_clock;
   return rows;
 }

@@ -57,10 +57,16 @@ namespace measure {
 // The errors of all kinds and their baselines, then those of list.def in its order.
 std::span<const Measure* const> measures();
 
-// Measures of the times of repeated solves, in seconds.
+// The seconds of repeated solves, and by how much the first run of a process takes longer (SetupTime).
+struct TimedSolves {
+  std::vector<double> seconds{};
+  double setup_seconds = 0.0;
+};
+
+// Measures of the times of repeated solves, in seconds; nullopt where one does not apply.
 struct TimeMeasure {
   std::string_view id;
-  double (*value)(const std::vector<double>& seconds);
+  std::optional<double> (*value)(const TimedSolves& timed);
 };
 std::span<const TimeMeasure> time_measures();
 

@@ -26,10 +26,11 @@ std::vector<Record> rows_of_examination(const Record& run, const Assessment& jud
   return rows;
 }
 
-std::vector<Record> rows_of_times(const Record& run, const std::vector<double>& seconds) {
+std::vector<Record> rows_of_times(const Record& run, const TimedSolves& timed) {
   std::vector<Record> rows;
-  for (const auto& measure : time_measures())
-    rows.push_back(with_value(run, {measure.id, "s", measure.value(seconds)}));
+  for (const auto& measure : time_measures()) {
+    if (const auto value = measure.value(timed)) rows.push_back(with_value(run, {measure.id, "s", *value}));
+  }
   return rows;
 }
 

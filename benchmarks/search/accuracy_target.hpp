@@ -16,6 +16,9 @@ struct AccuracyTarget {
   ErrorKind kind{};
   double accuracy = 1e-6;
   std::vector<Eigen::Index> columns{};  // indices of the scene's columns that are compared
+  // Whether a run takes the time of the first solve of a process, which computes start weights and tables
+  // that later solves reuse; otherwise that of a later solve.
+  bool first_run = false;
 };
 
 // Progress callback: `what` is being run, `part` in [0, 1] is the elapsed fraction of the time.

@@ -35,11 +35,15 @@ std::vector<Point> points_of(std::span<const TrialError> measured) {
 // n^-p / e at each point.
 using Column = std::vector<double>;
 std::vector<Column> columns_of(const std::vector<Point>& points) {
-  std::vector<Column> columns;
-  for (std::size_t k = 0; k <= most_power + most_gap; ++k) {
-    Column& column = columns.emplace_back();
-    for (const auto& [n, error] : points)
-      column.push_back(std::pow(n, -power_step * static_cast<double>(k)) / error);
+  std::vector<Column> columns(1);
+  Column ratios;
+  for (const auto& [n, error] : points) {
+    columns.front().push_back(1.0 / error);
+    ratios.push_back(std::pow(n, -power_step));
+  }
+  for (std::size_t k = 1; k <= most_power + most_gap; ++k) {
+    columns.push_back(columns.back());
+    for (std::size_t i = 0; i < ratios.size(); ++i) columns.back()[i] *= ratios[i];
   }
   return columns;
 }
@@ -65,7 +69,10 @@ Coefficients fitted(const Column& u, const Column& v) {
 // Root mean square of a u + b v - 1.
 double misfit_of(const Coefficients& with, const Column& u, const Column& v) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < u.size(); ++i) sum += std::pow(with.a * u[i] + with.b * v[i] - 1.0, 2);
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    const double residual = with.a * u[i] + with.b * v[i] - 1.0;
+    sum += residual * residual;
+  }
   return std::sqrt(sum / static_cast<double>(u.size()));
 }
 

@@ -7,15 +7,15 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
-#include "fdebench/benchmarks/search/fewest_steps.hpp"
 #include "fdebench/benchmarks/search/interleaved_times.hpp"
-#include "fdebench/benchmarks/search/largest_tolerance.hpp"
+#include "fdebench/benchmarks/search/next_resolution.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde::bench {
@@ -24,17 +24,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int coarsest_steps = 4;
-constexpr std::size_t runs_to_compare = 5;  // equal bits in so many runs: both schemes are one algorithm
 
-// Configurations within this factor of the quickest, by one solve of each, are timed against it.
+// Configurations within this factor of the quickest, by few solves of each, are timed against it.
 constexpr double margin = 1.5;
 
 // The fraction of the time left that one run may take.
 constexpr double most_of_rest = 0.3;
-
-// A configuration is refined while its expected time is below this multiple of the time left.
-constexpr double far = 10.0;
 
 bool is_hopeless(const OutcomeKind& kind) {
   return kind == SolveStatus::left_domain || kind == SolveStatus::out_of_budget;
@@ -53,10 +48,7 @@ int meeting_jumps(const Problem& problem) {
 class Search {
  public:
   Search(const Scene& scene, const AccuracyTarget& question, double seconds, const SearchProgress& progress)
-      : evaluator_(scene, question),
-        unit_(meeting_jumps(scene.problem)),
-        seconds_(seconds),
-        progress_(progress) {
+      : evaluator_(scene, question), seconds_(seconds), progress_(progress) {
     for (const Scheme& scheme : schemes()) add_configurations(scheme);
   }
 
@@ -67,14 +59,16 @@ class Search {
                       evaluator_.reference_bound(), accuracy()));
     }
     set_comparison_times();
-    do {
-      while (refine()) {
+    goal_.targets = {{0, accuracy() - evaluator_.reference_bound(), at_end()}};
+    constexpr int most_rounds = 20;  // each makes runs, or confirms the quickest one
+    for (int round = 0; round < most_rounds; ++round) {
+      while (make_next_runs()) {
       }
-      for (std::size_t i = 0; i < candidates_.size(); ++i) merge_repeats(i);
-      while (!time_and_verify()) {
-      }
-    } while (resume_slower());
-    for (SearchCandidate& of : candidates_) predict(of);
+      merge_repeats();
+      const bool is_confirmed = time_and_verify();
+      if (is_confirmed && !has_next_runs()) break;
+    }
+    for (std::size_t i = 0; i < candidates_.size(); ++i) conclude(i);
     std::ranges::stable_sort(candidates_, {}, rank);
     return std::move(candidates_);
   }
@@ -83,33 +77,45 @@ class Search {
   void add_configurations(const Scheme& scheme) {
     const Scene& scene = evaluator_.scene();
     const auto why_not = [&](double grading) {
-      Resolution resolution = Grid{.end = scene.problem.end, .steps = coarsest_steps, .grading = grading};
+      Resolution resolution = Grid{.end = scene.problem.end, .steps = goal_.coarsest_steps, .grading = grading};
       if (scheme.capabilities.is_adaptive()) resolution = Tolerance{accuracy(), accuracy()};
       return unsupported_reason(scheme, scene.problem, resolution);
     };
     const auto refused = why_not(1.0);
+    const int unit = meeting_jumps(scene.problem);
     for (const double grading :
          refused ? std::vector{1.0} : gradings_of(scheme, scene, evaluator_.question().kind.norm)) {
       if (!refused && why_not(grading)) continue;
-      candidates_.push_back({.configuration = {&scheme, grading},
-                             .outcome = refused ? SearchOutcome::refused : SearchOutcome::out_of_time,
-                             .reason = refused.value_or(""),
-                             .names = {std::string(scheme.id)}});
-      active_.push_back(!refused);
+      add({&scheme, grading}, 1, refused);
+      // A rule is more accurate where its times contain the jumps, and cheaper where it need not.
+      if (unit > 1 && grading == 1.0 && !refused && !scheme.capabilities.is_adaptive())
+        add({&scheme, grading}, unit, refused);
     }
+  }
+
+  void add(const Configuration& configuration, int unit, const std::optional<std::string>& refused) {
+    candidates_.push_back({.configuration = configuration,
+                           .outcome = refused ? SearchOutcome::refused : SearchOutcome::out_of_time,
+                           .reason = refused.value_or(""),
+                           .names = {std::string(configuration.scheme->id)}});
+    refinements_.push_back({.is_adaptive = configuration.is_adaptive(),
+                            .is_closed = refused.has_value(),
+                            .unit = unit});
   }
 
   // Sets at how many times runs are compared, from the measured cost of one reference value. All runs with
   // adaptive step size are compared at the same times.
   void set_comparison_times() {
     constexpr int most = 512, least = 64, most_at_last = max_comparison_steps;
+    constexpr double usual_seconds = 5.0;
     const auto start = Clock::now();
     constexpr int some = 8;
     evaluator_.precompute_reference(some);
     const double each = std::max(1e-9, std::chrono::duration<double>(Clock::now() - start).count() / some);
-    comparison_times_ = static_cast<int>(std::clamp(seconds_ / (300.0 * each), 1.0 * least, 1.0 * most));
+    const double seconds = std::min(seconds_, usual_seconds);
+    comparison_times_ = static_cast<int>(std::clamp(seconds / (300.0 * each), 1.0 * least, 1.0 * most));
     final_comparison_times_ =
-        static_cast<int>(std::clamp(seconds_ / (10.0 * each), 1.0 * most, 1.0 * most_at_last));
+        static_cast<int>(std::clamp(seconds / (10.0 * each), 1.0 * most, 1.0 * most_at_last));
     adaptive_comparison_times_ = std::min(final_comparison_times_, evenly_spaced_comparisons);
   }
 
@@ -119,264 +125,215 @@ class Search {
   // Seconds left for runs: 70 % of the time is for them, the rest for timing.
   [[nodiscard]] double left() const { return std::max(0.0, 0.7 * seconds_ - elapsed()); }
 
+  [[nodiscard]] bool at_end() const { return evaluator_.question().kind.norm == Norm::end; }
   [[nodiscard]] double accuracy() const { return evaluator_.question().accuracy; }
+  [[nodiscard]] double quickest() const { return quickest_seconds(goal_, refinements_).front(); }
 
-  CandidateRun examine(const SearchCandidate& of, int steps, int compared) {
-    progress_(
-        fmt::format("{} {} N = {}", of.configuration.scheme->id, grid_text(of.configuration.grading), steps),
-        std::min(1.0, elapsed() / seconds_));
-    return evaluator_.evaluate(of.configuration, steps, compared, std::max(1.0, left()));
+  std::vector<std::optional<StepsOrTolerance>> next_runs() {
+    constexpr double part_of_scan = 0.1, runs_of_scan = 25.0, long_run = 0.05;
+    goal_.most_seconds = most_of_rest * left();
+    goal_.most_seconds_scanned = part_of_scan * left() / runs_of_scan;
+    goal_.closeness = quickest() < long_run ? 1.015 : 1.1;
+    return next_resolutions(goal_, refinements_);
   }
 
-  // The budget is a multiple of the quickest run so far: a slower run cannot be the best.
-  CandidateRun evaluate_adaptive(const SearchCandidate& of, double requested) {
-    constexpr double shortest = 0.05, part = 0.1;
-    progress_(fmt::format("{} accuracy = {:.1e}", of.configuration.scheme->id, requested),
-              std::min(1.0, elapsed() / seconds_));
-    const double budget = std::clamp(far * quickest_, shortest, std::max(shortest, part * left()));
-    return evaluator_.evaluate(of.configuration, Tolerance{requested, requested}, adaptive_comparison_times_,
-                               budget);
+  [[nodiscard]] bool has_next_runs() {
+    return left() > 0.0 && std::ranges::any_of(next_runs(), [](const auto& next) { return next.has_value(); });
   }
 
-  // One more run for each active configuration that is not expected to be slower than another. Returns
-  // whether any is still active.
-  bool refine() {
-    double expected = quickest_;
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      if (active_[i])
-        expected = std::min(expected, expected_seconds(candidates_[i], accuracy(), &Prediction::high));
-    }
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      if (!active_[i] || lower_bound_of_seconds(candidates_[i], accuracy()) > margin * expected) continue;
-      active_[i] = refine(candidates_[i]);
-      if (candidates_[i].refinements.size() == runs_to_compare) merge_repeats(i);
-    }
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      if (!active_[i] || lower_bound_of_seconds(candidates_[i], accuracy()) <= margin * quickest_) continue;
-      candidates_[i].outcome = SearchOutcome::slower;
-      active_[i] = false;
-    }
-    return std::ranges::find(active_, true) != active_.end();
+  // The forecast seconds of the next run of a configuration.
+  [[nodiscard]] double expected_seconds(std::size_t i, const StepsOrTolerance& resolution) const {
+    if (const auto* steps = std::get_if<int>(&resolution))
+      return seconds_with(refinements_[i], *steps).value_or(0.0);
+    return refinements_[i].runs.empty() ? 0.0 : refinements_[i].runs.back().seconds.value_or(0.0);
   }
 
-  // Makes the next refinement, or all runs with adaptive step size. Returns whether to go on refining.
-  bool refine(SearchCandidate& of) {
-    if (of.configuration.is_adaptive()) {
-      run_adaptive(of);
-      return false;
+  // Makes the next runs that take about as long as the shortest of them, so that the quickest run within the
+  // accuracy is found before longer runs are made. Returns whether there was any.
+  bool make_next_runs() {
+    constexpr double alike = 4.0, short_run = 5e-5;
+    const auto next = next_runs();
+    double shortest = infinity;
+    for (std::size_t i = 0; i < next.size(); ++i)
+      if (next[i]) shortest = std::min(shortest, expected_seconds(i, *next[i]));
+    if (shortest == infinity) return false;
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      if (left() == 0.0) return false;
+      if (next[i] && expected_seconds(i, *next[i]) <= std::max(alike * shortest, short_run))
+        make_run(i, *next[i]);
     }
-    const int steps =
-        of.refinements.empty() ? std::max(coarsest_steps, unit_) : 2 * of.refinements.back().steps;
-    if (steps > most_steps_ / 2 || next_seconds(of) > most_of_rest * left()) return false;
-    of.refinements.push_back(examine(of, steps, comparison_times_));
-    if (of.refinements.size() == 1 && of.configuration.scheme->starting_powers) exclude_setup_time(of);
-    const CandidateRun& last = of.refinements.back();
-    of.seconds_per_step = last.seconds / last.steps;
-    if (last.meets_accuracy) {
-      find_fewest(of);
-      return false;
-    }
-    if (search_sign_change(of)) return false;
-    if (is_hopeless(last.ending.kind)) {
-      of.outcome =
-          last.ending.kind == SolveStatus::out_of_budget ? SearchOutcome::out_of_time : SearchOutcome::failed;
-      of.reason = sentence(last.ending);
-      return false;
-    }
-    if (has_stagnated(of)) {
-      of.outcome = SearchOutcome::stagnated;
-      return false;
-    }
-    return lower_bound_of_seconds(of, accuracy()) < far * left();
-  }
-
-  // The first solve computes the starting weights, which are cached; the time without them is compared.
-  void exclude_setup_time(SearchCandidate& of) const {
-    CandidateRun& first = of.refinements.front();
-    const double whole = first.seconds;
-    time_again(of.configuration, first);
-    of.setup_seconds = whole - first.seconds;
-  }
-
-  // All runs of a scheme with adaptive step size.
-  void run_adaptive(SearchCandidate& of) {
-    auto found = largest_tolerance(accuracy(), [&](double requested) {
-      of.refinements.push_back(evaluate_adaptive(of, requested));
-      return of.refinements.back();
-    });
-    if (found) {
-      of.best = std::move(*found);
-      of.outcome = SearchOutcome::accuracy_reached;
-      time_best(of);
-      return;
-    }
-    const RunOutcome& last = of.refinements.back().ending;
-    const bool finished = last.kind == SolveStatus::finished;
-    of.outcome = finished ? SearchOutcome::stagnated : SearchOutcome::failed;
-    if (last.kind == SolveStatus::out_of_budget) of.outcome = SearchOutcome::slower;
-    of.reason = sentence(last);
-  }
-
-  // If the error changes its sign between the last two runs, searches there for a run within the accuracy.
-  // Returns whether there is one.
-  bool search_sign_change(SearchCandidate& of) {
-    const auto& refinements = of.refinements;
-    if (refinements.size() < 2 ||
-        refinements.back().signed_error * refinements[refinements.size() - 2].signed_error >= 0.0)
-      return false;
-    auto found = at_sign_change(refinements[refinements.size() - 2], refinements.back(), unit_,
-                                [&](int steps) { return examine(of, steps, comparison_times_); });
-    if (!found) return false;
-    of.best = std::move(*found);
-    of.outcome = SearchOutcome::accuracy_reached;
-    quickest_ = std::min(quickest_, of.best.seconds);
     return true;
   }
 
-  void find_fewest(SearchCandidate& of) {
-    // A scan costs about 25 times the longest run and may take a tenth of the time left.
-    constexpr double runs_of_scan = 25.0, part_of_scan = 0.1;
-    constexpr int few_steps = 64;  // with so few steps the error need not be monotone in N
-    const auto attempt = [&](int steps) { return examine(of, steps, comparison_times_); };
-    const bool may_pass_zero = evaluator_.question().kind.norm == Norm::end;
-    const bool is_short = runs_of_scan * of.refinements.back().seconds < part_of_scan * left();
-    const bool scan = is_short && (may_pass_zero || of.refinements.back().steps <= few_steps);
-    of.best = fewest_steps(of.refinements, accuracy(), unit_, scan, attempt);
-    of.outcome = SearchOutcome::accuracy_reached;
-    time_best(of);
+  void make_run(std::size_t i, const StepsOrTolerance& resolution) {
+    SearchCandidate& of = candidates_[i];
+    CandidateRun made = evaluated(of, resolution, comparison_times_);
+    constexpr double short_run = 5e-3;
+    // The first solve may compute start weights; it allocates, and stores the compared values.
+    if (made.ending.kind != SolveStatus::out_of_budget &&
+        (made.seconds < short_run || made.setup_seconds > 0.0))
+      evaluator_.time_again(of.configuration, made);
+    refinements_[i].runs.push_back(seen(made));
+    of.runs.push_back(std::move(made));
   }
 
-  void time_best(SearchCandidate& of) {
-    time_again(of.configuration, of.best);
-    quickest_ = std::min(quickest_, of.best.seconds);
+  CandidateRun evaluated(const SearchCandidate& of, const StepsOrTolerance& resolution, int compared) {
+    const RunSettings setup{.resolution = resolution, .grading = of.configuration.grading};
+    progress_(fmt::format("{} {}", of.configuration.scheme->id, resolution_text(setup)),
+              std::min(1.0, elapsed() / seconds_));
+    if (!of.configuration.is_adaptive())
+      return evaluator_.evaluate(of.configuration, resolution, compared, std::max(1.0, left()));
+    return evaluator_.evaluate(of.configuration, resolution,
+                               compared == comparison_times_ ? adaptive_comparison_times_ : compared,
+                               adaptive_budget());
   }
 
-  void time_again(const Configuration& configuration, CandidateRun& attempt) const {
-    constexpr int more_solves = 2;
-    constexpr double part = 0.1;  // largest fraction of the time left for one solve
-    for (int i = 0; i < more_solves && attempt.seconds < part * left(); ++i)
-      attempt.seconds = std::min(attempt.seconds, seconds_to_end(configuration, attempt));
+  // A run that takes many times as long as the quickest one cannot be the best; before there is one, a run
+  // that takes many times as long as all others so far.
+  [[nodiscard]] double adaptive_budget() const {
+    constexpr double shortest = 0.05, part = 0.1, far = 10.0;
+    double longest = 0.0;
+    for (const Refinement& of : refinements_)
+      for (const RefinementRun& run : of.runs) longest = std::max(longest, run.seconds.value_or(0.0));
+    const double usual = std::isfinite(quickest()) ? quickest() : longest;
+    return std::clamp(far * usual, shortest, std::max(shortest, part * left()));
   }
 
-  [[nodiscard]] double seconds_to_end(const Configuration& configuration, const CandidateRun& as) const {
-    const auto start = Clock::now();
-    evaluator_.solve_for_timing(configuration, resolution_of(as));
-    return std::chrono::duration<double>(Clock::now() - start).count();
+  // The run as the choice of the next one sees it.
+  [[nodiscard]] static RefinementRun seen(const CandidateRun& run) {
+    return {.resolution = resolution_of(run),
+            .steps = run.steps,
+            .seconds = run.seconds,
+            .fails_with_more_steps = is_hopeless(run.ending.kind),
+            .errors = {{.value = run.error,
+                        .baseline = run.baseline_error,
+                        .signed_value = run.signed_error}}};
   }
 
-  // Merges a configuration into an earlier one that gives the same bits.
-  void merge_repeats(std::size_t second) {
-    for (std::size_t first = 0; first < second && candidates_[second].outcome != SearchOutcome::duplicate;
-         ++first) {
-      if (!is_repeated(candidates_[first], candidates_[second])) continue;
-      candidates_[first].names.emplace_back(candidates_[second].configuration.scheme->id);
-      candidates_[second].outcome = SearchOutcome::duplicate;
-      active_[second] = false;
+  // Gives configurations that are one algorithm all its names, where they have few runs after more of them.
+  void merge_repeats() {
+    for (std::size_t second = 0; second < candidates_.size(); ++second) {
+      for (std::size_t first = 0; first < second; ++first) {
+        if (is_merged(second) || is_merged(first)) continue;
+        if (candidates_[first].configuration.grading != candidates_[second].configuration.grading) continue;
+        if (!is_same_algorithm(refinements_[first], refinements_[second], 1) || !is_confirmed(first, second))
+          continue;
+        candidates_[first].names.emplace_back(candidates_[second].configuration.scheme->id);
+        candidates_[second].outcome = SearchOutcome::duplicate;
+        refinements_[second].is_closed = true;
+      }
     }
   }
 
-  bool is_repeated(const SearchCandidate& first, const SearchCandidate& second) {
-    const auto is_alive = [](const SearchCandidate& of) {
-      return of.outcome == SearchOutcome::accuracy_reached || of.outcome == SearchOutcome::out_of_time;
-    };
-    if (first.configuration.is_adaptive() || second.configuration.is_adaptive()) return false;
-    if (!is_alive(first) || !is_alive(second) || first.configuration.grading != second.configuration.grading)
-      return false;
-    const std::size_t common = std::min(first.refinements.size(), second.refinements.size());
-    const auto same = [](const CandidateRun& a, const CandidateRun& b) {
-      const bool comparable = a.steps == b.steps && a.values.cols() == b.values.cols();
-      return std::isfinite(a.error) && comparable && a.values == b.values;
-    };
-    return common > 0 &&
-           std::ranges::equal(std::span(first.refinements).first(common),
-                              std::span(second.refinements).first(common), same) &&
-           evaluator_.same_values(first.configuration, second.configuration,
-                                  second.refinements[common - 1].steps);
+  [[nodiscard]] bool is_merged(std::size_t i) const {
+    return candidates_[i].outcome == SearchOutcome::duplicate;
   }
 
-  // Predicts the error of `best`, or the steps needed, by the error model of the refinements.
-  void predict(SearchCandidate& of) const {
-    if (of.configuration.is_adaptive()) return;
-    const auto errors = errors_of(of);
-    const ErrorModel model(errors);
-    if (model.empty()) return;
-    if (of.outcome == SearchOutcome::accuracy_reached) of.predicted = model.error(of.best.steps);
-    if (of.outcome != SearchOutcome::accuracy_reached && !is_asymptotic(of)) return;
-    of.rate = observed_rate(errors);
-    if (of.outcome == SearchOutcome::slower || of.outcome == SearchOutcome::out_of_time)
-      of.steps_needed = model.steps(accuracy());
+  // Whether both give the same errors at five numbers of steps.
+  bool is_confirmed(std::size_t first, std::size_t second) {
+    for (int runs = 0, steps = goal_.coarsest_steps; runs < fewest_equal_runs; ++runs, steps *= 2) {
+      if (is_same_algorithm(refinements_[first], refinements_[second])) return true;
+      for (const std::size_t i : {first, second}) {
+        const int next = steps * refinements_[i].unit;
+        if (std::ranges::find(refinements_[i].runs, StepsOrTolerance(next), &RefinementRun::resolution) ==
+            refinements_[i].runs.end())
+          make_run(i, next);
+      }
+    }
+    return is_same_algorithm(refinements_[first], refinements_[second]);
+  }
+
+  // The index of the quickest run within the accuracy; nullopt: none.
+  [[nodiscard]] std::optional<std::size_t> best_run(std::size_t i) const {
+    if (is_merged(i)) return std::nullopt;
+    const auto* best = quickest_within(refinements_[i], goal_.targets.front());
+    if (best == nullptr) return std::nullopt;
+    return static_cast<std::size_t>(best - refinements_[i].runs.data());
   }
 
   // Times the quickest configurations against each other and compares the best with the reference at more
-  // times. Returns false if `best` needed more steps for that, so that the timing has to be repeated.
+  // times. Returns false if its error is then outside the accuracy, so that the search goes on.
   bool time_and_verify() {
-    std::vector<SearchCandidate*> quick;
-    for (SearchCandidate& of : candidates_) {
-      of.time.reset();
-      if (of.outcome == SearchOutcome::accuracy_reached && of.best.seconds <= margin * quickest_)
-        quick.push_back(&of);
+    std::vector<std::size_t> quick;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      candidates_[i].time.reset();
+      const auto best = best_run(i);
+      if (best && *refinements_[i].runs[*best].seconds <= margin * quickest()) quick.push_back(i);
     }
     if (quick.empty()) return true;
-    std::vector<std::function<void()>> solves;
-    for (const auto* of : quick) {
-      solves.emplace_back(
-          [this, of] { evaluator_.solve_for_timing(of->configuration, resolution_of(of->best)); });
+    std::vector<TimedSolve> solves;
+    for (const std::size_t i : quick) {
+      const RefinementRun& best = refinements_[i].runs[*best_run(i)];
+      solves.push_back({[this, i, resolution = best.resolution] {
+                          evaluator_.solve_for_timing(candidates_[i].configuration, resolution);
+                        },
+                        *best.seconds});
     }
     progress_(fmt::format("timing {} runs", quick.size()), std::min(1.0, elapsed() / seconds_));
     const auto times = time_interleaved(solves, timing_part * seconds_);
-    for (std::size_t i = 0; i < quick.size(); ++i) quick[i]->time = times[i];
-    auto& first = **std::ranges::min_element(quick, {}, [](const auto* of) { return of->time->median; });
-    return verify(first);
+    for (std::size_t k = 0; k < quick.size(); ++k) take_time(quick[k], times[k]);
+    const auto first = *std::ranges::min_element(
+        quick, {}, [&](std::size_t i) { return candidates_[i].time->median; });
+    return verify(first, *best_run(first));
   }
 
-  // Resumes configurations given up as slower whose lower estimate is below the measured time of the best.
-  // Returns whether any is active again.
-  bool resume_slower() {
-    quickest_ = infinity;
-    for (const SearchCandidate& of : candidates_) {
-      if (of.time) quickest_ = std::min(quickest_, of.time->median);
+  void take_time(std::size_t i, MedianInterval time) {
+    const auto best = *best_run(i);
+    CandidateRun& run = candidates_[i].runs[best];
+    const double more = evaluator_.question().first_run ? run.setup_seconds : 0.0;
+    time = {time.median + more, time.low + more, time.high + more};
+    candidates_[i].time = time;
+    run.seconds = time.median;
+    refinements_[i].runs[best].seconds = time.median;
+  }
+
+  // Compares the run with the reference at more times; returns whether it is within the accuracy there.
+  bool verify(std::size_t i, std::size_t run) {
+    CandidateRun& made = candidates_[i].runs[run];
+    if (!verified_.insert({i, run}).second) return true;
+    CandidateRun again = evaluated(candidates_[i], resolution_of(made), final_comparison_times_);
+    again.seconds = made.seconds;
+    again.setup_seconds = made.setup_seconds;
+    made = std::move(again);
+    refinements_[i].runs[run] = seen(made);
+    return is_within(refinements_[i].runs[run], goal_.targets.front());
+  }
+
+  void conclude(std::size_t i) {
+    SearchCandidate& of = candidates_[i];
+    const Refinement& runs = refinements_[i];
+    if (of.outcome == SearchOutcome::refused || is_merged(i) || of.runs.empty()) return;
+    of.seconds_per_step = of.finest()->seconds / std::max(1, of.finest()->steps);
+    const auto errors = doubled_errors(runs, 0);
+    of.rate = errors.empty() ? std::nullopt : observed_rate(errors);
+    if (const auto best = best_run(i)) {
+      of.outcome = SearchOutcome::accuracy_reached;
+      of.best = of.runs[*best];
+      const ErrorModel model(doubled_errors(runs, 0, of.best.steps - 1));
+      if (!of.configuration.is_adaptive() && !model.empty()) of.predicted = model.error(of.best.steps);
+      return;
     }
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      if (candidates_[i].outcome != SearchOutcome::slower || candidates_[i].configuration.is_adaptive())
-        continue;
-      if (lower_bound_of_seconds(candidates_[i], accuracy()) > quickest_) continue;
-      candidates_[i].outcome = SearchOutcome::out_of_time;
-      active_[i] = left() > 0.0;
-    }
-    return std::ranges::find(active_, true) != active_.end();
+    of.outcome = outcome_outside(of, runs);
+    const ErrorModel model(errors);
+    const bool is_asymptotic =
+        !errors.empty() && errors.back().error < 0.1 * of.finest()->baseline_error;
+    if (!model.empty() && is_asymptotic && !of.configuration.is_adaptive())
+      of.steps_needed = model.steps(goal_.targets.front().error);
   }
 
-  // Repeats a run with a comparison at more times.
-  CandidateRun examine_again(const SearchCandidate& of, const CandidateRun& as) {
-    return as.requested_tolerance ? evaluate_adaptive(of, *as.requested_tolerance)
-                                  : examine(of, as.steps, final_comparison_times_);
-  }
-
-  // The same run with 1 % more steps or 0.8 times the tolerance.
-  [[nodiscard]] CandidateRun next(CandidateRun attempt) const {
-    constexpr double tighter = 0.8;
-    if (attempt.requested_tolerance) {
-      *attempt.requested_tolerance *= tighter;
-    } else {
-      attempt.steps = more_steps(attempt.steps, unit_);
-    }
-    return attempt;
-  }
-
-  // Refines `first.best` until it is within the accuracy at more comparison times. Returns whether it was so
-  // without refinement.
-  bool verify(SearchCandidate& first) {
-    if (first.best.steps == verified_steps_ && &first == verified_) return true;
-    CandidateRun attempt = examine_again(first, first.best);
-    const bool within = attempt.meets_accuracy;
-    const auto finished = [&] { return attempt.ending.kind == SolveStatus::finished; };
-    while (!attempt.meets_accuracy && finished() && attempt.steps < most_steps_)
-      attempt = examine_again(first, next(attempt));
-    if (!attempt.meets_accuracy) first.outcome = SearchOutcome::stagnated;
-    first.best = std::move(attempt);
-    verified_ = &first;
-    verified_steps_ = first.best.steps;
-    return within;
+  // Why no run of the configuration is within the accuracy.
+  SearchOutcome outcome_outside(SearchCandidate& of, const Refinement& runs) const {
+    const CandidateRun& finest = *of.finest();
+    const bool finished = finest.ending.kind == SolveStatus::finished;
+    if (!finished) of.reason = sentence(finest.ending);
+    if (!finished && of.configuration.is_adaptive()) return SearchOutcome::failed;
+    if (finest.seconds > quickest()) return SearchOutcome::slower;
+    if (runs.runs.back().fails_with_more_steps)
+      return finest.ending.kind == SolveStatus::out_of_budget ? SearchOutcome::out_of_time
+                                                              : SearchOutcome::failed;
+    if (has_stagnated(runs, 0) || of.configuration.is_adaptive()) return SearchOutcome::stagnated;
+    return quickest() < infinity && left() > 0.0 ? SearchOutcome::expected_slower
+                                                 : SearchOutcome::out_of_time;
   }
 
   // Sort key: timed configurations first, by time; then by outcome.
@@ -385,19 +342,16 @@ class Search {
     return {static_cast<int>(of.outcome), of.best.seconds};
   }
 
-  static constexpr int most_steps_ = 1 << 30;
   static constexpr double timing_part = 0.05;
   RunEvaluator evaluator_;
-  int unit_;  // all numbers of steps are multiples of it
   double seconds_;
   const SearchProgress& progress_;
   Clock::time_point start_ = Clock::now();
+  SearchGoal goal_{};
   std::vector<SearchCandidate> candidates_{};
-  std::vector<bool> active_{};  // active, one entry for each of candidates_
-  double quickest_ = infinity;  // least seconds of a run within the accuracy
+  std::vector<Refinement> refinements_{};  // one entry for each of candidates_, with the same runs
   int comparison_times_ = 0, final_comparison_times_ = 0, adaptive_comparison_times_ = 0;
-  const SearchCandidate* verified_ = nullptr;
-  int verified_steps_ = 0;
+  std::set<std::pair<std::size_t, std::size_t>> verified_{};  // indices of candidates and their runs
 };
 
 }  // namespace

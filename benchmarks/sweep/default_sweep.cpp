@@ -40,15 +40,27 @@ std::vector<SceneVariant> sweep_scenes() {
   return variants;
 }
 
-RefinementPlan thorough_plan() {
-  RefinementPlan plan;
+SweepPlan thorough_plan() {
+  SweepPlan plan;
   for (int steps = 64; steps <= 524288; steps *= 2) plan.resolutions.emplace_back(steps);
   for (const double error : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13})
     plan.resolutions.emplace_back(Tolerance{error, error});
   return plan;
 }
 
-RefinementPlan default_plan() { return {thorough_plan().resolutions, RefinementGoal{}}; }
+SweepPlan default_plan() {
+  SearchGoal goal{.coarsest_steps = 64,
+                  .fewest_runs = 5,
+                  .most_steps = 1 << 19,
+                  .loosest = 1e-2,
+                  .tightest = 1e-13,
+                  .closeness = 1.05};
+  for (const double error : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    goal.targets.push_back({error_at_end, error, true});
+    goal.targets.push_back({error_maximum, error});
+  }
+  return {.goal = goal};
+}
 
 std::vector<const Scheme*> sweep_schemes() {
   std::vector<const Scheme*> all;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/variant.hpp"
-#include "fdebench/benchmarks/sweep/refinement_plan.hpp"
+#include "fdebench/benchmarks/sweep/sweep_plan.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
@@ -18,9 +18,9 @@ std::vector<SceneVariant> default_scenes();
 std::vector<SceneVariant> sweep_scenes();
 
 // The numbers of steps (64, 128, ..., 2^19) and tolerances (1e-2, ..., 1e-13) of a thorough sweep; and the
-// same with a RefinementGoal that ends each refinement early.
-RefinementPlan thorough_plan();
-RefinementPlan default_plan();
+// search for the cheapest runs within 1e-2, 1e-4, 1e-6 and 1e-8, at the end time and over all times.
+SweepPlan thorough_plan();
+SweepPlan default_plan();
 
 // Every scheme; and the schemes that also run on the grid of optimal_grading() where solutions are not smooth
 // at 0.

@@ -23,7 +23,7 @@ double seconds_of(const std::function<void()>& work) {
 // Times and errors of two or three solves of one scheme on one scene, extrapolated to other resolutions.
 class Probe {
  public:
-  Probe(const Scene& scene, const Scheme& scheme, const RunSettings& setup, const RefinementPlan& plan) {
+  Probe(const Scene& scene, const Scheme& scheme, const RunSettings& setup, const SweepPlan& plan) {
     if (scheme.capabilities.is_adaptive()) {
       probe_accuracy(scene, scheme, setup);
       return;
@@ -45,24 +45,22 @@ class Probe {
     if (const auto* requested = std::get_if<Tolerance>(&resolution)) return refinement_run(*requested);
     const int steps = std::get<int>(resolution);
     const bool takes_no_grid = steps_ == 0;
-    RefinementRun run{.steps = steps, .fails_with_more_steps = refused_ || takes_no_grid};
+    RefinementRun run{
+        .resolution = steps, .steps = steps, .fails_with_more_steps = refused_ || takes_no_grid};
     if (failed_ || takes_no_grid) return run;
     const double ratio = static_cast<double>(steps_) / steps;
     run.seconds = seconds_ / ratio;
-    const auto falling = [&](std::optional<double> rate) {
-      return ErrorWithRate{error_ * std::pow(ratio, rate.value_or(1.0)), rate};
-    };
-    run.end = falling(end_rate_);
-    run.maximum = falling(maximum_rate_);
+    for (const auto& rate : {end_rate_, maximum_rate_})
+      run.errors.push_back({.value = error_ * std::pow(ratio, rate.value_or(1.0))});
     return run;
   }
 
  private:
   // The finest solve has four times these steps: at most 512, and a quarter of the largest number of the
   // plan.
-  static int fewest_steps(const RefinementPlan& plan) {
+  static int fewest_steps(const SweepPlan& plan) {
     constexpr int most = 128, part = 16;
-    int steps = 0;
+    int steps = plan.goal ? plan.goal->most_steps : 0;
     for (const auto& resolution : plan.resolutions) {
       if (const auto* some = std::get_if<int>(&resolution)) steps = std::max(steps, *some);
     }
@@ -77,7 +75,7 @@ class Probe {
   }
 
   [[nodiscard]] RefinementRun refinement_run(const Tolerance& requested) const {
-    RefinementRun run{.fails_with_more_steps = refused_};
+    RefinementRun run{.resolution = requested, .fails_with_more_steps = refused_};
     if (!failed_) {
       run.seconds =
           seconds_ * std::pow(longer_, std::log10(fine_ / std::max(requested.rtol, requested.atol)));
@@ -145,23 +143,22 @@ class RefinementSimulation {
       for (const RunSettings& setup : setups_of(sweep_, *scheme, scene_.problem))
         probes.push_back({scheme, setup, Probe(scene_, *scheme, setup, sweep_.plan)});
     }
-    const std::size_t count = probes.size() + sweep_.programs.size();
-    std::vector<Refinement> refinements(count);
-    std::vector<bool> ended(count, false);
-    const auto plan_of = [&](std::size_t i) {
-      return plan_for(sweep_.plan, i < probes.size() ? probes[i].scheme->capabilities : Capabilities{});
-    };
-    std::vector<RefinementPlan> plans;
-    for (std::size_t i = 0; i < count; ++i) plans.push_back(plan_of(i));
-    for (std::size_t level = 0; level < sweep_.plan.resolutions.size(); ++level) {
-      for (std::size_t i = 0; i < count; ++i) {
-        if (ended[i]) continue;
-        const auto& resolution = plans[i].resolutions[level];
-        refinements[i].push_back(i < probes.size() ? take(probes[i], resolution)
-                                                   : take(sweep_.programs[i - probes.size()], resolution));
+    std::vector<Refinement> refinements;
+    std::vector<std::vector<StepsOrTolerance>> listed;
+    for (std::size_t i = 0; i < probes.size() + sweep_.programs.size(); ++i) {
+      const Capabilities takes = i < probes.size() ? probes[i].scheme->capabilities : Capabilities{};
+      refinements.push_back({.is_adaptive = takes.is_adaptive()});
+      listed.push_back(resolutions_for(sweep_.plan, takes));
+    }
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      const auto next = next_runs(sweep_.plan, listed, refinements);
+      for (std::size_t i = 0; i < next.size(); ++i) {
+        if (!next[i]) continue;
+        refinements[i].runs.push_back(i < probes.size() ? take(probes[i], *next[i])
+                                                        : take(sweep_.programs[i - probes.size()], *next[i]));
+        goes_on = true;
       }
-      for (std::size_t i = 0; i < count; ++i)
-        ended[i] = ended[i] || is_finished(plans[i], refinements, refinements[i]);
     }
     return std::move(expected_);
   }
@@ -191,7 +188,7 @@ class RefinementSimulation {
     const RecordedRun recorded = recorded_(key);
     if (recorded.amount() == RecordedAmount::everything) return refinement_run(key.setup, recorded);
     expected_[key] = guess + guess * sweep_.repeats.most;
-    return {.steps = std::get<int>(resolution)};
+    return {.resolution = resolution, .steps = std::get<int>(resolution)};
   }
 
   // The seconds of an examination, divided by the number of scenes in parallel: its two solves and the

@@ -16,6 +16,7 @@
 #include "fdebench/benchmarks/observers/retained_columns.hpp"
 #include "fdebench/benchmarks/records/run_rows.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
+#include "fdebench/schemes/stepping/setup_time.hpp"
 
 namespace fde::bench {
 
@@ -136,21 +137,24 @@ Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& schem
           .h = steps > 0 ? scene.problem.end / steps : 0.0};
 }
 
-struct Timed {
+struct TimedRun {
   std::int64_t steps = 0;
-  std::vector<double> seconds{};
+  TimedSolves solves{};
 };
 
-Timed solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
+TimedRun solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
                        const Options& options, const TimingRepeats& repeats) {
-  Timed timed;
+  TimedRun timed;
+  auto& seconds = timed.solves.seconds;
   double total = 0.0;
   while (total < repeats.min_seconds ||
-         (std::ssize(timed.seconds) < repeats.most && total < repeats.enough_seconds)) {
+         (std::ssize(seconds) < repeats.most && total < repeats.enough_seconds)) {
+    const SetupTime setup;
     const auto start = std::chrono::steady_clock::now();
     const auto path = scheme.solve(problem, resolution, options);
-    timed.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    total += timed.seconds.back();
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    timed.solves.setup_seconds = setup.seconds();
+    total += seconds.back();
     timed.steps = path.steps;
   }
   return timed;
@@ -169,9 +173,9 @@ std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, c
   Options options = setup.options();
   options.budget = std::numeric_limits<double>::infinity();  // the examined run has finished
   options.output_times = {scene.problem.end};
-  const auto [steps, seconds] =
+  const auto [steps, solves] =
       solve_repeatedly(scheme, scene.problem, resolution_of(setup, scene.problem.end), options, repeats);
-  return rows_of_times(row_of(name, scene, scheme, setup, steps), seconds);
+  return rows_of_times(row_of(name, scene, scheme, setup, steps), solves);
 }
 
 }  // namespace fde::bench

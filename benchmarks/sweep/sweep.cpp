@@ -20,11 +20,10 @@ namespace {
 // The runs of one scheme (with one grading) or program on a scene, from coarse to fine.
 struct RefinementSeries {
   std::variant<const Scheme*, const ExternalProgram*> solver;
-  RunKey key;  // of the current run
-  RefinementPlan plan{};
+  RunKey key;           // of the current run
   RunSettings setup{};  // of the current run; a program's key has fewer settings
   RecordedRun run{};    // the current run
-  bool ended = false;
+  bool ended = false;   // there is no current run
 };
 
 // A scene with all its runs. Examined by one thread.
@@ -33,23 +32,23 @@ struct SceneRefinements {
       : variant(std::move(swept)), name(variant.key()), scene(make_scene(variant)) {
     for (const auto* scheme : sweep.schemes) {
       for (const RunSettings& setup : setups_of(sweep, *scheme, scene.problem)) {
-        add({scheme,
-             {name, std::string(scheme->id), setup},
-             plan_for(sweep.plan, scheme->capabilities),
-             setup});
+        add({scheme, {name, std::string(scheme->id), setup}, setup},
+            scheme->capabilities, sweep.plan);
       }
     }
     for (const auto& program : sweep.programs) {
-      add({&program, key_of(program, name, sweep.setup), plan_for(sweep.plan, Capabilities{}), sweep.setup});
+      add({&program, key_of(program, name, sweep.setup), sweep.setup}, Capabilities{}, sweep.plan);
     }
-    refinements.resize(lines.size());
   }
 
-  void add(RefinementSeries line) {
+  void add(RefinementSeries line, const Capabilities& capabilities, const SweepPlan& plan) {
     const auto same = [&](const RefinementSeries& other) {
       return other.solver == line.solver && other.setup == line.setup;
     };
-    if (std::ranges::none_of(lines, same)) lines.push_back(std::move(line));
+    if (std::ranges::any_of(lines, same)) return;
+    lines.push_back(std::move(line));
+    listed.push_back(resolutions_for(plan, capabilities));
+    refinements.push_back({.is_adaptive = capabilities.is_adaptive()});
   }
 
   SceneVariant variant;
@@ -57,7 +56,8 @@ struct SceneRefinements {
   Scene scene;
   MemoizedReference reference{scene};
   std::vector<RefinementSeries> lines{};
-  std::vector<Refinement> refinements{};  // one entry for each of `lines`
+  std::vector<std::vector<StepsOrTolerance>> listed{};  // one entry for each of `lines`
+  std::vector<Refinement> refinements{};                // likewise
 };
 
 // Whether solutions are not smooth at 0: every row has a fractional order and belongs to no multi-term chain
@@ -126,7 +126,7 @@ std::vector<Record> time_line(const SceneRefinements& of, const RefinementSeries
   return time_solves(of.name, of.scene, *std::get<const Scheme*>(line.solver), line.setup, repeats);
 }
 
-void examine_level(SceneRefinements& of, GuardedCallbacks& log) {
+void examine_runs(SceneRefinements& of, GuardedCallbacks& log) {
   for (RefinementSeries& line : of.lines) {
     if (log.failed()) return;
     if (line.ended || line.run.amount() != RecordedAmount::nothing) continue;
@@ -145,22 +145,31 @@ void time_runs(SceneRefinements& of, const TimingRepeats& repeats, GuardedCallba
   }
 }
 
-// After all runs at one resolution: decides which refinements of the scene end.
-void end_refinements(SceneRefinements& of, GuardedCallbacks& log) {
+// Chooses the next run of each refinement of the scene. Returns whether there is any.
+bool choose_next_runs(SceneRefinements& of, const SweepPlan& plan, const SweepCallbacks& callbacks,
+                      GuardedCallbacks& log) {
+  const auto next = next_runs(plan, of.listed, of.refinements);
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    RefinementSeries& line = of.lines[i];
+    if (!next[i] && !line.ended && !of.refinements[i].runs.empty())
+      log.on_event(SweepEvent::Kind::refinement_ends, line.key);
+    line.ended = !next[i];
+    if (line.ended) continue;
+    line.key.setup.resolution = line.setup.resolution = *next[i];
+    line.run = callbacks.recorded(line.key);
+  }
+  return std::ranges::any_of(next, [](const auto& resolution) { return resolution.has_value(); });
+}
+
+void add_runs(SceneRefinements& of) {
   for (std::size_t i = 0; i < of.lines.size(); ++i) {
     if (!of.lines[i].ended)
-      of.refinements[i].push_back(refinement_run(of.lines[i].key.setup, of.lines[i].run));
-  }
-  for (std::size_t i = 0; i < of.lines.size(); ++i) {
-    RefinementSeries& line = of.lines[i];
-    if (line.ended || !is_finished(line.plan, of.refinements, of.refinements[i])) continue;
-    line.ended = true;
-    log.on_event(SweepEvent::Kind::refinement_ends, line.key);
+      of.refinements[i].runs.push_back(refinement_run(of.lines[i].setup, of.lines[i].run));
   }
 }
 
-// The forecast seconds of the scene's runs at the current resolution.
-double seconds_of_level(const SceneRefinements& of, const Forecast& expected) {
+// The forecast seconds of the scene's current runs.
+double seconds_of_turn(const SceneRefinements& of, const Forecast& expected) {
   double seconds = 0.0;
   for (const RefinementSeries& line : of.lines) {
     const auto run = line.ended ? expected.end() : expected.find(line.key);
@@ -172,26 +181,23 @@ double seconds_of_level(const SceneRefinements& of, const Forecast& expected) {
 // Longest forecast first, so that the threads finish at about the same time.
 std::vector<std::size_t> longest_first(const std::deque<SceneRefinements>& scenes, const Forecast& expected) {
   std::vector<double> seconds;
-  for (const auto& of : scenes) seconds.push_back(seconds_of_level(of, expected));
+  for (const auto& of : scenes) seconds.push_back(seconds_of_turn(of, expected));
   std::vector<std::size_t> order(scenes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return seconds[i]; });
   return order;
 }
 
-void take_resolution(std::deque<SceneRefinements>& scenes, std::size_t level, const Sweep& sweep,
-                     const SweepCallbacks& callbacks, const Forecast& expected, GuardedCallbacks& log) {
-  for (auto& of : scenes) {
-    for (RefinementSeries& line : of.lines) {
-      if (line.ended) continue;
-      line.key.setup.resolution = line.setup.resolution = line.plan.resolutions[level];
-      line.run = callbacks.recorded(line.key);
-    }
-  }
+// Makes the next run of every refinement. Returns whether there was any.
+bool take_turn(std::deque<SceneRefinements>& scenes, const Sweep& sweep, const SweepCallbacks& callbacks,
+               const Forecast& expected, GuardedCallbacks& log) {
+  bool goes_on = false;
+  for (auto& of : scenes) goes_on = choose_next_runs(of, sweep.plan, callbacks, log) || goes_on;
   const auto order = longest_first(scenes, expected);
-  in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) { examine_level(scenes[order[i]], log); });
+  in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) { examine_runs(scenes[order[i]], log); });
   for (auto& of : scenes) time_runs(of, sweep.repeats, log);
-  for (auto& of : scenes) end_refinements(of, log);
+  for (auto& of : scenes) add_runs(of);
+  return goes_on;
 }
 
 }  // namespace
@@ -221,8 +227,8 @@ void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Fo
       scenes.emplace_back(variant, sweep);
   }
   GuardedCallbacks log(callbacks);
-  for (std::size_t level = 0; level < sweep.plan.resolutions.size(); ++level)
-    take_resolution(scenes, level, sweep, callbacks, expected, log);
+  while (take_turn(scenes, sweep, callbacks, expected, log)) {
+  }
 }
 
 }  // namespace fde::bench

@@ -11,7 +11,7 @@
 #include "fdebench/benchmarks/records/recorded_run.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
-#include "fdebench/benchmarks/sweep/refinement_plan.hpp"
+#include "fdebench/benchmarks/sweep/sweep_plan.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
@@ -22,7 +22,7 @@ struct Sweep {
   std::vector<SceneVariant> scenes;
   std::vector<const Scheme*> schemes;
   std::vector<ExternalProgram> programs{};
-  RefinementPlan plan;
+  SweepPlan plan;
   RunSettings setup{.budget = 600.0};   // settings of all runs except the resolution
   bool optimal_grids = false;           // each scheme with optimal_grading() instead of the setup's grading
   std::vector<const Scheme*> graded{};  // these with both gradings, where solutions are not smooth at 0
@@ -55,15 +55,15 @@ struct SweepCallbacks {
   std::function<void(const SceneDescription&)> append_scene{};
 };
 
-// Makes each run that is not recorded yet, once. For each resolution of the plan in turn: the runs of all
-// scenes are examined, one thread per scene; their solves are timed, one at a time; then is_finished()
-// decides which refinements go on, from recorded and new runs alike, so that a resumed sweep makes the same
-// runs. Rows are passed to `append` as soon as they are computed, in one call per examination and one per
-// timing; before the first rows of a scene its description is passed to `append_scene`, unless it is
-// recorded. At one resolution the runs of a scene keep the order of the schemes; those of different scenes
+// Makes each run that is not recorded yet, once. In turns: the next run of each refinement is examined, one
+// thread per scene; their solves are timed, one at a time; then the plan decides, from recorded and new runs
+// alike, which run of each refinement is the next, so that a resumed sweep makes the same runs. Rows are
+// passed to `append` as soon as they are computed, in one call per examination and one per timing; before the
+// first rows of a scene its description is passed to `append_scene`, unless it is recorded. At one resolution
+// the runs of a scene keep the order of the schemes; those of different scenes
 // interleave, the scene with the longest forecast first. The number of threads and the forecast change no row
-// except the times. An exception of `append` or
-// `append_scene` ends the sweep and is rethrown.
+// except the times. An exception of `append` or `append_scene` ends
+// the sweep and is rethrown.
 void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Forecast& expected = {});
 
 }  // namespace fde::bench

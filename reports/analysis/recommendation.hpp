@@ -13,20 +13,30 @@
 
 namespace fde::bench {
 
+// A scheme without a run within the accuracy: its finest run (with 0 steps where it has none), and why.
+struct RejectedScheme {
+  RecommendedRun finest{};
+  std::string reason{};
+  bool refused = false;  // the scheme does not accept the problem
+};
+
 // Which scheme to use for a scene and an accuracy, and why.
 struct Recommendation {
   SceneSettings scene{};
   ErrorKind kind{};
   double accuracy = 0.0;
   std::vector<std::string> columns{};      // the compared columns; empty: all
+  bool first_run = false;                  // times are those of the first run of a process
   std::vector<RecommendedRun> options{};   // within the accuracy, the quickest first
-  std::vector<RecommendedRun> expected{};  // predictions for other schemes, which are slower and were not run
-  std::vector<std::string> others{};       // one text per other scheme: its outcome
+  std::vector<RecommendedRun> expected{};  // predictions for other schemes, which are slower
+  std::vector<RejectedScheme> rejected{};  // the schemes without an option
+  std::vector<std::string> missing{};      // without options: the best error, and what would be needed
   bool constant = false;                   // the solution equals its initial value at all times
+  std::optional<double> reference_bound{};  // of the reference at the end time; nullopt: not known here
   std::optional<ErrorEstimate> estimate{};  // the basis of all errors; nullopt: there is a reference
 };
 
-// A recommendation from recorded runs. If no run is within the accuracy, `others` explain what is missing.
+// A recommendation from recorded runs. If no run is within the accuracy, `missing` explains what is.
 Recommendation recommend(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
                          double accuracy);
 
@@ -61,8 +71,14 @@ std::string kind_text(const ErrorKind& kind);
 // "l1 = commensurate_l1, graded:2".
 std::string name_of(const RecommendedRun& option);
 
-// The recommendation as text. Precondition: there is an option.
-std::string to_text(const Recommendation& made);
+// The time of the first run of a process, and of a later one.
+double first_run_seconds(const Recommendation& made, const RecommendedRun& option);
+double later_run_seconds(const Recommendation& made, const RecommendedRun& option);
+
+// The recommendation as text: three lines (what to run, what it delivers, how sure that is), then a table of
+// the schemes. With `verbose` also why it is quickest, all grids, and the schemes that refuse the problem.
+// Precondition: there is an option.
+std::string to_text(const Recommendation& made, bool verbose = false);
 
 // The recommendation as one JSON object; docs/command.md lists the fields. Precondition: there is an option.
 std::string json_of(const Recommendation& made);

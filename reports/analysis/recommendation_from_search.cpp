@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -26,7 +27,7 @@ RecommendedRun option_of(const SearchCandidate& of) {
       .steps = of.best.steps,
       .error = of.best.error,
       .time = of.time.value_or(MedianInterval{of.best.seconds, of.best.seconds, of.best.seconds}),
-      .setup_seconds = of.setup_seconds,
+      .setup_seconds = of.best.setup_seconds,
       .rate = of.rate};
   if (of.predicted) option.predicted_error = of.predicted->value;
   return option;
@@ -38,34 +39,47 @@ std::string name_of(const SearchCandidate& of) {
 
 // The finest run with a finite error; nullptr if there is none.
 const CandidateRun* finest(const SearchCandidate& of) {
-  const auto found = std::find_if(of.refinements.rbegin(), of.refinements.rend(),
-                                  [](const CandidateRun& attempt) { return std::isfinite(attempt.error); });
-  return found == of.refinements.rend() ? nullptr : &*found;
-}
-
-std::string so_far(const SearchCandidate& of, std::string_view error) {
-  if (const auto* attempt = finest(of)) {
-    const auto* worse = attempt->error < attempt->baseline_error ? "" : "worse than y = 0, ";
-    return fmt::format("{}{} {} with N = {}", worse, error, error_text(attempt->error),
-                       count_text(attempt->steps));
+  const CandidateRun* found = nullptr;
+  for (const CandidateRun& run : of.runs) {
+    if (std::isfinite(run.error) && (found == nullptr || run.steps > found->steps)) found = &run;
   }
-  return of.refinements.empty() ? "no run" : sentence(of.refinements.back().ending);
+  return found;
 }
 
-// The outcome of a configuration that gives no option, as text.
-std::string fate(const SearchCandidate& of, std::string_view error) {
+// Why a configuration has no run within the accuracy.
+std::string reason_of(const SearchCandidate& of) {
   switch (of.outcome) {
     case SearchOutcome::stagnated:
-      return fmt::format("{}: its {} falls no more: {}", name_of(of), error, so_far(of, error));
+      return "its error falls no more";
     case SearchOutcome::refused:
-      return fmt::format("{}: refused: {}", name_of(of), of.reason);
+      return "refused: " + of.reason;
     case SearchOutcome::failed:
-      return fmt::format("{}: {}", name_of(of), of.reason);
+      return of.reason;
+    case SearchOutcome::slower:
+      return of.reason.empty() ? "slower" : "slower: " + of.reason;
     default:
-      return fmt::format("{}: {}{}{}", name_of(of), of.outcome == SearchOutcome::slower ? "slower: " : "",
-                         so_far(of, error),
-                         of.steps_needed ? "; " + needed_text("it", *of.steps_needed) : "");
+      return of.steps_needed ? fmt::format("about N = {} by its errors, {}",
+                                           rough_count_text(of.steps_needed->value),
+                                           time_text(of.steps_needed->value * of.seconds_per_step))
+                             : std::string(of.reason);
   }
+}
+
+RejectedScheme rejected(const SearchCandidate& of) {
+  RejectedScheme scheme{.finest = {.schemes = of.names, .setup = setup_of(of.configuration, 1)},
+                        .reason = reason_of(of),
+                        .refused = of.outcome == SearchOutcome::refused};
+  // Where a run shows that the configuration is slower, that one; otherwise the one with the least error.
+  const auto* run = of.outcome == SearchOutcome::slower ? of.finest() : finest(of);
+  if (run != nullptr) {
+    scheme.finest.setup.resolution = resolution_of(*run);
+    scheme.finest.steps = run->steps;
+    scheme.finest.error = run->error;
+    scheme.finest.time = {run->seconds, run->seconds, run->seconds};
+    scheme.finest.setup_seconds = run->setup_seconds;
+    if (std::isfinite(run->error) && !(run->error < run->baseline_error)) scheme.reason += ", no better than y = 0";
+  }
+  return scheme;
 }
 
 // The predicted run within the accuracy; nullopt if there is no prediction or it needs too many steps or
@@ -84,31 +98,28 @@ std::optional<RecommendedRun> expected_of(const SearchCandidate& of, double accu
                         .rate = of.rate};
 }
 
-bool is_shown(const Recommendation& made, const SearchCandidate& of) {
-  const auto same = [&](const RecommendedRun& option) { return option.schemes.front() == of.names.front(); };
-  return std::ranges::any_of(made.options, same) || std::ranges::any_of(made.expected, same);
-}
-
-// Adds to made.expected the best prediction of each scheme that gives no option, and to made.others the
-// outcome of each scheme without a prediction.
+// Adds to made.expected the best prediction of each scheme that gives no option, and to made.rejected the
+// configurations without one, of each scheme that with the least error first.
 void tell_others(const std::vector<SearchCandidate>& searched, Recommendation& made) {
   std::vector<RecommendedRun> expected;
   for (const SearchCandidate& of : searched) {
     if (auto option = expected_of(of, made.accuracy)) expected.push_back(std::move(*option));
+    const bool rejects =
+        of.outcome != SearchOutcome::duplicate && of.outcome != SearchOutcome::accuracy_reached;
+    if (rejects) made.rejected.push_back(rejected(of));
   }
+  std::ranges::stable_sort(made.rejected, {}, [](const RejectedScheme& scheme) {
+    return scheme.finest.steps > 0 ? scheme.finest.error : std::numeric_limits<double>::infinity();
+  });
   std::ranges::stable_sort(expected, {}, [](const RecommendedRun& option) { return option.time.median; });
   for (RecommendedRun& option : expected) {
     const auto same = [&](const RecommendedRun& other) { return other.schemes == option.schemes; };
     if (std::ranges::none_of(made.options, same) && std::ranges::none_of(made.expected, same))
       made.expected.push_back(std::move(option));
   }
-  for (const SearchCandidate& of : searched) {
-    if (of.outcome != SearchOutcome::duplicate && of.configuration.grading == 1.0 && !is_shown(made, of))
-      made.others.push_back(fate(of, error_word(made)));
-  }
 }
 
-// Without options: adds to made.others the smallest error, and the prediction that takes the least time.
+// Without options: adds to made.missing the smallest error, and the prediction that takes the least time.
 void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vector<std::string>& columns,
                     Recommendation& made) {
   const SearchCandidate* best = nullptr;
@@ -116,10 +127,15 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
     const auto* attempt = finest(of);
     if (attempt != nullptr && (best == nullptr || attempt->error < finest(*best)->error)) best = &of;
   }
-  if (best == nullptr) return tell_others(searched, made);
+  if (best == nullptr) {
+    for (const SearchCandidate& of : searched)
+      if (of.configuration.grading == 1.0 && of.outcome != SearchOutcome::duplicate)
+        made.missing.push_back(fmt::format("{}: {}", name_of(of), reason_of(of)));
+    return;
+  }
   const CandidateRun& last = *finest(*best);
-  made.others.push_back(fmt::format("best: {}: {}, in {} at t = {:.6g}", name_of(*best),
-                                    so_far(*best, error_word(made)),
+  made.missing.push_back(fmt::format("best: {}: {} {} with N = {}, in {} at t = {:.6g}", name_of(*best),
+                                    error_word(made), error_text(last.error), count_text(last.steps),
                                     columns[static_cast<std::size_t>(last.column)], last.time));
   const SearchCandidate* least = nullptr;
   const auto seconds = [](const SearchCandidate& of) { return of.steps_needed->value * of.seconds_per_step; };
@@ -127,7 +143,7 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
     if (of.steps_needed && (least == nullptr || seconds(of) < seconds(*least))) least = &of;
   }
   if (least == nullptr) return;
-  made.others.push_back(needed_text(name_of(*least), *least->steps_needed) +
+  made.missing.push_back(needed_text(name_of(*least), *least->steps_needed) +
                         fmt::format(", {}", time_text(seconds(*least))));
 }
 
@@ -136,8 +152,11 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
 Recommendation recommend(const std::vector<SearchCandidate>& searched, const SceneSettings& scene,
                          const std::vector<std::string>& columns, const AccuracyTarget& question,
                          const std::optional<ErrorEstimate>& estimate) {
-  Recommendation made{
-      .scene = scene, .kind = question.kind, .accuracy = question.accuracy, .estimate = estimate};
+  Recommendation made{.scene = scene,
+                      .kind = question.kind,
+                      .accuracy = question.accuracy,
+                      .first_run = question.first_run,
+                      .estimate = estimate};
   for (const SearchCandidate& of : searched) {
     if (of.outcome != SearchOutcome::accuracy_reached) continue;
     made.options.push_back(option_of(of));
@@ -157,16 +176,16 @@ Recommendation recommend(const Runs& runs, const SceneSettings& scene, const Err
   if (!made.options.empty()) return made;
   const auto missed = lines.shortfall(kind, accuracy, lines.forecasts(kind));
   if (!missed) {
-    made.others.push_back(fmt::format("no finished run has {}", error_measure(kind)));
+    made.missing.push_back(fmt::format("no finished run has {}", error_measure(kind)));
     return made;
   }
   const auto name = [&](const RecommendedRun& of) { return names.name(of.schemes.front(), of.setup); };
-  made.others.push_back(fmt::format("best: {}: {}", name(missed->best), run_text(missed->best)));
+  made.missing.push_back(fmt::format("best: {}: {}", name(missed->best), run_text(missed->best)));
   if (missed->untimed > 0) {
-    made.others.push_back(
+    made.missing.push_back(
         fmt::format("{} runs within it are not timed yet: continue the sweep", missed->untimed));
   }
-  if (missed->steps_needed) made.others.push_back(needed_text(name(missed->line), *missed->steps_needed));
+  if (missed->steps_needed) made.missing.push_back(needed_text(name(missed->line), *missed->steps_needed));
   return made;
 }
 

@@ -53,6 +53,8 @@ std::string json_of(const Recommendation& made) {
     json["estimate"] = json_of(*made.estimate);
   }
   if (first.setup_seconds > 0.0) json["once_seconds"] = first.setup_seconds;
+  json["runs"] = made.first_run ? "1" : "many";
+  if (!first.wall_clock) json["first_run_seconds"] = first_run_seconds(made, first);
   if (made.constant) json["constant"] = true;
   if (first.wall_clock) json["wall_clock"] = true;
   if (first.predicted_error) json["predicted_error"] = *first.predicted_error;

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
+#include "fdebench/benchmarks/search/refinement.hpp"
 #include "fdebench/reports/analysis/text.hpp"
 
 namespace fde::bench {
@@ -23,6 +25,7 @@ std::optional<RecommendedRun> option_of(const MeasuredRun& run, const ErrorKind&
                         .external = run.key.external,
                         .wall_clock = run.wall_clock};
   option.time = time_of(run).value_or(MedianInterval{});
+  option.setup_seconds = run["time_setup"].value_or(0.0);
   return option;
 }
 
@@ -56,20 +59,22 @@ std::optional<RecommendedRun> quickest_within(RunSpan line, const ErrorKind& kin
   return best;
 }
 
-// Whether both lines have bitwise equal errors for all common numbers of steps, at least five.
-bool is_same_algorithm(RunSpan a, RunSpan b) {
-  constexpr int fewest = 5;
-  if (!same_series(a.front().key.setup, b.front().key.setup)) return false;
-  int common = 0;
-  for (const MeasuredRun& run : a) {
-    const auto other = std::ranges::find(b, run.steps, &MeasuredRun::steps);
-    if (other == b.end()) continue;
-    for (const auto* error : {"error_end", "error_maximum"}) {
-      if (!run[error] || run[error] != (*other)[error]) return false;
-    }
-    ++common;
+// The runs of a line as the search sees them, to ask whether two lines are one algorithm.
+Refinement refinement_of(RunSpan line) {
+  Refinement refinement;
+  for (const MeasuredRun& run : line) {
+    refinement.is_adaptive = !std::holds_alternative<int>(run.key.setup.resolution);
+    RefinementRun seen{.resolution = run.steps, .steps = run.steps};
+    for (const auto* error : {"error_end", "error_maximum"})
+      seen.errors.push_back({.value = run[error].value_or(INFINITY)});
+    refinement.runs.push_back(std::move(seen));
   }
-  return common >= fewest;
+  return refinement;
+}
+
+bool is_one_algorithm(RunSpan a, RunSpan b) {
+  return same_series(a.front().key.setup, b.front().key.setup) &&
+         is_same_algorithm(refinement_of(a), refinement_of(b));
 }
 
 std::vector<NamedLine> named_lines(RunSpan runs) {
@@ -77,7 +82,7 @@ std::vector<NamedLine> named_lines(RunSpan runs) {
   for (const RunSpan line : by_line(runs)) {
     const auto& name = line.front().key.scheme;
     const auto first = std::ranges::find_if(
-        lines, [&](const NamedLine& other) { return is_same_algorithm(other.runs, line); });
+        lines, [&](const NamedLine& other) { return is_one_algorithm(other.runs, line); });
     if (first == lines.end()) {
       lines.push_back({line, {name}});
     } else if (line.size() > first->runs.size()) {
@@ -169,8 +174,6 @@ std::string run_text(const RecommendedRun& option, std::string_view error) {
   const auto& [median, low, high] = option.time;
   text += fmt::format(", {} ({} ... {}){}", time_text(median), time_text(low), time_text(high),
                       clock_note(option.wall_clock));
-  if (option.setup_seconds > median)
-    text += fmt::format(", the first time {} more for start weights", time_text(option.setup_seconds));
   return text;
 }
 

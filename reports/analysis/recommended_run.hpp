@@ -22,7 +22,7 @@ struct RecommendedRun {
   double error = 0.0;
   std::optional<double> predicted_error{};  // from the errors with other numbers of steps
   MedianInterval time{};
-  double setup_seconds = 0.0;    // extra time of the first solve, which computes starting weights
+  double setup_seconds = 0.0;    // by which the first run of a process takes longer
   std::optional<double> rate{};  // observed
   std::size_t session = 0;       // index into Results::sessions, for recorded runs
   bool external = false;         // run of an external program

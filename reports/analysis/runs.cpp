@@ -151,6 +151,15 @@ Runs runs_of(const Results& results) {
   return std::move(collector).runs();
 }
 
+void count_first_runs(Runs& runs) {
+  for (MeasuredRun& run : runs.finished) {
+    const double setup = run["time_setup"].value_or(0.0);
+    for (const auto* time : {"time_minimum", "time_median", "time_low", "time_high"}) {
+      if (const auto found = run.values.find(time); found != run.values.end()) found->second += setup;
+    }
+  }
+}
+
 ReadRuns read_runs(const std::filesystem::path& file) {
   Collector collector;
   scan_results(file, {.session = [&](const Session& session, auto) { collector.begin(session); },

@@ -46,6 +46,9 @@ struct Runs {
 
 Runs runs_of(const Results& results);
 
+// Adds to each time of a run what the first run of a process takes longer, so that runs are ranked by it.
+void count_first_runs(Runs& runs);
+
 // The sessions and runs of a results file. Rows are not stored: they would take twice the size of the file.
 // Throws std::invalid_argument naming the file if it contains no run, and as scan_results does.
 struct ReadRuns {

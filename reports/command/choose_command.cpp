@@ -24,8 +24,9 @@ namespace {
 struct ChooseArguments {
   SceneArguments scene;
   std::string error, norm = "maximum", scale = "mixed";
+  std::string runs = "many";
   std::optional<std::string> columns, until, max_time, results;
-  bool json = false;
+  bool json = false, verbose = false;
 };
 
 constexpr double default_seconds = 60.0;
@@ -71,18 +72,30 @@ Recommendation searched(const SceneVariant& variant, Scene scene, const Accuracy
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   const auto found = search(scene, question, std::max(0.0, seconds - taken.count()), tell);
   show(whole, whole, "");
-  return recommend(found, variant.key(), scene.outputs.names, question, known.estimate);
+  auto made = recommend(found, variant.key(), scene.outputs.names, question, known.estimate);
+  const Vec bounds = scene.reference.at(scene.problem.end).bound;
+  if (bounds.size() > 0) made.reference_bound = bounds.maxCoeff();
+  return made;
 }
 
 // A recommendation from recorded runs: these have no errors of single columns and need no search time.
-Recommendation recorded(const ErrorKind& kind, double accuracy, const ChooseArguments& arguments,
-                        const SceneRegistry& known) {
+Recommendation recorded(const ErrorKind& kind, double accuracy, bool first_run,
+                        const ChooseArguments& arguments, const SceneRegistry& known) {
   if (arguments.columns)
     reject_text("--columns", *arguments.columns, "without --results, which has all columns");
   if (arguments.max_time) reject_text("--max-time", *arguments.max_time, "without --results");
-  const Runs runs = read_runs(*arguments.results).runs;
+  Runs runs = read_runs(*arguments.results).runs;
   const SceneArguments scene{arguments.scene.scene, settings_of(arguments)};
-  return recommend(runs, recorded_scene(runs, *arguments.results, scene, known), kind, accuracy);
+  if (first_run) count_first_runs(runs);
+  auto made = recommend(runs, recorded_scene(runs, *arguments.results, scene, known), kind, accuracy);
+  made.first_run = first_run;
+  return made;
+}
+
+// Whether times are those of the first run of a process.
+bool parse_runs(const std::string& text) {
+  if (text != "1" && text != "many") reject_text("--runs", text, "1 or many");
+  return text == "1";
 }
 
 void choose(const ChooseArguments& arguments, const Streams& streams, const SceneRegistry& known) {
@@ -90,22 +103,23 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
   const ErrorKind kind{parse_norm(arguments.norm), parse_scale(arguments.scale)};
   const double seconds =
       arguments.max_time ? parse_number("--max-time", *arguments.max_time, search_seconds) : default_seconds;
+  const bool first_run = parse_runs(arguments.runs);
   Recommendation made;
   if (arguments.results) {
-    made = recorded(kind, accuracy, arguments, known);
+    made = recorded(kind, accuracy, first_run, arguments, known);
   } else {
     const auto variant = chosen_scene(arguments, known);
     const Scene scene = make_scene(variant);
-    const AccuracyTarget question{kind, accuracy, chosen_columns(scene, arguments.columns)};
+    const AccuracyTarget question{kind, accuracy, chosen_columns(scene, arguments.columns), first_run};
     made = searched(variant, scene, question, seconds, streams);
     if (arguments.columns) made.columns = split_names(*arguments.columns);
   }
   if (made.options.empty()) {
-    if (made.estimate) made.others.push_back(estimate_text(*made.estimate));
+    if (made.estimate) made.missing.push_back(estimate_text(*made.estimate));
     throw NumericalFailure(fmt::format("no run of {} is within {} ({}): {}", label_of(made.scene),
-                                       error_text(accuracy), kind_text(kind), fmt::join(made.others, "; ")));
+                                       error_text(accuracy), kind_text(kind), fmt::join(made.missing, "; ")));
   }
-  streams.out << (arguments.json ? json_of(made) : to_text(made));
+  streams.out << (arguments.json ? json_of(made) : to_text(made, arguments.verbose));
 }
 
 }  // namespace
@@ -118,9 +132,12 @@ void add_choose_command(CommandLine& program, const Streams& streams, const Scen
   command.option("--norm", arguments->norm, "where: end or maximum; default maximum");
   command.option("--scale", arguments->scale, "absolute, relative or mixed; default mixed");
   command.option("--columns", arguments->columns, "columns A,B,... that count; default all");
+  command.option("--runs", arguments->runs,
+                 "1: by the time of the first run of a process; many, the default: of a later one");
   command.option("--until", arguments->until, "end of the time interval");
   command.option("--max-time", arguments->max_time, "seconds for the search; default 60");
   command.option("--results", arguments->results, "results file; default: measure now");
+  command.flag("--verbose", arguments->verbose, "all grids, why the first is quickest, what refuses");
   command.flag("--json", arguments->json, "one JSON object");
   command.callback([=, &known] { choose(*arguments, streams, known); });
 }

@@ -116,7 +116,7 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const SceneR
   if (file && !file->describes(row.key.scene)) file->append(describe(variant, scene, reference));
   if (file) file->append(rows);
   if (!seconds.empty() && is_compared(judgement.ending.kind)) {
-    const auto times = rows_of_times(row, seconds);
+    const auto times = rows_of_times(row, {.seconds = seconds});
     if (file) file->append(times);
     rows.insert(rows.end(), times.begin(), times.end());
   }

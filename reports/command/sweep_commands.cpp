@@ -80,9 +80,9 @@ std::vector<ExternalProgram> chosen_programs(const SweepArguments& arguments) {
 }
 
 // The requested numbers of steps and tolerances; by default default_plan() or thorough_plan().
-RefinementPlan chosen_plan(const SweepArguments& arguments) {
+SweepPlan chosen_plan(const SweepArguments& arguments) {
   if (!arguments.steps && !arguments.accuracies) return arguments.thorough ? thorough_plan() : default_plan();
-  RefinementPlan chosen;
+  SweepPlan chosen;
   for (const auto& text : arguments.steps ? split_list(*arguments.steps) : std::vector<std::string>{})
     chosen.resolutions.emplace_back(parse_count("--steps", text, 1, most_steps));
   for (const auto& text :

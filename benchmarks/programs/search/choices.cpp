@@ -1,34 +1,30 @@
 // SPDX-License-Identifier: MIT
-// choices [SCENE...]: compares the recommendation of `choose` with all runs of all schemes, numbers of steps
-// in a ratio of 1.1, on five gradings. Prints CSV: the recommendation, the quickest of these runs within the
-// accuracy, and the ratio of their times, measured interleaved.
+// choices SEED COUNT: asks `choose` COUNT random questions over the default scenes and compares each answer
+// with all runs of all schemes that take no longer, numbers of steps in a ratio of 1.1 on five gradings and
+// tolerances likewise. Prints CSV: the question, the answer, the quickest of these runs within the accuracy,
+// the ratio of their times, measured interleaved, and the seconds of the search.
 
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <random>
+#include <string>
+#include <vector>
 
+#include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/search/estimated_reference.hpp"
 #include "fdebench/benchmarks/search/interleaved_times.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
+#include "fdebench/benchmarks/sweep/default_sweep.hpp"
 
 namespace fde::bench {
 namespace {
 
-constexpr std::array scenes_of_all{"relaxation",
-                                   "relaxation:gamma=1.5",
-                                   "relaxation_pair",
-                                   "stiff_relaxation",
-                                   "power",
-                                   "diethelm",
-                                   "linear_system",
-                                   "fractional_oscillator",
-                                   "bagley_torvik:load=0,y0=1",
-                                   "damped_oscillator",
-                                   "brusselator",
-                                   "pendulum:until=5"};
-constexpr std::array accuracies{1e-2, 1e-4, 1e-6, 1e-8};
 constexpr std::array gradings{1.0, 1.5, 2.0, 3.0, 4.0};
 
 struct Best {
@@ -44,7 +40,7 @@ bool try_one(RunEvaluator& evaluator, const Configuration& configuration, const 
   const auto made = evaluator.evaluate(configuration, resolution, compared, 10.0 * most_seconds + 1.0);
   if (made.seconds > 2.0 * most_seconds) return false;
   if (!made.meets_accuracy) return true;
-  const auto time = time_interleaved({[&] { evaluator.solve_for_timing(configuration, resolution); }}, 0.0);
+  const auto time = time_interleaved({{[&] { evaluator.solve_for_timing(configuration, resolution); }}}, 0.0);
   if (time.front().median < best.seconds) best = {configuration, made, time.front().median};
   return time.front().low <= most_seconds;
 }
@@ -66,53 +62,84 @@ void try_all(RunEvaluator& evaluator, const Configuration& configuration, double
   }
 }
 
-void compare(const char* label, const ErrorKind& kind, double accuracy) {
-  const Scene scene = make_scene(parse_variant(label));
-  const AccuracyTarget question{kind, accuracy, all_columns(scene)};
-  const auto found = search(scene, question, 60.0, [](const std::string&, double) {});
-  const SearchCandidate& first = found.front();
-  if (first.outcome != SearchOutcome::accuracy_reached) {
-    fmt::print("{},{},{:g},none\n", label, error_measure(kind), accuracy);
-    return;
-  }
-  RunEvaluator evaluator(scene, question);
+struct Question {
+  SceneVariant scene;
+  ErrorKind kind;
+  double accuracy;
+};
+
+Question random_question(std::mt19937_64& random) {
+  const auto scenes = default_scenes();
+  const auto pick = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random); };
+  const double exponent = std::uniform_real_distribution<double>(-12.0, -2.0)(random);
+  constexpr std::array norms{Norm::maximum, Norm::end};
+  constexpr std::array scales{Scale::mixed, Scale::absolute, Scale::relative};
+  return {scenes[pick(scenes.size())],
+          {norms.at(pick(2)), scales.at(pick(3))},
+          std::stod(fmt::format("{:.1e}", std::pow(10.0, exponent)))};
+}
+
+Best best_of_all(const Scene& scene, const AccuracyTarget& target, double most_seconds) {
+  RunEvaluator evaluator(scene, target);
   Best best;
   for (const Scheme& scheme : schemes()) {
-    if (!unsupported_reason(scheme, scene.problem, Tolerance{accuracy, accuracy}))
-      try_all(evaluator, {&scheme}, first.time->median, best);
+    if (!unsupported_reason(scheme, scene.problem, Tolerance{target.accuracy, target.accuracy}))
+      try_all(evaluator, {&scheme}, most_seconds, best);
     for (const double grading : gradings) {
       if (!unsupported_reason(scheme, scene.problem, Grid{scene.problem.end, 4, grading}))
-        try_all(evaluator, {&scheme, grading}, first.time->median, best);
+        try_all(evaluator, {&scheme, grading}, most_seconds, best);
     }
   }
+  return best;
+}
+
+void compare(const Question& question) {
+  Scene scene = make_scene(question.scene);
+  const AccuracyTarget target{question.kind, question.accuracy, all_columns(scene)};
+  fmt::print("{},{},{:g},", question.scene.label(), error_measure(question.kind), question.accuracy);
+  std::vector<SearchCandidate> found;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    scene.reference = reference_of(scene);
+    found = search(scene, target, 60.0, [](const std::string&, double) {});
+  } catch (const std::runtime_error& none) {
+    fmt::print("\"{}\"\n", none.what());
+    return;
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const SearchCandidate& first = found.front();
+  if (first.outcome != SearchOutcome::accuracy_reached) {
+    fmt::print("none,,,,,,,,,{:.2f}\n", taken.count());
+    return;
+  }
+  RunEvaluator evaluator(scene, target);
+  const Best best = best_of_all(scene, target, first.time->median);
   double ratio = 0.0;
   if (best.run.meets_accuracy) {
     const auto times =
-        time_interleaved({[&] { evaluator.solve_for_timing(first.configuration, resolution_of(first.best)); },
-                          [&] { evaluator.solve_for_timing(best.configuration, resolution_of(best.run)); }},
-                         1.0);
+        time_interleaved({{[&] { evaluator.solve_for_timing(first.configuration, resolution_of(first.best)); }},
+                          {[&] { evaluator.solve_for_timing(best.configuration, resolution_of(best.run)); }}},
+                         0.5);
     ratio = times[0].median / times[1].median;
   }
-  fmt::print("{},{},{:g},{},{},{},{:.3g},{:.3g},{},{},{},{:.2f}\n", label, error_measure(kind), accuracy,
-             first.configuration.scheme->id, first.configuration.grading, first.best.steps, first.best.error,
+  fmt::print("{},{},{},{:.3g},{:.3g},{},{},{},{:.2f},{:.2f}\n", first.configuration.scheme->id,
+             first.configuration.grading, first.best.steps, first.best.error / question.accuracy,
              first.time->median, best.run.meets_accuracy ? best.configuration.scheme->id : "none",
-             best.configuration.grading, best.run.steps, ratio);
-  std::fflush(stdout);
+             best.configuration.grading, best.run.steps, ratio, taken.count());
 }
 
 }  // namespace
 }  // namespace fde::bench
 
 int main(int count, char** words) try {
-  fmt::print("scene,error,accuracy,scheme,grading,steps,verified,seconds,best,its_grading,its_steps,ratio\n");
-  const std::vector<const char*> requested(words + 1, words + count);
-  for (const auto* scene :
-       requested.empty() ? std::vector(fde::bench::scenes_of_all.begin(), fde::bench::scenes_of_all.end())
-                         : requested) {
-    for (const auto norm : {fde::Norm::maximum, fde::Norm::end}) {
-      for (const double accuracy : fde::bench::accuracies)
-        fde::bench::compare(scene, {norm, fde::bench::Scale::mixed}, accuracy);
-    }
+  const std::vector<std::string> given(words + 1, words + count);
+  std::mt19937_64 random(given.empty() ? 1 : std::stoull(given[0]));
+  const int questions = given.size() < 2 ? 40 : std::stoi(given[1]);
+  fmt::print("scene,kind,accuracy,scheme,grading,steps,part_of_accuracy,seconds,best,its_grading,its_steps,ratio,"
+             "search_seconds\n");
+  for (int i = 0; i < questions; ++i) {
+    fde::bench::compare(fde::bench::random_question(random));
+    std::fflush(stdout);
   }
 } catch (const std::exception& error) {
   fmt::print(stderr, "{}\n", error.what());

@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <utility>
+
+#include "fdebench/schemes/stepping/setup_time.hpp"
 
 namespace fde {
 namespace {
@@ -89,10 +92,21 @@ PanelRule::PanelRule(Eigen::Index count) : points(radau_points(count)) {
 }
 
 const PanelRule& panel_rule(Eigen::Index points) {
+  struct Retained {
+    PanelRule rule;
+    double seconds;
+  };
   static std::mutex mutex;
-  static std::map<Eigen::Index, PanelRule> made;
+  static std::map<Eigen::Index, Retained> made;
   const std::scoped_lock lock(mutex);
-  return made.try_emplace(points, points).first->second;
+  auto found = made.find(points);
+  if (found == made.end()) {
+    const double start = thread_seconds();
+    PanelRule rule(points);
+    found = made.emplace(points, Retained{std::move(rule), thread_seconds() - start}).first;
+  }
+  count_table(&found->second, found->second.seconds);
+  return found->second.rule;
 }
 
 }  // namespace fde

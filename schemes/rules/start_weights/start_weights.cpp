@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fdebench/schemes/rules/start_weights/starting_weight_equations.hpp"
+#include "fdebench/schemes/stepping/setup_time.hpp"
 
 namespace fde {
 namespace {
@@ -75,9 +76,13 @@ std::shared_ptr<const StartingWeights> starting_weights(const WeightTable& table
   static Cache<std::shared_ptr<const StartingWeights>> kept;
   const Key key{table.family, table.order, powers};
   const auto known = kept.get(key);
+  if (known && (*known)->pieces.size() >= pieces_for(steps, (*known)->tabulated.rows())) {
+    count_table(known->get(), (*known)->seconds);
+    return *known;
+  }
+  const double start = thread_seconds();
   auto made = std::make_shared<StartingWeights>();
   if (known) {
-    if ((*known)->pieces.size() >= pieces_for(steps, (*known)->tabulated.rows())) return *known;
     *made = **known;
   } else {
     made->equations = std::make_shared<const StartingWeightEquations>(table, powers, chebyshev_points());
@@ -89,17 +94,24 @@ std::shared_ptr<const StartingWeights> starting_weights(const WeightTable& table
     if (piece.alternating.size() > 0) piece.alternating = coefficients(piece.alternating);
     made->pieces.push_back(std::move(piece));
   }
+  made->seconds += thread_seconds() - start;
+  count_table(made.get(), made->seconds);
   kept.put(key, made);
   return made;
 }
 
 UsablePowers usable_powers(const WeightTable& table, const std::vector<double>& powers) {
-  static Cache<UsablePowers> kept;
+  static Cache<std::shared_ptr<const std::pair<UsablePowers, double>>> kept;  // with its seconds
   const Key key{table.family, table.order, powers};
-  if (const auto known = kept.get(key)) return *known;
-  const auto usable = StartingWeightEquations::usable(table, powers, max_growth);
-  kept.put(key, usable);
-  return usable;
+  auto known = kept.get(key);
+  if (!known) {
+    const double start = thread_seconds();
+    const auto usable = StartingWeightEquations::usable(table, powers, max_growth);
+    known = std::make_shared<const std::pair<UsablePowers, double>>(usable, thread_seconds() - start);
+    kept.put(key, *known);
+  }
+  count_table(known->get(), (*known)->second);
+  return (*known)->first;
 }
 
 }  // namespace fde

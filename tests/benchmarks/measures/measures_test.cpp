@@ -27,7 +27,7 @@ namespace fde::bench {
 namespace {
 
 double time_measure(std::string_view id, const std::vector<double>& seconds) {
-  return std::ranges::find(time_measures(), id, &TimeMeasure::id)->value(seconds);
+  return std::ranges::find(time_measures(), id, &TimeMeasure::id)->value({.seconds = seconds}).value();
 }
 
 TEST(Measures, OfValuesBesideAReference) {

@@ -101,7 +101,7 @@ TEST(Shortfall, CountsRunsThatAreNotTimedYet) {
   add_ending(results, run, end_time);
   EXPECT_TRUE(within(results, 1e-3).empty());
   EXPECT_EQ(SceneLines(runs_of(results), {"pendulum"}).shortfall(at_end, 1e-3, {})->untimed, 1U);
-  EXPECT_THAT(recommend(runs_of(results), {"pendulum"}, at_end, 1e-3).others,
+  EXPECT_THAT(recommend(runs_of(results), {"pendulum"}, at_end, 1e-3).missing,
               testing::Contains(HasSubstr("not timed yet")));
 }
 
@@ -154,7 +154,49 @@ TEST(Recommendation, TellsWhatIsWithinNoise) {
   EXPECT_DOUBLE_EQ(json["factor"], 1.2);
   EXPECT_EQ(json["command"], "fdebench solve pendulum --scheme l1 --steps 512");
   EXPECT_THAT(to_text(made), HasSubstr("within noise of adams_pc\n"));
-  EXPECT_THAT(to_text(made), HasSubstr("2 times more steps"));
+  EXPECT_THAT(to_text(made, true), HasSubstr("2 times more steps"));
+}
+
+// Three lines answer: what to run, what it delivers, how sure that is; the table has a row a scheme.
+TEST(Recommendation, AnswersInThreeLinesBeforeItsTable) {
+  Recommendation made{.scene = {"pendulum"},
+                      .kind = at_end,
+                      .accuracy = 1e-6,
+                      .options = {option("bdf4", 512, {1e-3, 0.9e-3, 1.1e-3}),
+                                  option("l1", 4096, {2e-3, 1.9e-3, 2.1e-3})},
+                      .rejected = {{.finest = option("bdf2", 64, {3e-3, 3e-3, 3e-3}), .reason = "slower"},
+                                   {.finest = {.schemes = {"power_series"}},
+                                    .reason = "refused: too many rows",
+                                    .refused = true}},
+                      .reference_bound = 1e-16};
+  made.options.front().setup_seconds = 0.02;
+  const std::string text = to_text(made);
+  EXPECT_THAT(text, testing::StartsWith(
+                        "run: fdebench solve pendulum --scheme bdf4 --steps 512\n"
+                        "delivers: error 1.0e-7 (at the end, absolute scale; 1.0e-6 wanted) in 1.00 ms; "
+                        "21.0 ms for the first run of a process\n"
+                        "how sure: the reference is known to 1.0e-16; the time is in 900 µs ... 1.10 ms "
+                        "(95 %); l1 takes 2.00 times as long\n\nscheme"));
+  EXPECT_THAT(text, HasSubstr("\nbdf2 "));
+  EXPECT_THAT(text, testing::Not(HasSubstr("power_series"))) << "what refuses the problem";
+  EXPECT_THAT(to_text(made, true), HasSubstr("power_series"));
+}
+
+// bdf4 takes 2 ms and its first run 22 ms; adams_pc takes 5 ms at any time.
+TEST(Recommendation, RanksByTheRunThatIsAskedFor) {
+  Results results = empty_results();
+  const SyntheticRun quick{"pendulum", "bdf4", 64};
+  add_run(results, quick, 1e-4, 2e-3);
+  add_row(results, quick, "time_setup", 0.02);
+  add_run(results, {"pendulum", "adams_pc", 64}, 1e-4, 5e-3);
+  const auto quickest = [&](bool first_run) {
+    Runs runs = runs_of(results);
+    if (first_run) count_first_runs(runs);
+    return SceneLines(runs, {"pendulum"}).within(at_end, 1e-3).front();
+  };
+  EXPECT_EQ(quickest(false).schemes.front(), "bdf4");
+  EXPECT_EQ(quickest(false).setup_seconds, 0.02);
+  EXPECT_EQ(quickest(true).schemes.front(), "adams_pc");
 }
 
 TEST(Recommendation, SaysWhatToAskASchemeWithoutAGridFor) {

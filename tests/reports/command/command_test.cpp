@@ -216,7 +216,7 @@ TEST(Run, ThenReportThenChoose) {
   EXPECT_GT(std::filesystem::file_size(page + "/index.html"), 500'000U);
 
   const auto choice = fdebench("choose relaxation --norm end --error 1e-4 --results " + file);
-  EXPECT_THAT(choice.out, HasSubstr("\nadams_pc: N = "));
+  EXPECT_THAT(choice.out, HasSubstr("--scheme adams_pc --steps "));
   const auto none = fdebench("choose relaxation --norm end --error 1e-9 --results " + file);
   EXPECT_EQ(none.code, 3);
   EXPECT_THAT(

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/search/next_resolution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace fde::bench {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();  // seconds
+
+using NextRun = std::optional<StepsOrTolerance>;
+
+// A configuration can be the cheapest only while its runs outside the target take less than this multiple of
+// the quickest run within it; measured times differ by some percent.
+constexpr double near = 1.2;
+
+// Seconds of a run from which on runs are made only where a forecast expects something of them.
+constexpr double long_run = 5e-3;
+
+// The runs of one configuration by their number of steps, seen against one target.
+class StepsSearch {
+ public:
+  StepsSearch(const SearchGoal& goal, const Refinement& of, const ErrorTarget& target, double quickest)
+      : goal_(goal), of_(of), target_(target), quickest_(quickest) {
+    for (const RefinementRun& run : of.runs) runs_.insert_or_assign(std::get<int>(run.resolution), &run);
+    const auto within = std::ranges::find_if(runs_, [&](const auto& run) { return is_in(*run.second); });
+    if (within != runs_.end()) fewest_ = within->first;
+  }
+
+  // Without a run within the target.
+  [[nodiscard]] NextRun refined(const std::function<double()>& least_forecast) const {
+    if (const auto crossing = sign_change(runs_.rbegin()->first)) return crossing;
+    const auto& [steps, finest] = *runs_.rbegin();
+    if (steps > goal_.most_steps / 2 || has_stagnated(of_, target_.kind)) return std::nullopt;
+    const double next = seconds_with(of_, 2.0 * steps).value_or(0.0);
+    if (next - start_seconds(of_) > goal_.most_seconds) return std::nullopt;
+    if (runs_.size() < goal_.fewest_runs) return 2 * steps;
+    if (finest->seconds && *finest->seconds > goal_.margin * quickest_) return std::nullopt;
+    return is_out_of_reach(next, least_forecast) ? std::nullopt : NextRun(2 * steps);
+  }
+
+  // With a run within the target.
+  [[nodiscard]] NextRun narrowed() const {
+    const auto next = runs_.find(fewest_);
+    if (next == runs_.begin()) return fewest_ > of_.unit ? NextRun(multiple(fewest_ / 2)) : std::nullopt;
+    const auto& [below, outside] = *std::prev(next);
+    if (outside->seconds && *outside->seconds > near * quickest_) return std::nullopt;
+    if (fewest_ - below > of_.unit && fewest_ > goal_.closeness * below) return between(below);
+    if (const auto crossing = sign_change(below)) return crossing;
+    return may_be_irregular() ? scanned() : std::nullopt;
+  }
+
+  [[nodiscard]] bool is_reached() const { return fewest_ > 0; }
+
+ private:
+  [[nodiscard]] bool is_in(const RefinementRun& run) const { return is_within(run, target_); }
+
+  [[nodiscard]] const RunError& error(int steps) const { return runs_.at(steps)->errors[target_.kind]; }
+
+  [[nodiscard]] int multiple(double steps) const {
+    return std::max(of_.unit, static_cast<int>(steps / of_.unit) * of_.unit);
+  }
+
+  // The secant between the most steps outside and the fewest within, a little to the side of its root that
+  // the last run was not on, so that the bracket closes from both sides; the middle where the secant fails.
+  [[nodiscard]] int between(int below) const {
+    constexpr double little_more = 1.003, little_less = 0.993, edge = 0.02;
+    const double low = error(below).value, high = error(fewest_).value;
+    double part = 0.5;
+    if (std::isfinite(low) && low > high && high > 0.0 && target_.error < low && !is_lopsided(below))
+      part = std::log(low / target_.error) / std::log(low / high);
+    part = std::clamp(part, edge, 1.0 - edge);
+    const double root = below * std::pow(static_cast<double>(fewest_) / below, part),
+                 steps = root * (of_.runs.back().steps == fewest_ ? little_less : little_more);
+    return std::clamp(multiple(std::ceil(steps / of_.unit) * of_.unit), below + of_.unit,
+                      fewest_ - of_.unit);
+  }
+
+  // Whether the last three runs all lie at one end of the bracket: then the secant converges slowly.
+  [[nodiscard]] bool is_lopsided(int below) const {
+    if (of_.runs.size() < 5) return false;
+    const auto last = std::span(of_.runs).last(3);
+    const auto at = [&](const RefinementRun& run) { return run.steps >= fewest_ ? 1 : run.steps <= below ? -1 : 0; };
+    return at(last[0]) != 0 && at(last[0]) == at(last[1]) && at(last[1]) == at(last[2]);
+  }
+
+  // Between two neighbouring numbers of steps, up to `most`, where the error changes its sign: the middle.
+  [[nodiscard]] NextRun sign_change(int most) const {
+    for (auto right = runs_.begin(); right != runs_.end() && right->first <= most; ++right) {
+      if (right == runs_.begin()) continue;
+      const auto left = std::prev(right);
+      if (right->first - left->first < 2 * of_.unit || is_in(*right->second)) continue;
+      if (left->second->seconds.value_or(0.0) > goal_.margin * quickest_) continue;
+      if (error_sign(*left->second) * error_sign(*right->second) >= 0.0) continue;
+      return multiple((left->first + right->first) / 2);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] double error_sign(const RefinementRun& run) const {
+    const double value = run.errors.empty() ? 0.0 : run.errors[target_.kind].signed_value;
+    return value == 0.0 || !std::isfinite(value) ? 0.0 : std::copysign(1.0, value);
+  }
+
+  // Whether fewer steps may be within the target though some number in between is not.
+  [[nodiscard]] bool may_be_irregular() const {
+    constexpr int few_steps = 64;
+    return (target_.may_pass_zero || fewest_ <= few_steps) &&
+           runs_.at(fewest_)->seconds.value_or(never) <= goal_.most_seconds_scanned;
+  }
+
+  // Numbers of steps below the fewest, a twentieth apart, down to a sixteenth of it.
+  [[nodiscard]] NextRun scanned() const {
+    constexpr double ratio = 1.05, part = 16.0;
+    for (int steps = fewest_; steps > of_.unit && steps * part > fewest_;) {
+      steps = std::min(steps - of_.unit, multiple(steps / ratio));
+      if (steps < of_.unit) break;
+      if (!runs_.contains(steps)) return steps;
+    }
+    return std::nullopt;
+  }
+
+  // Whether even the shortest forecast, or without one the next run, takes longer than another configuration
+  // needs, by the margin.
+  [[nodiscard]] bool is_out_of_reach(double next_seconds,
+                                     const std::function<double()>& least_forecast) const {
+    constexpr double hope = 0.8;
+    if (next_seconds < long_run) return false;
+    const auto own = forecast_seconds(of_, target_);
+    const double least = own ? hope * own->low : next_seconds;
+    return least > goal_.margin * least_forecast();
+  }
+
+  const SearchGoal& goal_;
+  const Refinement& of_;
+  const ErrorTarget& target_;
+  double quickest_;
+  std::map<int, const RefinementRun*> runs_{};
+  int fewest_ = 0;  // within the target; 0: none
+};
+
+// A tolerance of two digits, which prints as it is read.
+double two_digits(double tolerance) { return std::stod(fmt::format("{:.1e}", tolerance)); }
+
+bool has_tolerance(const Refinement& of, double tolerance) {
+  return std::ranges::any_of(of.runs, [&](const RefinementRun& run) {
+    return std::abs(std::log(std::get<Tolerance>(run.resolution).rtol / tolerance)) < 1e-6;
+  });
+}
+
+NextRun untried(const SearchGoal& goal, const Refinement& of, double tolerance) {
+  const double rounded = two_digits(tolerance);
+  if (rounded > goal.loosest || rounded < goal.tightest || has_tolerance(of, rounded)) return std::nullopt;
+  return Tolerance{rounded, rounded};
+}
+
+NextRun next_tolerance(const SearchGoal& goal, const Refinement& of, const ErrorTarget& target,
+                       double quickest) {
+  constexpr double decade = 10.0, quarter = 1.7782794100389228, half = 3.1622776601683795;
+  const RefinementRun* finest = &of.runs.front();
+  for (const RefinementRun& run : of.runs) {
+    if (std::get<Tolerance>(run.resolution).rtol < std::get<Tolerance>(finest->resolution).rtol)
+      finest = &run;
+  }
+  const double seconds = finest->seconds.value_or(0.0);
+  const RefinementRun* best = quickest_within(of, target);
+  const bool is_settled = best != nullptr && *best->seconds > long_run;  // a tighter one takes longer still
+  const bool is_early = of.runs.size() < goal.fewest_runs && seconds <= goal.most_seconds;
+  if (!finest->fails_with_more_steps && !is_settled &&
+      (is_early || seconds <= std::min(goal.most_seconds, goal.margin * quickest))) {
+    if (const auto next = untried(goal, of, std::get<Tolerance>(finest->resolution).rtol / decade))
+      return next;
+  }
+  if (best == nullptr || *best->seconds > near * quickest) return std::nullopt;
+  const double at = std::get<Tolerance>(best->resolution).rtol;
+  for (const double factor : {half, quarter, 1.0 / quarter, 1.0 / half}) {
+    if (factor < 1.0 && is_settled) break;
+    if (const auto next = untried(goal, of, at * factor)) return next;
+  }
+  return std::nullopt;
+}
+
+bool is_repeated(std::span<const Refinement> of_scene, const Refinement& of) {
+  return std::ranges::any_of(of_scene.first(static_cast<std::size_t>(&of - of_scene.data())),
+                             [&](const Refinement& earlier) { return is_same_algorithm(earlier, of); });
+}
+
+NextRun first_of(const SearchGoal& goal, const Refinement& of) {
+  if (of.is_adaptive) return Tolerance{goal.loosest, goal.loosest};
+  return std::max(1, (goal.coarsest_steps + of.unit - 1) / of.unit) * of.unit;
+}
+
+// All configurations seen against one target.
+class TargetSearch {
+ public:
+  TargetSearch(const SearchGoal& goal, std::span<const Refinement> of_scene, const ErrorTarget& target,
+               double quickest)
+      : goal_(goal), of_scene_(of_scene), target_(target), quickest_(quickest) {}
+
+  NextRun next(const Refinement& of) {
+    if (of.is_adaptive) return next_tolerance(goal_, of, target_, quickest_);
+    const StepsSearch search(goal_, of, target_, quickest_);
+    return search.is_reached() ? search.narrowed() : search.refined([this] { return least_forecast(); });
+  }
+
+ private:
+  // The least seconds that a configuration is measured or forecast to need, at the end of its interval.
+  double least_forecast() {
+    if (least_forecast_) return *least_forecast_;
+    double least = quickest_;
+    for (const Refinement& of : of_scene_) {
+      if (quickest_within(of, target_) != nullptr) continue;
+      if (const auto expected = forecast_seconds(of, target_)) least = std::min(least, expected->high);
+    }
+    return least_forecast_.emplace(least);
+  }
+
+  const SearchGoal& goal_;
+  std::span<const Refinement> of_scene_;
+  const ErrorTarget& target_;
+  double quickest_;
+  std::optional<double> least_forecast_{};
+};
+
+}  // namespace
+
+std::vector<double> quickest_seconds(const SearchGoal& goal, std::span<const Refinement> of_scene) {
+  std::vector<double> seconds;
+  for (const ErrorTarget& target : goal.targets) {
+    double least = never;
+    for (const Refinement& of : of_scene)
+      if (const auto* run = quickest_within(of, target)) least = std::min(least, *run->seconds);
+    seconds.push_back(least);
+  }
+  return seconds;
+}
+
+std::vector<std::optional<StepsOrTolerance>> next_resolutions(const SearchGoal& goal,
+                                                              std::span<const Refinement> of_scene) {
+  const auto quickest = quickest_seconds(goal, of_scene);
+  std::vector<TargetSearch> searches;
+  for (std::size_t k = 0; k < goal.targets.size(); ++k)
+    searches.emplace_back(goal, of_scene, goal.targets[k], quickest[k]);
+  std::vector<NextRun> next(of_scene.size());
+  for (std::size_t i = 0; i < of_scene.size(); ++i) {
+    const Refinement& of = of_scene[i];
+    if (of.is_closed) continue;
+    if (of.runs.empty()) {
+      next[i] = first_of(goal, of);
+      continue;
+    }
+    const bool is_hopeless = !of.is_adaptive && of.runs.back().fails_with_more_steps;
+    if (is_hopeless || is_repeated(of_scene, of)) continue;
+    for (auto search = searches.begin(); search != searches.end() && !next[i]; ++search)
+      next[i] = search->next(of);
+  }
+  return next;
+}
+
+}  // namespace fde::bench

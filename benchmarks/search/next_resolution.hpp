@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fdebench/benchmarks/search/refinement.hpp"
+
+namespace fde::bench {
+
+// What a search for the cheapest runs asks, and how far it goes.
+struct SearchGoal {
+  std::vector<ErrorTarget> targets{};  // of each the cheapest run is wanted
+  int coarsest_steps = 4;              // of the first run over a grid
+  std::size_t fewest_runs = 1;         // of a configuration, before it is left for being slow
+  int most_steps = 1 << 29;
+  double loosest = 0.1, tightest = 1e-15;  // tolerances of adaptive step size
+  double most_seconds = 0.3;               // of a solve; slower runs are not made
+  // A configuration is left once its runs outside a target take this multiple of the quickest run within it.
+  double margin = 1.5;
+  double closeness = 1.015;  // ratio of the fewest steps within a target and the most outside it
+  // Scans for runs with fewer steps where the error need not decrease with the steps, while a run takes at
+  // most this many seconds.
+  double most_seconds_scanned = 0.0;
+};
+
+// The seconds of the quickest run of all configurations within each target; infinity where there is none.
+std::vector<double> quickest_seconds(const SearchGoal& goal, std::span<const Refinement> of_scene);
+
+// The next run of each configuration of a scene that can change which run is the cheapest within some target;
+// nullopt where there is none. The steps are doubled, from coarsest_steps on, until a run is within the
+// target; then the bracket between the fewest steps within it and the most outside it is closed by the secant
+// in log N and log e. Tolerances are divided by ten from the loosest on; then those next to the quickest run
+// are tried, for neither error nor time need be monotone in the tolerance. A configuration is left
+//   - if more steps fail alike, or another run would take more than most_seconds;
+//   - if its finest run, not within the target, already takes `margin` times the quickest run within it;
+//   - if its errors stagnate outside the target;
+//   - if by its errors so far, which decrease, it needs more than `margin` times what another one is measured
+//     or forecast to need; this is asked only before runs of more than 5 ms;
+//   - if it is the same algorithm as one listed before.
+// A function of the runs alone: a sweep that is continued, or told of better times, goes on from the runs.
+std::vector<std::optional<StepsOrTolerance>> next_resolutions(const SearchGoal& goal,
+                                                              std::span<const Refinement> of_scene);
+
+}  // namespace fde::bench

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/search/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace fde::bench {
+namespace {
+
+// The runs with numbers of steps, each number once, from coarse to fine.
+std::map<int, const RefinementRun*> by_steps(const Refinement& of) {
+  std::map<int, const RefinementRun*> runs;
+  for (const RefinementRun& run : of.runs)
+    if (const auto* steps = std::get_if<int>(&run.resolution)) runs.insert_or_assign(*steps, &run);
+  return runs;
+}
+
+double fineness(const RefinementRun& run) {
+  const auto* tolerance = std::get_if<Tolerance>(&run.resolution);
+  return tolerance != nullptr ? -std::max(tolerance->rtol, tolerance->atol) : run.steps;
+}
+
+// Errors that are all 0, as of a constant solution, or infinite do not show which algorithm has them.
+bool is_telling(const RefinementRun& run) {
+  return std::ranges::any_of(
+      run.errors, [](const RunError& error) { return error.value > 0.0 && std::isfinite(error.value); });
+}
+
+bool are_equal(const RefinementRun& a, const RefinementRun& b) {
+  return std::ranges::equal(a.errors, b.errors, {}, &RunError::value, &RunError::value);
+}
+
+}  // namespace
+
+bool is_within(const RefinementRun& run, const ErrorTarget& target) {
+  if (target.kind >= run.errors.size()) return false;
+  const RunError& error = run.errors[target.kind];
+  return error.value <= target.error && error.value < error.baseline;
+}
+
+const RefinementRun* quickest_within(const Refinement& of, const ErrorTarget& target) {
+  const RefinementRun* best = nullptr;
+  for (const RefinementRun& run : of.runs) {
+    if (run.seconds && is_within(run, target) && (best == nullptr || *run.seconds < *best->seconds))
+      best = &run;
+  }
+  return best;
+}
+
+std::vector<TrialError> doubled_errors(const Refinement& of, std::size_t kind, int most) {
+  constexpr double nearly_two = 1.9;
+  std::vector<TrialError> errors;
+  const auto runs = by_steps(of);
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+    const auto& [steps, made] = *run;
+    if (steps > most || kind >= made->errors.size() || !std::isfinite(made->errors[kind].value)) continue;
+    if (errors.empty() || nearly_two * steps <= errors.back().steps)
+      errors.push_back({steps, made->errors[kind].value});
+  }
+  std::ranges::reverse(errors);
+  return errors;
+}
+
+const RefinementRun* finest_timed(const Refinement& of) {
+  const RefinementRun* finest = nullptr;
+  for (const RefinementRun& run : of.runs) {
+    if (run.seconds && (finest == nullptr || fineness(run) > fineness(*finest))) finest = &run;
+  }
+  return finest;
+}
+
+bool has_stagnated(const Refinement& of, std::size_t kind) {
+  constexpr double small = 1e-8, falling = 0.7;
+  const auto runs = by_steps(of);
+  if (runs.empty() || kind >= runs.rbegin()->second->errors.size()) return false;
+  if (runs.rbegin()->second->errors[kind].is_stagnant) return true;
+  const auto errors = doubled_errors(of, kind);
+  if (errors.size() < 3) return false;
+  const double baseline = runs.rbegin()->second->errors[kind].baseline,
+               size = std::isfinite(baseline) ? baseline
+                                              : std::ranges::max(errors, {}, &TrialError::error).error;
+  const auto last = std::span(errors).last(3);
+  return last[2].error < small * size && last[2].error > falling * last[1].error &&
+         last[1].error > falling * last[0].error;
+}
+
+double start_seconds(const Refinement& of) {
+  double least = 0.0;
+  for (const RefinementRun& run : of.runs) {
+    if (!run.is_whole_process || !run.seconds) continue;
+    least = least > 0.0 ? std::min(least, *run.seconds) : *run.seconds;
+  }
+  return least;
+}
+
+namespace {
+
+// The power of the number of steps with which the time of a run grows: 1, or more where it is seen in runs
+// that take long enough to be measured well.
+double growth_power(const RefinementRun& coarse, const RefinementRun& fine) {
+  constexpr double well_measured = 1e-3, most = 4.0;
+  if (*coarse.seconds < well_measured || *fine.seconds < *coarse.seconds) return 1.0;
+  const double steps = std::log(static_cast<double>(fine.steps) / coarse.steps);
+  return std::clamp(std::log(*fine.seconds / *coarse.seconds) / steps, 1.0, most);
+}
+
+}  // namespace
+
+std::optional<double> seconds_with(const Refinement& of, double steps) {
+  constexpr std::size_t trusted = 3;
+  const double start = start_seconds(of);
+  std::vector<const RefinementRun*> timed;
+  for (const auto& [number, run] : by_steps(of))
+    if (run->seconds) timed.push_back(run);
+  if (timed.empty()) return std::nullopt;
+  double step = std::numeric_limits<double>::infinity();
+  for (const RefinementRun* run : std::span(timed).last(std::min(trusted, timed.size()))) {
+    const bool is_start = start > 0.0 && *run->seconds <= start && timed.size() > 1;
+    if (!is_start) step = std::min(step, (*run->seconds - start) / run->steps);
+  }
+  const int finest = timed.back()->steps;
+  if (timed.size() < 2 || start > 0.0 || steps <= finest) return start + step * steps;
+  const double power = growth_power(*timed[timed.size() - 2], *timed.back());
+  return step * steps * std::pow(steps / finest, power - 1.0);
+}
+
+namespace {
+
+// With tolerances the time is a power of the error, by the two runs with the smallest errors, to a factor of
+// two.
+std::optional<Prediction> forecast_by_tolerances(const Refinement& of, const ErrorTarget& target) {
+  constexpr double uncertainty = 2.0;
+  std::map<double, double> seconds;  // by error
+  for (const RefinementRun& run : of.runs) {
+    if (!run.seconds || target.kind >= run.errors.size()) continue;
+    const double error = run.errors[target.kind].value;
+    if (error > 0.0 && std::isfinite(error)) seconds.insert_or_assign(error, *run.seconds);
+  }
+  if (seconds.size() < 2) return std::nullopt;
+  const auto [fine, fine_seconds] = *seconds.begin();
+  const auto [coarse, coarse_seconds] = *std::next(seconds.begin());
+  const double power = std::clamp(std::log(fine_seconds / coarse_seconds) / std::log(coarse / fine), 0.0, 1.0);
+  const double value = fine_seconds * std::pow(fine / target.error, power);
+  return Prediction{value, value / uncertainty, value * uncertainty};
+}
+
+}  // namespace
+
+std::optional<Prediction> forecast_seconds(const Refinement& of, const ErrorTarget& target) {
+  if (of.is_adaptive) return forecast_by_tolerances(of, target);
+  constexpr std::size_t fewest = 3;
+  const auto errors = doubled_errors(of, target.kind);
+  const ErrorModel model(errors);
+  if (errors.size() < fewest || model.empty() || !seconds_with(of, 1.0)) return std::nullopt;
+  const Prediction steps = model.steps(target.error);
+  return Prediction{*seconds_with(of, steps.value), *seconds_with(of, steps.low),
+                    *seconds_with(of, steps.high)};
+}
+
+bool is_same_algorithm(const Refinement& a, const Refinement& b, int fewest) {
+  if (a.is_adaptive || b.is_adaptive || a.runs.empty() || b.runs.empty()) return false;
+  const bool same_start = a.runs.front().resolution == b.runs.front().resolution;
+  if (same_start && !are_equal(a.runs.front(), b.runs.front())) return false;
+  const auto others = by_steps(b);
+  int common = 0;
+  for (const auto& [steps, run] : by_steps(a)) {
+    const auto other = others.find(steps);
+    if (other == others.end()) continue;
+    if (!are_equal(*run, *other->second)) return false;
+    common += is_telling(*run) ? 1 : 0;
+  }
+  return common >= fewest;
+}
+
+}  // namespace fde::bench

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/search/error_model.hpp"
+
+namespace fde::bench {
+
+// One error of a run, of one kind of error.
+struct RunError {
+  double value = std::numeric_limits<double>::infinity();  // infinity: the run has none
+  // The smaller error of y = 0 and of y = y(0), which a run has to be below; infinity: not known to matter.
+  double baseline = std::numeric_limits<double>::infinity();
+  bool is_stagnant = false;    // dominated by rounding or by the error of the reference
+  double signed_value = 0.0;   // the error with its sign, where it is of one number; otherwise 0
+
+  bool operator==(const RunError&) const = default;
+};
+
+// A run as the search for the cheapest run sees it.
+struct RefinementRun {
+  StepsOrTolerance resolution = 1;
+  int steps = 0;                     // taken
+  std::optional<double> seconds{};   // of one solve; nullopt: not timed
+  bool fails_with_more_steps = false;  // more steps fail alike: refused, no reference, a singularity, ...
+  bool is_whole_process = false;     // `seconds` is the time of a whole process
+  std::vector<RunError> errors{};    // one entry for each kind of error of the search
+};
+
+// The runs so far of one configuration (a scheme with a grading, or with adaptive step size) on a scene.
+struct Refinement {
+  bool is_adaptive = false;
+  bool is_closed = false;  // no further run is wanted: the scheme refuses the problem, or repeats another
+  int unit = 1;            // numbers of steps are multiples of it
+  std::vector<RefinementRun> runs{};  // in the order in which they were made
+};
+
+// A requested accuracy: errors[kind].value <= error.
+struct ErrorTarget {
+  std::size_t kind = 0;
+  double error = 0.0;
+  bool may_pass_zero = false;  // an error at one time, which is small by chance for some numbers of steps
+};
+
+// Whether the run is within the target and better than a constant.
+bool is_within(const RefinementRun& run, const ErrorTarget& target);
+
+// The quickest timed run within the target; nullptr if there is none.
+const RefinementRun* quickest_within(const Refinement& of, const ErrorTarget& target);
+
+// The finite errors over grids with at most `most` steps, from coarse to fine, at numbers of steps that
+// differ by a factor of nearly two or more: neighbouring numbers say little about the rate.
+std::vector<TrialError> doubled_errors(const Refinement& of, std::size_t kind,
+                                       int most = std::numeric_limits<int>::max());
+
+// The timed run with the most steps, or with the smallest tolerance; nullptr if there is none.
+const RefinementRun* finest_timed(const Refinement& of);
+
+// Whether the three finest errors, far below the size of the solution, no longer decrease, or the finest one
+// is known to be stagnant.
+bool has_stagnated(const Refinement& of, std::size_t kind);
+
+// The seconds to start the program that solves, part of every run of an external program; otherwise 0.
+double start_seconds(const Refinement& of);
+
+// The forecast seconds of a run over a grid with this many steps: the least time per step among the three
+// finest timed runs, because other load on the machine makes a measured time too long and never too short;
+// longer runs take more per step where the last two, of a millisecond or more, show it. nullopt if no run is
+// timed.
+std::optional<double> seconds_with(const Refinement& of, double steps);
+
+// The forecast seconds of the quickest run within the target: by the error model and seconds_with(); with
+// tolerances as a power of the error. nullopt if there are fewer than three (two) errors above rounding, or
+// none decreases.
+std::optional<Prediction> forecast_seconds(const Refinement& of, const ErrorTarget& target);
+
+// Whether two configurations are one algorithm on this scene: their errors are equal bit for bit, and not 0,
+// at every number of steps that both were run with, at least `fewest`.
+inline constexpr int fewest_equal_runs = 5;
+bool is_same_algorithm(const Refinement& a, const Refinement& b, int fewest = fewest_equal_runs);
+
+}  // namespace fde::bench

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/sweep/sweep_plan.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "fdebench/benchmarks/measures/error_kind.hpp"
+
+namespace fde::bench {
+namespace {
+
+constexpr std::array hopeless{OutcomeKind(SolveStatus::refused),       OutcomeKind(SolveStatus::left_domain),
+                              OutcomeKind(SolveStatus::out_of_budget), OutcomeKind(Verdict::no_reference),
+                              OutcomeKind(Verdict::overflow),          OutcomeKind(Verdict::passed_singularity),
+                              OutcomeKind(Verdict::program_failed)};
+
+RunError error_of(const RecordedRun& run, Norm norm) {
+  const ErrorKind kind{.norm = norm, .scale = Scale::mixed};
+  RunError error;
+  error.value = run[error_measure(kind)].value_or(error.value);
+  error.baseline = run[baseline_measure(kind)].value_or(error.baseline);
+  const bool at_end = norm == Norm::end;
+  const auto absolute = run[at_end ? "error_end" : "error_maximum"],
+             bound = run[at_end ? "reference_bound" : "reference_bound_maximum"];
+  error.is_stagnant = (absolute && *absolute <= bound.value_or(0.0)) || (at_end && run["rounding_from"]);
+  return error;
+}
+
+}  // namespace
+
+std::vector<StepsOrTolerance> resolutions_for(const SweepPlan& plan, const Capabilities& capabilities) {
+  std::vector<StepsOrTolerance> own;
+  for (const auto& resolution : plan.resolutions) {
+    const bool takes = std::holds_alternative<int>(resolution) != capabilities.is_adaptive();
+    if (takes) own.push_back(resolution);
+  }
+  return own.empty() ? plan.resolutions : own;
+}
+
+RefinementRun refinement_run(const RunSettings& setup, const RecordedRun& run) {
+  const auto* steps = std::get_if<int>(&setup.resolution);
+  return {.resolution = setup.resolution,
+          .steps = steps != nullptr ? *steps : 0,
+          .seconds = run["time_minimum"],
+          .fails_with_more_steps =
+              run.ending() && std::ranges::find(hopeless, *run.ending()) != hopeless.end(),
+          .is_whole_process = run.wall_clock(),
+          .errors = {error_of(run, Norm::end), error_of(run, Norm::maximum)}};
+}
+
+std::vector<std::optional<StepsOrTolerance>> next_runs(
+    const SweepPlan& plan, std::span<const std::vector<StepsOrTolerance>> listed,
+    std::span<const Refinement> of_scene) {
+  if (plan.goal) return next_resolutions(*plan.goal, of_scene);
+  std::vector<std::optional<StepsOrTolerance>> next(of_scene.size());
+  for (std::size_t i = 0; i < of_scene.size(); ++i) {
+    const std::size_t made = of_scene[i].runs.size();
+    if (made < listed[i].size()) next[i] = listed[i][made];
+  }
+  return next;
+}
+
+}  // namespace fde::bench

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+
+namespace fde::bench {
+namespace {
+
+using TableRow = std::vector<std::string>;
+
+// Characters, not bytes: a letter like µ has two bytes.
+std::size_t width_of(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// The rows with cells padded to the widest of their column, separated by two spaces.
+std::string aligned(const std::vector<TableRow>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const TableRow& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  }
+  std::string text;
+  for (const TableRow& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += row[i] + std::string(widths[i] - width_of(row[i]) + 2, ' ');
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text;
+}
+
+// Why the first option is quicker than the second: fewer steps or cheaper steps.
+std::string reason_for_speed(const RecommendedRun& first, const RecommendedRun& second, std::string_view error) {
+  const double steps = static_cast<double>(second.steps) / first.steps,
+               cost = first.seconds_per_step() / second.seconds_per_step();
+  const auto compared = [](double ratio, const char* more, const char* less) {
+    if (ratio > 1.05) return fmt::format("{:.2g} times {}", ratio, more);
+    if (ratio < 0.95) return fmt::format("{:.2g} times {}", 1.0 / ratio, less);
+    return std::string();
+  };
+  std::string count = compared(steps, "fewer", "more"), each = compared(cost, "as much", "less");
+  std::string rates;
+  if (first.rate && second.rate)
+    rates = fmt::format(" (its {} falls with rate {:.2f}, there {:.2f})", error, *first.rate, *second.rate);
+  count = count.empty() ? "it needs as many steps" : fmt::format("it needs {} steps", count);
+  each = each.empty() ? "a step costs the same" : fmt::format("a step costs {}", each);
+  return fmt::format("{}{}, {}", count, rates, each);
+}
+
+std::string steps_text(const RecommendedRun& option) {
+  const auto* accuracy = std::get_if<Tolerance>(&option.setup.resolution);
+  if (option.steps == 0) return "";
+  return count_text(option.steps) + (accuracy != nullptr ? " to " + error_text(accuracy->rtol) : "");
+}
+
+TableRow row_of(const Recommendation& made, const RecommendedRun& option, std::string outcome) {
+  const auto seconds = [&](double value) { return value > 0.0 ? time_text(value) : std::string(); };
+  return {fmt::format("{}", fmt::join(option.schemes, " = ")),
+          option.setup.grading == 1.0 ? "" : grid_text(option.setup.grading),
+          steps_text(option),
+          option.steps > 0 && std::isfinite(option.error) ? error_text(option.error) : "",
+          seconds(later_run_seconds(made, option)) + std::string(clock_note(option.wall_clock)),
+          option.wall_clock ? "" : seconds(first_run_seconds(made, option)),
+          std::move(outcome)};
+}
+
+// Of each scheme the best grid; with `verbose` all.
+std::string table_of(const Recommendation& made, bool verbose) {
+  std::vector<TableRow> rows{
+      {"scheme", "grid", "N", std::string(error_word(made)), "time", "first run", "against the best"}};
+  std::set<std::string> listed;
+  const double least = made.options.front().time.median;
+  for (const RecommendedRun& option : made.options) {
+    if (!listed.insert(option.schemes.front()).second && !verbose) continue;
+    const bool is_best = &option == &made.options.front();
+    rows.push_back(row_of(
+        made, option,
+        is_best ? "" : fmt::format("{:.2f} times as long", option.time.median / least)));
+  }
+  for (const RejectedScheme& scheme : made.rejected) {
+    if (scheme.refused && !verbose) continue;
+    if (!listed.insert(scheme.finest.schemes.front()).second && !verbose) continue;
+    rows.push_back(row_of(made, scheme.finest, scheme.reason));
+  }
+  return aligned(rows);
+}
+
+// "error 8.7e-13 in 9.6 µs; the first run of a process takes 12.3 ms".
+std::string delivery(const Recommendation& made, const RecommendedRun& first) {
+  const double once = first_run_seconds(made, first), later = later_run_seconds(made, first);
+  auto text = fmt::format("{} {} ({}; {} wanted) in {}{}", error_word(made), error_text(first.error),
+                          kind_text(made.kind), error_text(made.accuracy), time_text(first.time.median),
+                          clock_note(first.wall_clock));
+  if (first.wall_clock) return text;
+  if (made.first_run) return text + fmt::format(", the first run of a process; {} later", time_text(later));
+  return text + (first.setup_seconds > 0.0
+                     ? fmt::format("; {} for the first run of a process", time_text(once))
+                     : "; as quick the first time");
+}
+
+std::string certainty(const Recommendation& made, const RecommendedRun& first) {
+  std::string text;
+  if (made.estimate) text = estimate_text(*made.estimate) + "; ";
+  if (made.reference_bound && !made.estimate)
+    text = fmt::format("the reference is known to {}; ", error_text(*made.reference_bound));
+  text += fmt::format("the time is in {} ... {} (95 %)", time_text(first.time.low), time_text(first.time.high));
+  if (made.constant) return text + "; the solution is constant: any scheme that keeps y(0) will do";
+  if (const auto noise = within_noise(made); !noise.empty())
+    return text + fmt::format("; within noise of {}", fmt::join(noise, ", "));
+  if (const auto* second = runner_up(made)) {
+    text += fmt::format("; {} takes {:.2f} times as long", second->schemes.front(),
+                        second->time.median / first.time.median);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(const Recommendation& made, bool verbose) {
+  const RecommendedRun& first = made.options.front();
+  std::string text = fmt::format("run: {}\ndelivers: {}\nhow sure: {}\n",
+                                 first.external ? fmt::format("{} with N = {}", name_of(first), first.steps)
+                                                : command_of(made.scene, first),
+                                 delivery(made, first), certainty(made, first));
+  if (verbose) {
+    if (first.predicted_error)
+      text += fmt::format("predicted {} {}\n", error_word(made), error_text(*first.predicted_error));
+    if (const auto* second = runner_up(made)) {
+      text += fmt::format("why: against {} {}\n", name_of(*second),
+                          reason_for_speed(first, *second, error_word(made)));
+    }
+  }
+  return text + '\n' + table_of(made, verbose);
+}
+
+}  // namespace fde::bench

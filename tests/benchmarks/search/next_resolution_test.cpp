@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// The choice of the next run, on configurations whose errors and times are given functions.
+
+#include "fdebench/benchmarks/search/next_resolution.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace fde::bench {
+namespace {
+
+constexpr double accuracy = 1e-6;
+
+// A configuration over grids: its error with a sign, and its seconds, as functions of the steps.
+struct Model {
+  std::function<double(double steps)> error;
+  double seconds_a_step = 1e-7;
+  int unit = 1;
+};
+
+SearchGoal goal_for(double wanted = accuracy) { return {.targets = {{0, wanted}}}; }
+
+RefinementRun run_of(const Model& model, int steps) {
+  const double error = model.error(steps);
+  return {.resolution = steps,
+          .steps = steps,
+          .seconds = 1e-6 + model.seconds_a_step * steps,
+          .errors = {{.value = std::abs(error), .baseline = 1.0, .signed_value = error}}};
+}
+
+// Makes runs until none is left to make.
+std::vector<Refinement> searched(const SearchGoal& goal, const std::vector<Model>& models) {
+  std::vector<Refinement> refinements;
+  for (const Model& model : models) refinements.push_back({.unit = model.unit});
+  for (int turn = 0; turn < 1000; ++turn) {
+    const auto next = next_resolutions(goal, refinements);
+    if (std::ranges::none_of(next, [](const auto& run) { return run.has_value(); })) return refinements;
+    for (std::size_t i = 0; i < models.size(); ++i)
+      if (next[i]) refinements[i].runs.push_back(run_of(models[i], std::get<int>(*next[i])));
+  }
+  ADD_FAILURE() << "the search does not end";
+  return refinements;
+}
+
+int fewest_steps(const Refinement& of, double wanted = accuracy) {
+  const auto* best = quickest_within(of, {0, wanted});
+  return best != nullptr ? best->steps : 0;
+}
+
+std::vector<int> steps_of(const Refinement& of) {
+  std::vector<int> steps;
+  for (const RefinementRun& run : of.runs) steps.push_back(run.steps);
+  return steps;
+}
+
+int finest(const Refinement& of) { return std::ranges::max(steps_of(of)); }
+
+Model power(double constant, double rate, double seconds_a_step = 1e-7) {
+  return {[=](double steps) { return constant * std::pow(steps, -rate); }, seconds_a_step};
+}
+
+TEST(NextResolutions, CloseOnTheFewestStepsOfAPowerInAFewRuns) {
+  for (const double rate : {0.75, 1.0, 1.5, 2.0, 4.0}) {
+    auto goal = goal_for();
+    goal.most_seconds = 100.0;
+    const auto found = searched(goal, {power(0.3, rate)}).front();
+    const double exact = std::pow(0.3 / accuracy, 1.0 / rate);
+    EXPECT_GE(fewest_steps(found), exact) << rate;
+    EXPECT_LE(fewest_steps(found), 1.02 * exact + 1.0) << rate;
+    const auto doubled = static_cast<std::size_t>(std::ceil(std::log2(exact / 4.0))) + 1;
+    EXPECT_LE(found.runs.size(), doubled + 6) << rate;
+  }
+}
+
+TEST(NextResolutions, GoBelowTheFirstRunWhereThatIsWithin) {
+  const auto found = searched(goal_for(1e-2), {power(0.02, 1.0)}).front();  // 2 steps suffice
+  EXPECT_EQ(fewest_steps(found, 1e-2), 2);
+}
+
+TEST(NextResolutions, AreMultiplesOfTheUnit) {
+  auto model = power(1.0, 1.2);
+  model.unit = 20;
+  const auto found = searched(goal_for(), {model}).front();
+  EXPECT_THAT(steps_of(found), testing::Each(testing::Truly([](int steps) { return steps % 20 == 0; })));
+  EXPECT_LE(fewest_steps(found), 1.02 * 1e5 + 20.0);
+}
+
+// The error passes through 0 at 300 steps and exceeds the accuracy from there to nearly 1000 steps. Numbers
+// of steps in a ratio of 1.05 miss the zero.
+TEST(NextResolutions, FindWhereAnErrorChangesItsSign) {
+  const Model model{[](double steps) { return 1e-3 * (1.0 - 300.0 / steps) * std::pow(100.0 / steps, 3.0); }};
+  const auto found = searched(goal_for(), {model}).front();
+  EXPECT_LE(fewest_steps(found), 308);
+  EXPECT_GE(fewest_steps(found), 292);
+}
+
+// At one time the error is small by chance with 40 to 44 steps.
+TEST(NextResolutions, ScanWhereAnErrorMayBeSmallByChance) {
+  const Model model{[](double steps) { return steps >= 40 && steps <= 44 ? 1e-9 : 1e-2 / (steps * steps); }};
+  auto goal = goal_for();
+  goal.most_seconds_scanned = 1.0;
+  EXPECT_GE(fewest_steps(searched(goal, {model}).front()), 100);
+  goal.targets.front().may_pass_zero = true;
+  EXPECT_LE(fewest_steps(searched(goal, {model}).front()), 44);
+}
+
+// Every configuration that is left has a run outside the accuracy that takes longer than the quickest within.
+TEST(NextResolutions, LeaveASlowerConfigurationWithARunThatShowsIt) {
+  const auto found = searched(goal_for(), {power(1.0, 1.0), power(1.0, 2.0), power(1.0, 4.0)});
+  const double quickest = quickest_seconds(goal_for(), found).front();
+  EXPECT_EQ(quickest, *quickest_within(found[2], {0, accuracy})->seconds);
+  for (const std::size_t slower : {0U, 1U}) {
+    EXPECT_EQ(fewest_steps(found[slower]), 0);
+    EXPECT_GT(finest_timed(found[slower])->seconds, quickest);
+    EXPECT_LT(finest_timed(found[slower])->seconds, 4.0 * quickest) << "and no more than needed";
+  }
+}
+
+// 0.1 s a run: the forecast says that rate 1 needs 1e6 steps and 1e3 times as long.
+TEST(NextResolutions, LeaveALongConfigurationByItsForecast) {
+  const auto found = searched(goal_for(), {power(1.0, 1.0, 1e-4), power(1.0, 2.0, 1e-4)});
+  EXPECT_EQ(fewest_steps(found[0]), 0);
+  EXPECT_LE(finest(found[0]), 1024);
+  EXPECT_NEAR(fewest_steps(found[1]), 1000, 20);
+}
+
+TEST(NextResolutions, AreNoLongerThanTheMostSeconds) {
+  auto goal = goal_for();
+  goal.most_seconds = 1e-3;
+  const auto found = searched(goal, {power(1.0, 1.0)}).front();
+  EXPECT_EQ(finest(found), 8192);  // 0.82 ms
+}
+
+// Wall time with 0.5 s to start the process and 1.3 ms a step: only the steps count, up to 256 of them.
+TEST(NextResolutions, DoNotCountTheStartOfAProcess) {
+  auto goal = goal_for();
+  goal.most_seconds = 0.3;
+  Refinement of;
+  for (const int steps : {64, 128, 256}) {
+    of.runs.push_back(run_of(power(10.0, 1.0), steps));
+    of.runs.back().is_whole_process = true;
+    of.runs.back().seconds = 0.5 + 1.3e-3 * steps;
+    const bool goes_on = next_resolutions(goal, {&of, 1}).front().has_value();
+    EXPECT_EQ(goes_on, steps < 256) << steps;
+  }
+}
+
+TEST(NextResolutions, EndWhereMoreStepsEndInTheSameWay) {
+  Refinement of{.runs = {{.resolution = 64, .steps = 64, .errors = {{}}}}};
+  EXPECT_EQ(next_resolutions(goal_for(), {&of, 1}).front(), StepsOrTolerance(128)) << "more may succeed";
+  of.runs.front().fails_with_more_steps = true;
+  EXPECT_FALSE(next_resolutions(goal_for(), {&of, 1}).front());
+}
+
+TEST(NextResolutions, EndWhereTheErrorIsRounding) {
+  const Model model{[](double steps) { return 1e-9 + std::pow(steps, -4.0); }};
+  const auto found = searched(goal_for(1e-12), {model}).front();
+  EXPECT_LE(finest(found), 2048);
+}
+
+TEST(NextResolutions, EndWhereAConfigurationListedBeforeIsTheSameAlgorithm) {
+  const auto found = searched(goal_for(1e-9), {power(1.0, 1.0), power(1.0, 1.0)});
+  EXPECT_EQ(found[1].runs.size(), static_cast<std::size_t>(fewest_equal_runs));
+  EXPECT_GT(found[0].runs.size(), found[1].runs.size());
+}
+
+TEST(SameAlgorithms, HaveFiveEqualErrors) {
+  const auto of = [](int runs, double constant = 0.1) {
+    Refinement made;
+    for (int i = 0; i < runs; ++i) made.runs.push_back(run_of(power(constant, 2.0), 4 << i));
+    return made;
+  };
+  EXPECT_TRUE(is_same_algorithm(of(5), of(7)));
+  EXPECT_FALSE(is_same_algorithm(of(4), of(7))) << "four equal errors may be chance";
+  auto nearly = of(5);
+  nearly.runs.back().errors[0].value = std::nextafter(nearly.runs.back().errors[0].value, 0.0);
+  EXPECT_FALSE(is_same_algorithm(of(5), nearly));
+  EXPECT_FALSE(is_same_algorithm(of(5, 0.0), of(5, 0.0))) << "errors of 0 say nothing";
+}
+
+// Several targets: the cheapest run within each.
+TEST(NextResolutions, ServeSeveralTargets) {
+  SearchGoal goal = goal_for();
+  goal.targets = {{0, 1e-2}, {0, 1e-4}, {0, 1e-6}};
+  const auto found = searched(goal, {power(1.0, 2.0)}).front();
+  for (const double wanted : {1e-2, 1e-4, 1e-6}) {
+    const double exact = std::pow(wanted, -0.5);
+    EXPECT_GE(fewest_steps(found, wanted), exact);
+    EXPECT_LE(fewest_steps(found, wanted), 1.02 * exact + 1.0);
+  }
+}
+
+// A configuration with tolerances: error and seconds as functions of the tolerance.
+Refinement searched_tolerances(const std::function<double(double)>& error,
+                               const std::function<double(double)>& seconds) {
+  Refinement of{.is_adaptive = true};
+  while (const auto next = next_resolutions(goal_for(), {&of, 1}).front()) {
+    const double tolerance = std::get<Tolerance>(*next).rtol;
+    of.runs.push_back({.resolution = *next,
+                       .steps = 10,
+                       .seconds = seconds(tolerance),
+                       .errors = {{.value = error(tolerance), .baseline = 1.0}}});
+    if (of.runs.size() > 100) break;
+  }
+  return of;
+}
+
+double chosen_tolerance(const Refinement& of) {
+  const auto* best = quickest_within(of, {0, accuracy});
+  return best != nullptr ? std::get<Tolerance>(best->resolution).rtol : 0.0;
+}
+
+TEST(NextTolerances, FindALooseOneAlsoAboveTheAccuracy) {
+  for (const double ratio : {1e-4, 0.02, 0.5, 1.0, 3.0, 70.0, 2e4}) {
+    const auto of = searched_tolerances([=](double tolerance) { return ratio * tolerance; },
+                                        [](double tolerance) { return 1e-5 * std::pow(tolerance, -0.1); });
+    const double exact = accuracy / ratio;
+    EXPECT_LE(chosen_tolerance(of), exact) << ratio;
+    EXPECT_GE(2.0 * chosen_tolerance(of), std::min(exact, 0.1)) << ratio;
+  }
+}
+
+// A tighter tolerance takes fewer panels here, as on a solution that one polynomial fits.
+TEST(NextTolerances, FindATighterOneThatIsQuicker) {
+  const auto of = searched_tolerances([](double tolerance) { return 1e-5 * tolerance; },
+                                      [](double tolerance) { return tolerance > 1e-3 ? 1.4e-5 : 7e-6; });
+  EXPECT_EQ(*quickest_within(of, {0, accuracy})->seconds, 7e-6);
+}
+
+TEST(NextTolerances, PrintAsTheyAreRead) {
+  const auto of = searched_tolerances([](double tolerance) { return 3.0 * tolerance; },
+                                      [](double tolerance) { return 1e-5 * std::pow(tolerance, -0.1); });
+  EXPECT_TRUE(chosen_tolerance(of) == 1.8e-7 || chosen_tolerance(of) == 3.2e-7) << chosen_tolerance(of);
+}
+
+TEST(NextTolerances, AreNoneWhereErrorsDoNotFall) {
+  const auto of = searched_tolerances([](double) { return 2.0 * accuracy; }, [](double) { return 1e-5; });
+  EXPECT_EQ(chosen_tolerance(of), 0.0);
+  EXPECT_LE(of.runs.size(), 15U);
+}
+
+TEST(NextTolerances, EndWhereTheTimeRunsOut) {
+  Refinement of{.is_adaptive = true,
+                .runs = {{.resolution = Tolerance{0.1, 0.1}, .fails_with_more_steps = true, .errors = {{}}}}};
+  EXPECT_FALSE(next_resolutions(goal_for(), {&of, 1}).front());
+}
+
+}  // namespace
+}  // namespace fde::bench

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/sweep/sweep_plan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "fdebench/benchmarks/sweep/default_sweep.hpp"
+#include "fdebench/benchmarks/sweep/forecast.hpp"
+#include "fdebench/benchmarks/sweep/sweep.hpp"
+#include "fdebench/benchmarks/sweep/sweep_estimate.hpp"
+#include "support/testing.hpp"
+
+namespace fde::bench {
+namespace {
+
+TEST(Runs, AreAtTheFloorOfRoundingOrOfTheReference) {
+  const auto run = [](const std::map<std::string, double>& values) {
+    RecordedRun recorded;
+    for (const auto& [quantity, value] : values) recorded.add({.quantity = quantity, .value = value});
+    return refinement_run({64}, recorded);
+  };
+  const auto stagnates = [&](std::size_t kind, const std::map<std::string, double>& values) {
+    return run(values).errors[kind].is_stagnant;
+  };
+  EXPECT_FALSE(stagnates(error_at_end, {{"error_end", 1e-9}, {"reference_bound", 1e-15}}));
+  EXPECT_TRUE(stagnates(error_at_end, {{"error_end", 1e-9}, {"reference_bound", 1e-9}}));
+  EXPECT_TRUE(stagnates(error_at_end, {{"error_end", 1e-9}, {"rounding_from", 3.0}}));
+  EXPECT_FALSE(stagnates(error_maximum, {{"error_maximum", 1e-3}, {"reference_bound", 1e-2}}));
+  EXPECT_TRUE(stagnates(error_maximum, {{"error_maximum", 1e-3}, {"reference_bound_maximum", 1e-2}}));
+}
+
+// Stores the records of a sweep in memory, like a results file.
+class RecordedSweep {
+ public:
+  explicit RecordedSweep(std::size_t most = 1'000'000) : left_(most) {}
+
+  // Runs the sweep; fails after the number of writes given to the constructor.
+  void run(const Sweep& sweep) {
+    try {
+      run_sweep(sweep, hooks());
+    } catch (const std::runtime_error&) {
+      left_ = 1'000'000;
+    }
+  }
+  [[nodiscard]] SweepCallbacks hooks() {
+    return {.recorded = [this](const RunKey& key) { return runs_[key]; },
+            .append =
+                [this](const std::vector<Record>& rows) {
+                  if (left_-- == 0) throw std::runtime_error("killed");
+                  for (const Record& row : rows) runs_[row.key].add(row);
+                },
+            .on_event = [](const auto&) {}};
+  }
+  // The numbers of steps of the runs, by scheme.
+  [[nodiscard]] std::map<std::string, std::vector<int>> steps() const {
+    std::map<std::string, std::vector<int>> steps;
+    for (const auto& [key, run] : runs_) {
+      if (run.amount() != RecordedAmount::nothing)
+        steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
+    }
+    return steps;
+  }
+
+ private:
+  std::map<RunKey, RecordedRun> runs_{};
+  std::size_t left_;
+};
+
+// Limits of time are disabled, so that only errors end the refinement.
+Sweep sweep_of_power() {
+  return {.scenes = {{&scene_maker("power")}},
+          .schemes = {find_scheme("product_trapezoidal"), find_scheme("adams_pc")},
+          .plan = {.goal = SearchGoal{.targets = {{error_maximum, 1e-5}},
+                                      .coarsest_steps = 64,
+                                      .most_seconds = 1e9,
+                                      .margin = 1e9,
+                                      .closeness = 2.01}},
+          .repeats = {.most = 1},
+          .threads = 1};
+}
+
+// product_trapezoidal is within 1e-5 with 128 steps, adams_pc with 1024 on the mixed scale.
+TEST(Sweeps, RefineUntilTheirGoalIsReached) {
+  RecordedSweep book;
+  book.run(sweep_of_power());
+  const auto steps = book.steps();
+  EXPECT_THAT(steps.at("product_trapezoidal"), testing::ElementsAre(64, 128));
+  EXPECT_THAT(steps.at("adams_pc"), testing::ElementsAre(64, 128, 256, 512, 1024));
+}
+
+TEST(Sweeps, ContinuedAnywhereTakeTheRunsOfAnUninterruptedOne) {
+  RecordedSweep whole;
+  whole.run(sweep_of_power());
+  for (std::size_t writes = 0; writes < 15; writes += 3) {
+    RecordedSweep killed(writes);
+    killed.run(sweep_of_power());
+    EXPECT_NE(killed.steps(), whole.steps()) << writes;
+    killed.run(sweep_of_power());
+    EXPECT_EQ(killed.steps(), whole.steps()) << writes;
+  }
+}
+
+TEST(DefaultSweeps, SearchForTheCheapestRunsAndThoroughOnesMakeAll) {
+  EXPECT_EQ(default_plan().goal->targets.size(), 8U);
+  EXPECT_FALSE(thorough_plan().goal);
+}
+
+TEST(Forecasts, OfAFixedSweepAreItsRuns) {
+  Sweep sweep = sweep_of_power();
+  sweep.plan = {.resolutions = {16, 64, 48}};
+  RecordedSweep book;
+  const auto expected = forecast(sweep, book.hooks().recorded);
+  book.run(sweep);
+  std::map<std::string, std::vector<int>> steps;
+  for (const auto& [key, seconds] : expected) {
+    steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
+    EXPECT_GT(seconds, 0.0);
+  }
+  EXPECT_EQ(steps, book.steps());
+  EXPECT_TRUE(forecast(sweep, book.hooks().recorded).empty()) << "nothing is left to do";
+}
+
+TEST(Forecasts, RefineAsTheSweepDoes) {
+  const Sweep sweep = sweep_of_power();
+  RecordedSweep book;
+  const auto expected = forecast(sweep, book.hooks().recorded).size();
+  EXPECT_GE(expected, 6U);
+  EXPECT_LE(expected, 9U);  // the sweep makes 7 runs
+}
+
+RunKey run_with(int steps, const std::string& scheme = "l1") {
+  return {.scene = {"power"}, .scheme = scheme, .setup = {.resolution = steps}};
+}
+
+TEST(Remainings, LeaveOutTheRunsOfALineThatEnds) {
+  SweepEstimate remaining(
+      {{run_with(64), 1.0}, {run_with(128), 2.0}, {run_with(256), 4.0}, {run_with(64, "x"), 1.0}});
+  EXPECT_EQ(remaining.part_done(), 0.0);
+  remaining.on_event({SweepEvent::Kind::is_done, run_with(64)});
+  EXPECT_EQ(remaining.part_done(), 1.0 / 8.0);
+  EXPECT_EQ(remaining.runs_expected(), 4U);
+  remaining.on_event({SweepEvent::Kind::refinement_ends, run_with(64)});
+  EXPECT_EQ(remaining.part_done(), 1.0 / 2.0);
+  EXPECT_EQ(remaining.runs_expected(), 2U);
+}
+
+TEST(Remainings, TakeThePaceSoFar) {
+  SweepEstimate remaining({{run_with(64), 990.0}, {run_with(128), 100.0}});
+  EXPECT_EQ(remaining.seconds_left(0.0), 1090.0);
+  remaining.on_event({SweepEvent::Kind::is_done, run_with(64)});
+  EXPECT_DOUBLE_EQ(remaining.seconds_left(1990.0), 200.0);
+}
+
+}  // namespace
+}  // namespace fde::bench
