@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct Reference {
   std::function<ReferenceValue(double t)> at;
   std::function<std::vector<Decimal>(double t, int digits)> digits{};  // empty: available in double only
   Evidence evidence = Evidence::closed_form;
+  std::optional<double> seconds{};  // processor time that it took to compute, for a reference by two methods
 };
 
 }  // namespace fde::reference

@@ -57,7 +57,8 @@ void take_measures(const FinishedRun& run, Assessment& judgement) {
       judgement = {{SolveStatus::non_finite, fmt::format("in {}", measure->id)}, run.path.times.back()};
       return;
     }
-    judgement.measured.push_back({measure->id, measure->unit, *value});
+    judgement.measured.push_back(
+        {measure->id, measure->unit, *value, measure->course != nullptr ? measure->course(run) : Course{}});
   }
 }
 

@@ -42,6 +42,8 @@ struct Measure {
   std::string_view id, unit{};
   std::optional<double> (*value)(const FinishedRun&);
   bool may_be_negative = false;  // a size, a time or a count is not
+  // Its largest value up to t, if that is recorded too.
+  Course (*course)(const FinishedRun&) = nullptr;
   // Of an error: its norm and scale, by which `compare` bounds its uncertainty.
   std::optional<ErrorKind> error{};
 };
@@ -74,6 +76,7 @@ std::span<const TimeMeasure> time_measures();
 struct MeasuredValue {
   std::string_view id, unit;
   double value;
+  Course course{};  // its largest value up to t; empty: not recorded
 };
 
 // -log10 max_i |y_i - reference_i| / (1 + |reference_i|) at the last time: the significant digits of the IVP

@@ -22,18 +22,25 @@ Value growth(const FinishedRun& run) {
   const auto& seen = run.observed.*drift;
   return seen ? seen->growth : std::nullopt;
 }
+template <OneDrift drift>
+Course course(const FinishedRun& run) {
+  const auto& seen = run.observed.*drift;
+  return seen ? seen->course : Course{};
+}
 
 }  // namespace
 
 constinit const Measure measure::energy_residual{.id = "energy_residual",
                                                  .value = observed<&RunObservations::energy_residual>};
 constinit const Measure measure::drift_internal{.id = "drift_internal",
-                                                .value = largest<&RunObservations::internal_drift>};
+                                                .value = largest<&RunObservations::internal_drift>,
+                                                .course = course<&RunObservations::internal_drift>};
 constinit const Measure measure::drift_internal_growth{.id = "drift_internal_growth",
                                                        .value = growth<&RunObservations::internal_drift>,
                                                        .may_be_negative = true};
 constinit const Measure measure::drift_independent{.id = "drift_independent",
-                                                   .value = largest<&RunObservations::independent_drift>};
+                                                   .value = largest<&RunObservations::independent_drift>,
+                                                   .course = course<&RunObservations::independent_drift>};
 constinit const Measure measure::drift_independent_growth{
     .id = "drift_independent_growth",
     .value = growth<&RunObservations::independent_drift>,

@@ -42,15 +42,18 @@ const OutcomeText& words_of(const OutcomeKind& kind) {
 
 }  // namespace
 
-std::string_view name(const OutcomeKind& kind) { return words_of(kind).name; }
+std::string_view name(const OutcomeKind& kind) {
+  return kind.unknown() != nullptr ? std::string_view(*kind.unknown()) : words_of(kind).name;
+}
 
-std::optional<OutcomeKind> outcome_named(std::string_view name) {
+OutcomeKind outcome_named(std::string_view name) {
   const auto* found = std::ranges::find(all_words, name, &OutcomeText::name);
-  return found == all_words.end() ? std::nullopt : std::optional(found->kind);
+  return found == all_words.end() ? OutcomeKind(std::string(name)) : found->kind;
 }
 
 std::string sentence(const RunOutcome& outcome) {
-  const auto words = words_of(outcome.kind).words;
+  const auto words = outcome.kind.unknown() != nullptr ? std::string_view(*outcome.kind.unknown())
+                                                       : words_of(outcome.kind).words;
   return outcome.detail.empty() ? std::string(words) : fmt::format("{} {}", words, outcome.detail);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "fdebench/schemes/problem/grid.hpp"
@@ -22,15 +23,20 @@ enum class Verdict {
   program_failed,      // an external program crashed, was ended or wrote no trajectory
 };
 
-// How a run ended: the status of its solver, or the verdict that replaces it.
+// How a run ended: the status of its solver, or the verdict that replaces it. In results of another version
+// of fdebench it may be another one, which has a name only.
 class OutcomeKind {
  public:
   constexpr OutcomeKind(SolveStatus status) : value_(status) {}
   constexpr OutcomeKind(Verdict verdict) : value_(verdict) {}
+  explicit OutcomeKind(std::string unknown) : value_(std::move(unknown)) {}
   bool operator==(const OutcomeKind&) const = default;
 
+  // The name of an outcome of another version; nullptr for all others.
+  [[nodiscard]] const std::string* unknown() const { return std::get_if<std::string>(&value_); }
+
  private:
-  std::variant<SolveStatus, Verdict> value_;
+  std::variant<SolveStatus, Verdict, std::string> value_;
 };
 
 // How a run ended and the continuation of its sentence: "at step 94, t = 18.4", or a reason.
@@ -41,9 +47,9 @@ struct RunOutcome {
   bool operator==(const RunOutcome&) const = default;
 };
 
-// "not_finite", as in results files, and the inverse; nullopt: no outcome has this name.
+// "not_finite", as in results files, and the inverse. The name of an outcome is valid while `kind` lives.
 std::string_view name(const OutcomeKind& kind);
-std::optional<OutcomeKind> outcome_named(std::string_view name);
+OutcomeKind outcome_named(std::string_view name);
 
 // For display: "not finite at step 94, t = 18.4"; "refused: needs a uniform grid"; "finished".
 std::string sentence(const RunOutcome& outcome);

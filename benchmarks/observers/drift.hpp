@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/observers/rate.hpp"
+#include "fdebench/benchmarks/observers/running_maximum.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/problem/grid.hpp"
 
@@ -31,10 +32,11 @@ class DriftGrowth {
   std::vector<ErrorSample> course_{};  // with h = time
 };
 
-// The drift of one run: its size, in the unit of f, and its growth.
+// The drift of one run: its size, in the unit of f, its growth, and the largest drift up to t.
 struct Drift {
   double largest;
   std::optional<double> growth{};
+  Course course{};
 };
 
 // Both drifts of a scene with a constraint, accumulated during the solve. The internal drift is |f(t,
@@ -49,17 +51,21 @@ class DriftObserver {
   // Called after every step, in order, from t = 0 on.
   void observe(double t, In columns);
 
+  // Call both after the last step. The internal drift has a course only if there is no independent drift.
   [[nodiscard]] Drift internal() const;
 
-  // Call it after the last step. It evaluates the first 16 steps and 256 evenly spaced ones, except t = 0.
-  // nullopt if the scene has no memory columns, the steps are not those of the grid, the grid is not uniform,
-  // or there are too few steps.
+  // It evaluates the first 16 steps and 256 evenly spaced ones, except t = 0, and for the course eight more
+  // per factor of 2 in t. nullopt if the scene has no memory columns, the steps are not those of the grid,
+  // the grid is not uniform, or there are too few steps.
   [[nodiscard]] std::optional<Drift> independent() const;
 
  private:
+  [[nodiscard]] bool is_independent() const { return grid_ && step_count_ > grid_->steps; }
+
   const Scene& scene_;
   std::optional<Grid> grid_;  // nullopt: no independent drift
   DriftGrowth internal_;
+  RunningMaximum internal_course_;
   int step_count_ = 0;
   std::vector<int> evaluated_steps_{};
   std::vector<Vec> columns_{};  // columns at these steps

@@ -150,15 +150,6 @@ ExternalTrajectory read_lines(LineReader& line, const Scene& scene) {
   return path;
 }
 
-// All rows, or as many as are compared for a run.
-ExternalTrajectory thinned(const ExternalTrajectory& path) {
-  ExternalTrajectory some{.columns = path.columns};
-  const auto rows = comparison_steps(static_cast<int>(path.times.size()) - 1);
-  for (const int row : rows) some.times.push_back(path.times[static_cast<std::size_t>(row)]);
-  some.values = path.values(Eigen::all, rows);
-  return some;
-}
-
 // `reference` has all columns of the scene.
 Assessment judge_values(const Scene& scene, const ExternalTrajectory& path, MemoizedReference& reference) {
   for (Eigen::Index c = 0; c < path.values.cols(); ++c) {
@@ -190,10 +181,13 @@ ExternalTrajectory read_trajectory(const std::filesystem::path& file, const Scen
   }
 }
 
-Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path) {
-  MemoizedReference reference(scene);
-  const bool is_finite = path.values.allFinite();
-  return judge_trajectory(scene, is_finite ? thinned(path) : path, reference);
+ExternalTrajectory at_comparison_times(const ExternalTrajectory& path) {
+  if (!path.values.allFinite()) return path;
+  ExternalTrajectory some{.columns = path.columns};
+  const auto rows = comparison_steps(static_cast<int>(path.times.size()) - 1);
+  for (const int row : rows) some.times.push_back(path.times[static_cast<std::size_t>(row)]);
+  some.values = path.values(Eigen::all, rows);
+  return some;
 }
 
 Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path,

@@ -30,12 +30,13 @@ struct ExternalTrajectory {
 ExternalTrajectory read_trajectory(const std::filesystem::path& file, const Scene& scene,
                                    const std::string& name = "");
 
-// Judges the trajectory like a run: at all of its times if there are at most 8192, otherwise at 8192 and the
-// first 16. It ends at the first value that is not finite. If columns of the scene are missing, the ending's
-// detail names those that are present.
-Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path);
+// The times at which a run of as many steps is judged: all if there are at most 8192 or a value is not
+// finite, otherwise 8192 and the first 16.
+ExternalTrajectory at_comparison_times(const ExternalTrajectory& path);
 
-// The same at all of its times, with a reference for all columns of the scene.
+// Judges the trajectory at all of its times, with a reference for all columns of the scene. It ends at the
+// first value that is not finite. If columns of the scene are missing, the ending's detail names those that
+// are present.
 Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path, MemoizedReference& reference);
 
 }  // namespace fde::bench

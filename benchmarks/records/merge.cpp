@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/records/lines.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
 #include "fdebench/benchmarks/records/results_scan.hpp"
-#include "fdebench/benchmarks/references/atomic_file.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 
 namespace fde::bench {
@@ -20,69 +20,68 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A range of bytes with rows of a session.
+// A range of bytes with scenes and rows of a session.
 struct ByteRange {
   fs::path file;
   std::uint64_t begin = 0, end = 0;  // bytes
 };
 
-// The line of a session and all ranges with its rows.
+// The line of a session and all ranges with its scenes and rows.
 struct SessionRanges {
   std::string line;
   std::vector<ByteRange> places{};
 };
 
-void find_sessions(const fs::path& file, const SceneRegistry& known, std::vector<SessionRanges>& all) {
+void find_sessions(const fs::path& file, std::vector<SessionRanges>& all) {
   ByteRange* place = nullptr;
-  scan_results(file,
-               {.session =
-                    [&](const Session& session, std::uint64_t rows_begin) {
-                      const std::string line = line_of(session);
-                      auto found = std::ranges::find(all, line, &SessionRanges::line);
-                      if (found == all.end()) found = all.insert(all.end(), {.line = line});
-                      place = &found->places.emplace_back(ByteRange{file, rows_begin, rows_begin});
-                    },
-                .rows = [&](const auto&, std::uint64_t rows_end) { place->end = rows_end; }},
-               known);
+  scan_results(file, {.session =
+                          [&](const Session& session, std::uint64_t end) {
+                            const std::string line = line_of(session);
+                            auto found = std::ranges::find(all, line, &SessionRanges::line);
+                            if (found == all.end()) found = all.insert(all.end(), {.line = line});
+                            place = &found->places.emplace_back(ByteRange{file, end, end});
+                          },
+                      .scene = [&](const auto&, std::uint64_t end) { place->end = end; },
+                      .rows = [&](const auto&, std::uint64_t end) { place->end = end; }});
 }
 
-// Copies the measurements of a range that have not been written yet. The lines were validated by
-// find_sessions.
-void copy_rows(const ByteRange& place, bool is_alone, std::set<std::string>& written, AtomicFile& out,
-               MergeCounts& merged) {
+// Copies the descriptions and measurements of a range that have not been written yet. The lines were
+// validated by find_sessions.
+void copy_range(const ByteRange& place, bool is_alone, std::set<std::string>& written, AtomicFile& out,
+                MergeCounts& merged) {
   LineReader line(place.file);
   line.go_to(place.begin);
-  std::string measurement;
+  std::string lines;
   std::size_t rows = 0;
   while (line.end() < place.end && line.next()) {
-    measurement += line.text() + '\n';
-    ++rows;
-    if (!parse_line(line.text()).last) continue;
-    if (is_alone || written.insert(sha256(measurement)).second) {
-      out.write(measurement);
+    const ResultsLine parsed = parse_line(line.text());
+    lines += line.text() + '\n';
+    rows += parsed.scene ? 0 : 1;
+    if (!parsed.scene && !parsed.last) continue;
+    if (is_alone || written.insert(sha256(lines)).second) {
+      out.write(lines);
       merged.rows += rows;
     } else {
       merged.repeated_rows += rows;
     }
-    measurement.clear();
+    lines.clear();
     rows = 0;
   }
 }
 
 }  // namespace
 
-MergeCounts merge_results(const std::vector<fs::path>& files, const fs::path& out,
-                          const SceneRegistry& known) {
+MergeCounts merge_results(const std::vector<fs::path>& files, const fs::path& out) {
   if (fs::exists(fs::symlink_status(out)))
     throw std::invalid_argument(fmt::format("{}: exists, it must be a new file", out.string()));
   AtomicFile file(out);
   std::vector<SessionRanges> sessions;
-  for (const auto& from : files) find_sessions(from, known, sessions);
+  for (const auto& from : files) find_sessions(from, sessions);
   MergeCounts merged{.sessions = sessions.size()};
   for (const auto& [line, places] : sessions) {
     file.write(line);
     std::set<std::string> written;
-    for (const auto& place : places) copy_rows(place, places.size() == 1, written, file, merged);
+    for (const auto& place : places) copy_range(place, places.size() == 1, written, file, merged);
   }
   file.commit_new();
   return merged;

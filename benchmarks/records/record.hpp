@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/run_outcome.hpp"
+#include "fdebench/benchmarks/observers/running_maximum.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/records/scene_description.hpp"
 #include "fdebench/benchmarks/scenes/scene_settings.hpp"
 
 namespace fde::bench {
@@ -34,6 +36,7 @@ struct Record {
   double value = 0.0;      // of an ending: the time
   std::string unit{};
   std::optional<RunOutcome> ending{};  // for quantity "ending" only
+  Course course{};                     // the largest value up to t; empty: not recorded
   std::size_t session = 0;             // index into Results::sessions
   bool wall_clock = false;             // time of a whole process, for a program that reports none
 };
@@ -51,12 +54,13 @@ Session this_session();
 struct Results {
   std::vector<Session> sessions{};
   std::vector<Record> records{};
+  std::vector<SceneDescription> scenes{};
 };
 
 // Whether two sessions are of the same build on the same machine, so that their rows can be combined.
 bool same_build(const Session& a, const Session& b);
 
-// Whether the row is a time of a run, measured after its examination.
+// Whether the row is a time of a run, measured after its examination: its unit is the second.
 bool is_time(const Record& row);
 
 }  // namespace fde::bench

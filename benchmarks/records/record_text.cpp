@@ -9,9 +9,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fdebench/benchmarks/records/description_text.hpp"
+#include "fdebench/benchmarks/records/key_text.hpp"
+
 namespace fde::bench {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Session, date, machine, system, compiler, flags, commit, version, cores)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Course, t, value)
 
 namespace {
 
@@ -19,39 +23,12 @@ using Json = nlohmann::json;
 
 constexpr int format = 2;
 
-Json settings_of(const SceneSettings& scene) {
-  Json settings = Json::object();
-  for (const auto& [name, setting] : scene.values)
-    std::visit([&, &of = name](const auto& value) { settings[of] = value; }, setting);
-  if (scene.until) settings["until"] = *scene.until;
-  return settings;
-}
-
 // Quantities and outcomes that version 0.2.0 named otherwise are read under their present names.
 std::string present_name(const std::string& name) {
   constexpr std::string_view former_baseline = "trivial_";
   if (name.starts_with(former_baseline))
     return fmt::format("baseline_{}", name.substr(former_baseline.size()));
   return name == "outran_growth" ? "step_too_large" : name;
-}
-
-SceneSettings scene_of(const Json& json) {
-  SceneSettings scene{.id = json.at("scene")};
-  if (json.contains("checksum")) scene.checksum = json["checksum"].get<std::string>();
-  if (json.contains("checksum") && scene.checksum.empty())
-    throw std::invalid_argument("checksum = : must be a SHA-256 in hexadecimal");
-  for (const auto& [name, value] : json.at("settings").items()) {
-    if (name == "until") {
-      scene.until = value.get<double>();
-    } else if (value.is_string()) {
-      scene.values.emplace(name, value.get<std::string>());
-    } else if (value.is_array()) {
-      scene.values.emplace(name, value.get<std::vector<double>>());
-    } else {
-      scene.values.emplace(name, value.get<double>());
-    }
-  }
-  return scene;
 }
 
 // Absent entries: accuracy of a run over a grid, an infinite budget.
@@ -83,10 +60,7 @@ RunSettings external_setup_of(const Json& json, int steps) {
 }
 
 RunOutcome outcome_of(const Json& json) {
-  const auto text = present_name(json.at("ending").get<std::string>());
-  const auto kind = outcome_named(text);
-  if (!kind) throw std::invalid_argument(fmt::format("ending {}: no such ending", text));
-  return {*kind, json.value("detail", "")};
+  return {outcome_named(present_name(json.at("ending"))), json.value("detail", "")};
 }
 
 // A run to a tolerance may have taken no step.
@@ -120,6 +94,7 @@ Record row_of(const Json& json) {
              .unit = json.at("unit"),
              .wall_clock = json.value("wall_clock", false)};
   if (json.contains("ending")) row.ending = outcome_of(json);
+  if (json.contains("course")) row.course = json["course"].get<Course>();
   return row;
 }
 
@@ -130,15 +105,13 @@ std::string line_of(const Session& session) {
 }
 
 std::string line_of(const Record& row, bool last) {
-  Json json{{"scene", row.key.scene.id},
-            {"settings", settings_of(row.key.scene)},
-            {"scheme", row.key.scheme},
-            {"steps", row.steps},
-            {"h", row.h},
-            {"quantity", row.quantity},
-            {"value", row.value},
-            {"unit", row.unit}};
-  if (!row.key.scene.checksum.empty()) json["checksum"] = row.key.scene.checksum;
+  Json json = json_of(row.key.scene);
+  json.update({{"scheme", row.key.scheme},
+               {"steps", row.steps},
+               {"h", row.h},
+               {"quantity", row.quantity},
+               {"value", row.value},
+               {"unit", row.unit}});
   if (row.key.external) {
     json["external"] = true;
     if (row.key.setup.grading != 1.0) json["grid"] = grid_text(row.key.setup.grading);
@@ -147,14 +120,20 @@ std::string line_of(const Record& row, bool last) {
   }
   if (row.ending) json["ending"] = name(row.ending->kind);
   if (row.ending && !row.ending->detail.empty()) json["detail"] = row.ending->detail;
+  if (!row.course.empty()) json["course"] = row.course;
   if (row.wall_clock) json["wall_clock"] = true;
   if (last) json["last"] = true;
   return json.dump() + '\n';
 }
 
+std::string line_of(const SceneDescription& scene) { return Json{{"scene", json_of(scene)}}.dump() + '\n'; }
+
 ResultsLine parse_line(const std::string& line) {
   const Json json = Json::parse(line);
-  if (!json.contains("session")) return {.row = row_of(json), .last = json.value("last", false)};
+  if (!json.contains("session")) {
+    if (json.at("scene").is_object()) return {.scene = description_of(json["scene"])};
+    return {.row = row_of(json), .last = json.value("last", false)};
+  }
   if (json.value("format", 1) != format) throw UnsupportedFormat("a session of another format");
   return {.session = json["session"].get<Session>()};
 }

@@ -7,18 +7,21 @@
 #include <string_view>
 
 #include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/records/scene_description.hpp"
 
 namespace fde::bench {
 
-// Lines of a results file, in JSON: a session, or a row of the preceding session. `last` marks the last row
-// of a measurement, which is written at once.
+// Lines of a results file, in JSON: a session, or a scene or a row of the preceding session. `last` marks the
+// last row of a measurement, which is written at once.
 
 std::string line_of(const Session& session);
+std::string line_of(const SceneDescription& scene);
 std::string line_of(const Record& row, bool last);
 
-// A parsed line: a session, or a row with its mark.
+// A parsed line: a session, a scene, or a row with its mark.
 struct ResultsLine {
   std::optional<Session> session{};
+  std::optional<SceneDescription> scene{};
   Record row{};
   bool last = false;
 };

@@ -8,18 +8,18 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "fdebench/benchmarks/measures/measures.hpp"
-#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/records/well_formed.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
-#include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
 namespace {
 
-// The quantities of records, with their units and allowed values.
+// The quantities of this build, with their units and allowed values.
 struct Quantity {
   std::string_view id, unit;
   Range range = not_negative;
@@ -36,19 +36,28 @@ const std::vector<Quantity>& quantities() {
   return all;
 }
 
-void require_in(std::string_view name, double value, const Range& allowed) {
-  if (!allowed.contains(value)) reject_text(name, fmt::format("{}", value), allowed.text());
+// The range of values of a quantity; any number if this build does not have the quantity.
+Range range_of(const Record& row) {
+  const auto found = std::ranges::find(quantities(), row.quantity, &Quantity::id);
+  if (found == quantities().end()) {
+    require_name("quantity", row.quantity);
+    require_printable("unit", row.unit);
+    return any_number;
+  }
+  if (row.unit != found->unit)
+    reject_text("unit", row.unit, fmt::format("\"{}\", that of {}", found->unit, row.quantity));
+  return found->range;
 }
 
 void require_quantity(const Record& row) {
-  const auto found = std::ranges::find(quantities(), row.quantity, &Quantity::id);
-  if (found == quantities().end())
-    throw std::invalid_argument(fmt::format("quantity {}: no such quantity", row.quantity));
-  if (row.unit != found->unit)
-    reject_text("unit", row.unit, fmt::format("\"{}\", that of {}", found->unit, row.quantity));
-  require_in(row.quantity, row.value, found->range);
+  const Range range = range_of(row);
+  require_in(row.quantity, row.value, range);
   if (row.ending.has_value() != (row.quantity == "ending"))
     throw std::invalid_argument("ending: must be that of the quantity ending, and of no other");
+  if (row.ending) require_name("ending", name(row.ending->kind));
+  require_times("course", row.course.t);
+  require_length("course", row.course.value.size(), row.course.t.size());
+  for (const double value : row.course.value) require_in(row.quantity, value, range);
 }
 
 void require_setup(const Record& row) {
@@ -62,52 +71,19 @@ void require_setup(const Record& row) {
   if (std::isfinite(setup.budget)) require_in("budget", setup.budget, positive);
 }
 
-// A scene of an equation file, which need not be present: its name, the SHA-256 of its contents, and
-// numbers or words.
-void require_file(const SceneSettings& scene) {
-  constexpr std::size_t digits = 64, most = 4096;
-  if (scene.id.empty() || scene.id.size() > most || !is_printable(scene.id))
-    reject_text("scene", scene.id, fmt::format("1 to {} bytes of UTF-8 that print", most));
-  if (scene.checksum.size() != digits ||
-      scene.checksum.find_first_not_of("0123456789abcdef") != std::string::npos)
-    reject_text("checksum", scene.checksum, "a SHA-256 in hexadecimal");
-  for (const auto& [name, value] : scene.values) {
-    const auto* number = std::get_if<double>(&value);
-    const auto* word = std::get_if<std::string>(&value);
-    const bool is_allowed =
-        number != nullptr ? std::isfinite(*number) : word != nullptr && is_printable(*word);
-    if (!is_allowed) reject_text(name, to_text(value), any_number.text());
-  }
-}
-
-void require_scene(const SceneSettings& scene, const SceneRegistry& known) {
-  if (scene.checksum.empty()) {
-    const auto& maker = entry_by_id(known, "scene", scene.id);
-    [[maybe_unused]] const Parameters possible(maker.id, maker.parameters, scene.values);
-  } else {
-    require_file(scene);
-  }
-  if (scene.until) require_in("until", *scene.until, valid_end_times);
-}
-
 }  // namespace
 
 void require_external_name(std::string_view name, std::string_view text) {
-  constexpr std::size_t most = 100;
-  if (text.empty() || text.size() > most || !is_printable(text))
-    reject_text(name, text, fmt::format("1 to {} bytes of UTF-8 that print", most));
+  require_name(name, text);
   if (find_scheme(text) != nullptr) reject_text(name, text, "another name than those of our schemes");
 }
 
-void RecordValidator::require(const Record& row) {
-  if (last_ != row.key.scene) {
-    require_scene(row.key.scene, known_);
-    last_ = row.key.scene;
-  }
+void require_valid(const Record& row) {
+  require_scene(row.key.scene);
   if (row.key.external) {
     require_external_name("scheme", row.key.scheme);
   } else {
-    entry_by_id(schemes(), "scheme", row.key.scheme);
+    require_name("scheme", row.key.scheme);
   }
   require_setup(row);
   require_quantity(row);

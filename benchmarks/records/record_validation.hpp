@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <string_view>
 
 #include "fdebench/benchmarks/records/record.hpp"
-#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde::bench {
 
-// Validates rows of results.
-class RecordValidator {
- public:
-  explicit RecordValidator(const SceneRegistry& known) : known_(known) {}
-
-  // Throws std::invalid_argument naming what is invalid and what is allowed: an unknown scene, setting,
-  // scheme or quantity; a unit that is not the unit of the quantity; a value out of the range of the
-  // quantity; an invalid setup. The scheme of another program may have any name except the ids of our
-  // schemes.
-  void require(const Record& row);
-
- private:
-  const SceneRegistry& known_;
-  std::optional<SceneSettings> last_{};  // last valid scene; rows of a scene are adjacent
-};
+// A row of results or a description of a scene is valid if it is well formed: names can be printed, numbers
+// are finite and in the range of their field. This build need not have the scene, the scheme, the quantity or
+// the ending; of a quantity that it has, the unit and the range of the value are checked. Each throws
+// std::invalid_argument naming what is invalid and what is allowed.
+void require_valid(const Record& row);
+void require_valid(const SceneDescription& scene);
 
 // Throws std::invalid_argument naming the argument if the text is not a valid name of another program: an id
 // of our schemes, empty, longer than 100 bytes, not UTF-8, or not printable.

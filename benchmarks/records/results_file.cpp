@@ -19,7 +19,6 @@
 #include <tuple>
 #include <utility>
 
-#include "fdebench/benchmarks/measures/measures.hpp"
 #include "fdebench/benchmarks/records/lines.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
 #include "fdebench/benchmarks/records/results_scan.hpp"
@@ -43,25 +42,27 @@ bool try_lock_for(std::chrono::seconds wait, int descriptor) {
   return true;
 }
 
-// The recorded runs of this build, and the offset of the end of the last complete write.
+// The recorded runs and scenes of this build, and the offset of the end of the last complete write.
 struct RecordedContents {
   RecordedByKey runs;
+  std::set<SceneSettings> scenes;
   std::uint64_t valid = 0;
 };
-RecordedContents recorded_in(const std::filesystem::path& file, const Session& build,
-                             const SceneRegistry& known) {
+RecordedContents recorded_in(const std::filesystem::path& file, const Session& build) {
   RecordedContents found;
   bool is_ours = false;
-  found.valid =
-      scan_results(file,
-                   {.session = [&](const Session& session, auto) { is_ours = same_build(session, build); },
-                    .rows =
-                        [&](const std::vector<Record>& rows, auto) {
-                          for (const Record& row : rows) {
-                            if (is_ours) found.runs[row.key].add(row);
-                          }
-                        }},
-                   known);
+  found.valid = scan_results(
+      file, {.session = [&](const Session& session, auto) { is_ours = same_build(session, build); },
+             .scene =
+                 [&](const SceneDescription& scene, auto) {
+                   if (is_ours) found.scenes.insert(scene.scene);
+                 },
+             .rows =
+                 [&](const std::vector<Record>& rows, auto) {
+                   for (const Record& row : rows) {
+                     if (is_ours) found.runs[row.key].add(row);
+                   }
+                 }});
   return found;
 }
 
@@ -74,21 +75,18 @@ bool same_build(const Session& a, const Session& b) {
   return facts(a) == facts(b);
 }
 
-bool is_time(const Record& row) {
-  return std::ranges::find(time_measures(), row.quantity, &TimeMeasure::id) != time_measures().end();
-}
+bool is_time(const Record& row) { return row.unit == "s"; }
 
 // Rows are counted first: growing the vector would need twice the memory.
-Results read_results(const std::filesystem::path& file, const SceneRegistry& known) {
+Results read_results(const std::filesystem::path& file) {
   std::size_t count = 0;
   for (LineReader line(file); line.next();) ++count;
   Results results;
   results.records.reserve(count);
-  scan_results(file,
-               {.session = [&](const Session& session, auto) { results.sessions.push_back(session); },
-                .rows = [&](std::vector<Record> rows,
-                            auto) { std::ranges::move(rows, std::back_inserter(results.records)); }},
-               known);
+  scan_results(file, {.session = [&](const Session& session, auto) { results.sessions.push_back(session); },
+                      .scene = [&](const SceneDescription& scene, auto) { results.scenes.push_back(scene); },
+                      .rows = [&](std::vector<Record> rows,
+                                  auto) { std::ranges::move(rows, std::back_inserter(results.records)); }});
   return results;
 }
 
@@ -97,19 +95,19 @@ RecordedRun recorded_of(const RecordedByKey& runs, const RunKey& run) {
   return found == runs.end() ? RecordedRun() : found->second;
 }
 
-RecordedByKey read_recorded(const std::filesystem::path& file, const SceneRegistry& known) {
-  return std::filesystem::exists(file) ? recorded_in(file, this_session(), known).runs : RecordedByKey();
+RecordedByKey read_recorded(const std::filesystem::path& file) {
+  return std::filesystem::exists(file) ? recorded_in(file, this_session()).runs : RecordedByKey();
 }
 
-ResultsFile::ResultsFile(std::filesystem::path file, const SceneRegistry& known, std::chrono::seconds wait)
-    : path_(std::move(file)) {
+ResultsFile::ResultsFile(std::filesystem::path file, std::chrono::seconds wait) : path_(std::move(file)) {
   require_file(path_);
   descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor_ < 0) throw cannot_be_written(path_, std::strerror(errno));
   try {
     if (!try_lock_for(wait, descriptor_)) throw cannot_be_written(path_, "another run is writing to it");
-    auto found = recorded_in(path_, session_, known);
+    auto found = recorded_in(path_, session_);
     recorded_ = std::move(found.runs);
+    described_ = std::move(found.scenes);
     if (ftruncate(descriptor_, static_cast<off_t>(found.valid)) != 0)
       throw cannot_be_written(path_, std::strerror(errno));
   } catch (...) {
@@ -121,15 +119,23 @@ ResultsFile::ResultsFile(std::filesystem::path file, const SceneRegistry& known,
 ResultsFile::~ResultsFile() { close(descriptor_); }
 
 void ResultsFile::append(const std::vector<Record>& rows) {
-  std::string text;
-  if (!session_written_) text = line_of(session_);
-  for (const auto& row : rows) text += line_of(row, &row == &rows.back());
-  write(text);
-  session_written_ = true;
+  std::string lines;
+  for (const auto& row : rows) lines += line_of(row, &row == &rows.back());
+  write(lines);
   for (const Record& row : rows) recorded_[row.key].add(row);
 }
 
-void ResultsFile::write(const std::string& text) {
+void ResultsFile::append(const SceneDescription& scene) {
+  write(line_of(scene));
+  described_.insert(scene.scene);
+}
+
+void ResultsFile::write(const std::string& lines) {
+  write_bytes(session_written_ ? lines : line_of(session_) + lines);
+  session_written_ = true;
+}
+
+void ResultsFile::write_bytes(const std::string& text) {
   const auto before = lseek(descriptor_, 0, SEEK_END);
   std::size_t written = 0;
   while (written < text.size()) {

@@ -4,24 +4,23 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "fdebench/benchmarks/records/recorded_run.hpp"
-#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde::bench {
 
 // The contents of a results file, as scan_results reads it.
-Results read_results(const std::filesystem::path& file, const SceneRegistry& known = built_in_scenes());
+Results read_results(const std::filesystem::path& file);
 
 // The recorded rows of each run by this build on this machine.
 using RecordedByKey = std::map<RunKey, RecordedRun>;
 RecordedRun recorded_of(const RecordedByKey& runs, const RunKey& run);
 
 // The runs in a results file; empty if there is no file. The file is not changed.
-RecordedByKey read_recorded(const std::filesystem::path& file,
-                            const SceneRegistry& known = built_in_scenes());
+RecordedByKey read_recorded(const std::filesystem::path& file);
 
 // A results file open for appending. The rows of an examination are appended in one write, and so are the
 // times of a run: a killed process leaves a valid file.
@@ -30,8 +29,7 @@ class ResultsFile {
   // Opens or creates the file with an exclusive lock, truncates incomplete last rows and starts a session.
   // Throws std::invalid_argument naming the file if it cannot be written, is not a results file, or is locked
   // by another run for longer than `wait`.
-  explicit ResultsFile(std::filesystem::path file, const SceneRegistry& known = built_in_scenes(),
-                       std::chrono::seconds wait = {});
+  explicit ResultsFile(std::filesystem::path file, std::chrono::seconds wait = {});
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
   ~ResultsFile();
@@ -39,18 +37,24 @@ class ResultsFile {
   // The recorded rows of this run by the same build on the same machine.
   [[nodiscard]] RecordedRun recorded(const RunKey& run) const { return recorded_of(recorded_, run); }
 
-  // Appends the rows of an examination, the ending last, or the times of a recorded one. Throws
-  // std::system_error naming the file if the disk is full or the file has been removed.
+  // Whether the same build on the same machine has described this scene.
+  [[nodiscard]] bool describes(const SceneSettings& scene) const { return described_.contains(scene); }
+
+  // Appends the rows of an examination, the ending last, or the times of a recorded one; or the description
+  // of a scene. Throws std::system_error naming the file if the disk is full or the file has been removed.
   void append(const std::vector<Record>& rows);
+  void append(const SceneDescription& scene);
 
  private:
-  void write(const std::string& text);
+  void write(const std::string& lines);
+  void write_bytes(const std::string& text);
 
   std::filesystem::path path_;
   int descriptor_ = -1;
   Session session_ = this_session();
   bool session_written_ = false;
   RecordedByKey recorded_;
+  std::set<SceneSettings> described_;
 };
 
 }  // namespace fde::bench

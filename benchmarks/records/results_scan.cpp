@@ -18,13 +18,14 @@ namespace {
 // The state of a scan.
 class Scan {
  public:
-  Scan(const ScanCallbacks& callbacks, const SceneRegistry& known)
-      : callbacks_(callbacks), possible_(known) {}
+  explicit Scan(const ScanCallbacks& callbacks) : callbacks_(callbacks) {}
 
   void add_line(const std::string& text, std::uint64_t end) {
     auto line = parse_line(text);
     if (line.session) {
       begin_session(*line.session, end);
+    } else if (line.scene) {
+      add_scene(*line.scene, end);
     } else {
       add_row(std::move(line.row), line.last, end);
     }
@@ -34,17 +35,35 @@ class Scan {
   [[nodiscard]] std::uint64_t valid() const { return valid_; }
 
  private:
+  void require_no_open_rows(std::string_view what) const {
+    if (!open_rows_.empty()) {
+      throw std::invalid_argument(
+          fmt::format("a {} begins before the last row of the measurement above", what));
+    }
+  }
+
+  void require_session(std::string_view what) const {
+    if (sessions_ == 0) throw std::invalid_argument(fmt::format("a {} before the first session", what));
+  }
+
   void begin_session(const Session& session, std::uint64_t end) {
-    if (!open_rows_.empty())
-      throw std::invalid_argument("a session begins before the last row of the measurement above");
+    require_no_open_rows("session");
     ++sessions_;
     valid_ = end;
     callbacks_.session(session, end);
   }
 
+  void add_scene(const SceneDescription& scene, std::uint64_t end) {
+    require_session("scene");
+    require_no_open_rows("scene");
+    require_valid(scene);
+    valid_ = end;
+    callbacks_.scene(scene, end);
+  }
+
   void add_row(Record row, bool last, std::uint64_t end) {
-    if (sessions_ == 0) throw std::invalid_argument("a row before the first session");
-    possible_.require(row);
+    require_session("row");
+    require_valid(row);
     if (!open_rows_.empty() && (open_rows_.front().key != row.key || open_rows_.front().steps != row.steps))
       throw std::invalid_argument("a row of another run before the last row of the measurement above");
     row.session = sessions_ - 1;
@@ -55,7 +74,6 @@ class Scan {
   }
 
   const ScanCallbacks& callbacks_;
-  RecordValidator possible_;
   std::size_t sessions_ = 0;
   std::vector<Record> open_rows_{};
   std::uint64_t valid_ = 0;
@@ -72,10 +90,9 @@ std::invalid_argument at_line(const std::filesystem::path& file, int number, std
 
 }  // namespace
 
-std::uint64_t scan_results(const std::filesystem::path& file, const ScanCallbacks& callbacks,
-                           const SceneRegistry& known) {
+std::uint64_t scan_results(const std::filesystem::path& file, const ScanCallbacks& callbacks) {
   LineReader line(file);
-  Scan scan(callbacks, known);
+  Scan scan(callbacks);
   while (line.next()) {
     if (!line.has_end() && is_truncated_write(line.text(), scan)) break;
     try {

@@ -12,6 +12,7 @@ Record with_value(Record row, const MeasuredValue& measured) {
   row.quantity = std::string(measured.id);
   row.value = measured.value;
   row.unit = std::string(measured.unit);
+  row.course = measured.course;
   return row;
 }
 

@@ -5,13 +5,14 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
-#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/reference/nonlinear/collocation.hpp"
 #include "fdebench/reference/two_sided/solution.hpp"
@@ -23,7 +24,7 @@ namespace {
 using nlohmann::json;
 
 // Increment with every change of the methods or of the file format that changes a reference.
-constexpr int version = 4;
+constexpr int version = 5;
 
 constexpr std::size_t digest_size = 64;
 
@@ -58,12 +59,13 @@ reference::PanelTable table_of(const json& panels, Eigen::Index size) {
   return table;
 }
 
-// Whether the panels cover [0, end] without gaps and all have the size of the problem and the same
-// resolution.
-bool fits(const reference::PanelTable& table, const Problem& problem) {
+// Whether the time is one, and the panels cover [0, end] without gaps and all have the size of the problem
+// and the same resolution.
+bool fits(const TimedTable& table, const Problem& problem) {
+  if (!(table.seconds >= 0.0) || !std::isfinite(table.seconds)) return false;
   double time = 0.0;
-  for (const auto& panel : table.panels) {
-    const auto& first = table.panels.front().values;
+  for (const auto& panel : table.panels.panels) {
+    const auto& first = table.panels.panels.front().values;
     if (panel.from != time || !(panel.to > time) || panel.bound.size() != problem.size() ||
         panel.values.rows() != first.rows() || first.rows() < 3 || !panel.values.allFinite() ||
         !(panel.bound.array() >= 0.0).all()) {
@@ -110,14 +112,26 @@ bool in_missing_home(const std::filesystem::path& folder) {
   return !below.empty() && *below.begin() != "..";
 }
 
-reference::PanelTable table_of(const Problem& problem) {
-  return is_two_sided(problem) ? reference::two_sided_table(problem) : reference::reference_table(problem);
+// Processor seconds of this thread.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-reference::Reference from_table(reference::PanelTable table, const Problem& problem) {
-  reference::Reference reference = is_two_sided(problem) ? two_sided_reference(std::move(table), problem)
-                                                         : reference_from_table(std::move(table), problem);
+TimedTable table_of(const Problem& problem) {
+  const double start = thread_seconds();
+  auto panels =
+      is_two_sided(problem) ? reference::two_sided_table(problem) : reference::reference_table(problem);
+  return {std::move(panels), thread_seconds() - start};
+}
+
+reference::Reference from_table(TimedTable table, const Problem& problem) {
+  reference::Reference reference = is_two_sided(problem)
+                                       ? two_sided_reference(std::move(table.panels), problem)
+                                       : reference_from_table(std::move(table.panels), problem);
   reference.evidence = reference::Evidence::two_methods;
+  reference.seconds = table.seconds;
   return reference;
 }
 
@@ -131,8 +145,7 @@ std::filesystem::path ReferenceCache::file_of(const std::string& key) const {
   return folder_.value() / (sha256(key) + ".reference");
 }
 
-std::optional<reference::PanelTable> ReferenceCache::load(const std::string& key,
-                                                          const Problem& problem) const {
+std::optional<TimedTable> ReferenceCache::load(const std::string& key, const Problem& problem) const {
   if (!folder_) return std::nullopt;
   const std::string bytes = read(file_of(key));
   const auto content = content_if_intact(bytes);
@@ -140,16 +153,17 @@ std::optional<reference::PanelTable> ReferenceCache::load(const std::string& key
   try {
     const json file = json::from_cbor(*content);
     if (file.at("key") != key) return std::nullopt;
-    auto table = table_of(file.at("panels"), problem.size());
+    TimedTable table{table_of(file.at("panels"), problem.size()), file.at("seconds").get<double>()};
     return fits(table, problem) ? std::optional(std::move(table)) : std::nullopt;
   } catch (const json::exception&) {
     return std::nullopt;
   }
 }
 
-void ReferenceCache::store(const std::string& key, const reference::PanelTable& table) const {
+void ReferenceCache::store(const std::string& key, const TimedTable& table) const {
   if (!folder_ || in_missing_home(*folder_)) return;
-  const auto content = json::to_cbor(json{{"key", key}, {"panels", to_json(table)}});
+  const auto content =
+      json::to_cbor(json{{"key", key}, {"seconds", table.seconds}, {"panels", to_json(table.panels)}});
   const std::string text(content.begin(), content.end());
   if (text.size() > most_bytes - digest_size) return;
   std::error_code ignored;

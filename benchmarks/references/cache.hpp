@@ -9,6 +9,12 @@
 
 namespace fde::bench {
 
+// A computed reference solution, and the processor seconds that it took.
+struct TimedTable {
+  reference::PanelTable panels;
+  double seconds = 0.0;
+};
+
 // Reference solutions on disk, each with a key that names its problem. A file is a SHA-256 followed by CBOR;
 // a file that is damaged, truncated or of another key is ignored. Files are replaced atomically, so processes
 // may share a folder.
@@ -18,12 +24,11 @@ class ReferenceCache {
   explicit ReferenceCache(std::optional<std::filesystem::path> folder) : folder_(std::move(folder)) {}
 
   // The table stored under the key for this problem, bit for bit; nullopt if there is none.
-  [[nodiscard]] std::optional<reference::PanelTable> load(const std::string& key,
-                                                          const Problem& problem) const;
+  [[nodiscard]] std::optional<TimedTable> load(const std::string& key, const Problem& problem) const;
 
   // Stores nothing, without an error, if the folder cannot be written or is in a $HOME that does not exist: a
   // cache is optional.
-  void store(const std::string& key, const reference::PanelTable& table) const;
+  void store(const std::string& key, const TimedTable& table) const;
 
   // Precondition: there is a folder.
   [[nodiscard]] std::filesystem::path file_of(const std::string& key) const;

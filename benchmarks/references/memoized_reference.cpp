@@ -44,11 +44,20 @@ const reference::ReferenceValue& MemoizedReference::reference(double t) {
   return found == known_.end() ? known_.emplace(t, evaluated(t)).first->second : found->second;
 }
 
-reference::ReferenceValue MemoizedReference::evaluated(double t) {
+const reference::Reference& MemoizedReference::exact() {
   if (failure_) std::rethrow_exception(failure_);
   try {
     if (!exact_.at) exact_ = reference_of(scene_);
-    const auto [value, bound] = exact_.at(t);
+    return exact_;
+  } catch (const std::runtime_error&) {
+    failure_ = std::current_exception();
+    throw;
+  }
+}
+
+reference::ReferenceValue MemoizedReference::evaluated(double t) {
+  try {
+    const auto [value, bound] = exact().at(t);
     return {value(columns_), bound(columns_)};
   } catch (const std::runtime_error&) {
     failure_ = std::current_exception();

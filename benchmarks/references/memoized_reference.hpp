@@ -25,6 +25,9 @@ class MemoizedReference {
   // Bounds of the errors of the columns, or estimates.
   Rows bounds(const std::vector<double>& times);
 
+  // The reference of all columns, computed by the first call of any member; throws as `at` does.
+  const reference::Reference& exact();
+
  private:
   const reference::ReferenceValue& reference(double t);
   reference::ReferenceValue evaluated(double t);

@@ -13,13 +13,15 @@ namespace {
 reference::Reference mapped_to_columns(const Outputs& outputs, reference::Reference components) {
   if (!outputs.evaluate) return components;
   const auto evidence = components.evidence;
+  const auto seconds = components.seconds;
   return {.at = [outputs, components = std::move(components)](double t) -> reference::ReferenceValue {
             const reference::ReferenceValue known = components.at(t);
             Vec columns = columns_at(outputs, t, known.value);
             Vec bound = propagated_bound(outputs, t, known, columns);
             return {std::move(columns), std::move(bound)};
           },
-          .evidence = evidence};
+          .evidence = evidence,
+          .seconds = seconds};
 }
 
 reference::Reference found_reference(const Scene& scene) {

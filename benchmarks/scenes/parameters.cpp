@@ -29,6 +29,12 @@ std::string to_text(const ParameterValue& value) {
   return word != nullptr ? *word : fmt::format("{}", std::get<double>(value));
 }
 
+ParameterValue parse_value(std::string_view text) {
+  if (const auto number = try_parse_number(text)) return *number;
+  if (auto numbers = try_parse_numbers(text); numbers && !numbers->empty()) return std::move(*numbers);
+  return std::string(text);
+}
+
 bool Parameter::allows(const ParameterValue& given) const {
   if (const auto* word = std::get_if<std::string>(&given)) {
     return std::ranges::find(choices, *word) != choices.end() ||

@@ -20,6 +20,9 @@ using ParameterValues = std::map<std::string, ParameterValue>;  // keyed by para
 // "0.5", "multiplier", "0.5,1.5": numbers with the fewest digits that read back to the same double.
 std::string to_text(const ParameterValue& value);
 
+// The value from this text without its parameter: a number, a list of two or more numbers, or a word.
+ParameterValue parse_value(std::string_view text);
+
 // A parameter of a scene: a number in a range, one of a list of words, or a list of numbers in a range.
 struct Parameter {
   std::string name;

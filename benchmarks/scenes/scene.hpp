@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/parameters.hpp"
+#include "fdebench/benchmarks/scenes/scene_facts.hpp"
 #include "fdebench/reference/reference.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
@@ -112,12 +113,6 @@ struct SceneEvent {
   bool terminal = false;  // whether a zero ends the solve, as Event::terminal
 };
 
-// A parameter in which the solution is not continuous at its present value; `limit` says, in words, what a
-// term of the equation tends to as the parameter tends to this value.
-struct Discontinuity {
-  std::string parameter, limit;
-};
-
 // A problem and its output columns.
 struct PosedProblem {
   Problem problem{};
@@ -157,12 +152,6 @@ struct EquationFormula {
   std::vector<Term> terms;
   std::string rhs;
   std::vector<std::string> initial;
-};
-
-// An equation for display only: two formulas, in which D(x, a) and J(x, a) are the left derivative and
-// integral of order a, D_right and J_right the right ones, and sum(k, x) is a sum over k.
-struct DisplayEquation {
-  std::string left, right;
 };
 
 // How a scene is made: one file in scenes/, in C++ or an equation file, and one line in scenes/list.def, or

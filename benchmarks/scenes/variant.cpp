@@ -127,10 +127,8 @@ SceneVariant read_variant(const std::string& text, const std::vector<std::string
 SceneSettings read_settings(const std::string& text, const std::vector<std::string>& settings) {
   const auto named = split_label(text, settings);
   SceneSettings scene{.id = named.id};
-  const auto number = [](const std::string& name, std::string_view value) -> ParameterValue {
-    return parse_number(name, value, any_number);
-  };
-  for (const auto& setting : named.settings) add_setting(setting, scene, number);
+  const auto read = [](const std::string&, std::string_view value) { return parse_value(value); };
+  for (const auto& setting : named.settings) add_setting(setting, scene, read);
   return scene;
 }
 

@@ -38,8 +38,8 @@ Scene make_scene(const SceneVariant& variant);
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
                           const SceneRegistry& among = built_in_scenes());
 
-// The same for a scene that need not exist, such as a file that is absent: its values must be numbers, and
-// the checksum is empty.
+// The same for a scene that need not exist, such as a file that is absent: values are read by parse_value,
+// and the checksum is empty.
 SceneSettings read_settings(const std::string& text, const std::vector<std::string>& settings);
 
 // Like read_variant, but a setting may be a range NAME=FIRST:LAST:STEP, increasing or decreasing: one scene

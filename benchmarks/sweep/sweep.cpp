@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "fdebench/benchmarks/sweep/described_scene.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 #include "fdebench/schemes/stepping/optimal_grading.hpp"
 
@@ -77,18 +78,30 @@ class GuardedCallbacks {
     hooks_.on_event({kind, run});
   }
   void append(const std::vector<Record>& rows) {
+    write([&] { hooks_.append(rows); });
+  }
+  void append(const SceneDescription& scene) {
+    write([&] { hooks_.append_scene(scene); });
+  }
+  [[nodiscard]] bool describes(const SceneSettings& scene) {
+    const std::scoped_lock lock(mutex_);
+    return !hooks_.append_scene || hooks_.describes(scene);
+  }
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  template <class Write>
+  void write(const Write& append) {
     const std::scoped_lock lock(mutex_);
     if (failed_) return;
     try {
-      hooks_.append(rows);
+      append();
     } catch (...) {
       failed_ = true;
       throw;
     }
   }
-  [[nodiscard]] bool failed() const { return failed_; }
 
- private:
   const SweepCallbacks& hooks_;
   std::mutex mutex_;
   std::atomic<bool> failed_ = false;
@@ -118,7 +131,9 @@ void examine_runs(SceneRefinements& of, GuardedCallbacks& log) {
     if (log.failed()) return;
     if (line.ended || line.run.amount() != RecordedAmount::nothing) continue;
     log.on_event(SweepEvent::Kind::examines, line.key);
-    append(examine(of, line), line, log);
+    const auto rows = examine(of, line);
+    if (!log.describes(of.name)) log.append(describe(of.variant, of.scene, of.reference));
+    append(rows, line, log);
   }
 }
 

@@ -45,20 +45,25 @@ struct SweepEvent {
   RunKey run;
 };
 
-// Callbacks of run_sweep(): lookup of recorded runs, output of rows, progress. `append` and `on_event` are
-// called by one thread at a time.
+// Callbacks of run_sweep(): lookup of recorded runs, output of rows, progress; lookup and output of scenes,
+// which are not described without them. All but `recorded` are called by one thread at a time.
 struct SweepCallbacks {
   std::function<RecordedRun(const RunKey&)> recorded;
   std::function<void(const std::vector<Record>&)> append;
   std::function<void(const SweepEvent&)> on_event;
+  std::function<bool(const SceneSettings&)> describes{};
+  std::function<void(const SceneDescription&)> append_scene{};
 };
 
 // Makes each run that is not recorded yet, once. In turns: the next run of each refinement is examined, one
 // thread per scene; their solves are timed, one at a time; then the plan decides, from recorded and new runs
-// alike, which run of each refinement is the next, so that a resumed sweep makes the same runs. Rows are passed to `append` as soon as they are computed, in one call per examination and one per
-// timing. At one resolution the runs of a scene keep the order of the schemes; those of different scenes
+// alike, which run of each refinement is the next, so that a resumed sweep makes the same runs. Rows are
+// passed to `append` as soon as they are computed, in one call per examination and one per timing; before the
+// first rows of a scene its description is passed to `append_scene`, unless it is recorded. At one resolution
+// the runs of a scene keep the order of the schemes; those of different scenes
 // interleave, the scene with the longest forecast first. The number of threads and the forecast change no row
-// except the times. An exception of `append` ends the sweep and is rethrown.
+// except the times. An exception of `append` or `append_scene` ends
+// the sweep and is rethrown.
 void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Forecast& expected = {});
 
 }  // namespace fde::bench

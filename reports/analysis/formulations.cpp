@@ -5,9 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "fdebench/benchmarks/scenes/registry.hpp"
-#include "fdebench/benchmarks/scenes/scene.hpp"
-
 namespace fde::bench {
 namespace {
 
@@ -18,17 +15,19 @@ SceneSettings without_formulation(SceneSettings scene) {
   return scene;
 }
 
-// The formulation in the settings of a scene, or the default; empty if the scene has one formulation only.
-std::string formulation_of(const SceneSettings& scene) {
+// The formulation in the settings of a scene, or the default; empty if the scene has one formulation only or
+// is not described.
+std::string formulation_of(const Runs& runs, const SceneSettings& scene) {
   const auto said = scene.values.find(std::string(choice_of_form));
   if (said != scene.values.end()) {
     const auto* word = std::get_if<std::string>(&said->second);
     return word == nullptr ? "" : *word;
   }
-  const auto* maker = find_scene(scene.id);
-  if (maker == nullptr) return {};
-  const auto found = std::ranges::find(maker->parameters, choice_of_form, &Parameter::name);
-  return found == maker->parameters.end() ? "" : to_text(found->value);
+  const auto* described = runs.describe(scene);
+  if (described == nullptr) return {};
+  const auto& parameters = described->parameters;
+  const auto found = std::ranges::find(parameters, choice_of_form, &DescribedParameter::name);
+  return found == parameters.end() ? "" : found->value;
 }
 
 template <class Items, class Name, class Value>
@@ -73,7 +72,7 @@ std::vector<ConstrainedScene> constrained_scenes(const Runs& runs) {
       if (!run["drift_internal"]) continue;
       const SceneSettings& scene = run.key.scene;
       auto& of = named(scenes, &ConstrainedScene::scene, without_formulation(scene)).formulations;
-      named(of, &FormulationRuns::formulation, formulation_of(scene)).runs.push_back(run);
+      named(of, &FormulationRuns::formulation, formulation_of(runs, scene)).runs.push_back(run);
     }
   }
   for (auto& scene : scenes) scene.steps = finest_common(scene);

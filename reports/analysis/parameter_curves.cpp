@@ -9,18 +9,18 @@
 #include <utility>
 #include <variant>
 
-#include "fdebench/benchmarks/scenes/registry.hpp"
-#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {
 namespace {
 
 constexpr auto end_name = "until";
 
-// Adds the defaults of missing parameters, if this build has the scene.
-SceneSettings with_defaults(SceneSettings scene) {
-  if (const auto* maker = find_scene(scene.id)) {
-    for (const auto& parameter : maker->parameters) scene.values.try_emplace(parameter.name, parameter.value);
+// Adds the defaults of missing parameters, if the scene is described.
+SceneSettings with_defaults(const Runs& runs, SceneSettings scene) {
+  if (const auto* described = runs.describe(scene)) {
+    for (const auto& parameter : described->parameters)
+      scene.values.try_emplace(parameter.name, parse_value(parameter.value));
   }
   return scene;
 }
@@ -102,7 +102,7 @@ std::vector<CurvePoint> points_of(const Family& family, const std::map<Line, std
 std::vector<ParameterCurves> parameter_curves(const Runs& runs) {
   std::map<std::pair<SceneSettings, std::string>, Family> families;
   for (const RunSpan scene : by_scene(runs.finished)) {
-    const auto whole = with_defaults(scene.front().key.scene);
+    const auto whole = with_defaults(runs, scene.front().key.scene);
     for (const auto& [name, value] : numbers_of(whole))
       families[{without(whole, name), name}].emplace(value, scene);
   }

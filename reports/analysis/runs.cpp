@@ -4,22 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "fdebench/benchmarks/records/results_scan.hpp"
-#include "fdebench/benchmarks/scenes/registry.hpp"
-#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/benchmarks/scenes/scene_ids.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
 namespace {
 
 // Index of an id in a list; its length for an unknown id, which is sorted last.
-template <class List, class Id>
-std::ptrdiff_t position(const List& list, Id id, const std::string& of) {
+template <class List, class Id = std::identity>
+std::ptrdiff_t position(const List& list, const std::string& of, Id id = {}) {
   return std::ranges::find(list, of, id) - list.begin();
 }
 
@@ -34,8 +34,8 @@ std::tuple<int, double, double> fineness(const RunSettings& setup) {
 auto order_of(const RunKey& key) {
   RunSettings line = key.setup;
   line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrTolerance(0) : Tolerance{};
-  return std::tuple(position(built_in_scenes(), &SceneFactory::id, key.scene.id), key.scene,
-                    position(schemes(), &Scheme::id, key.scheme), key.scheme, line, fineness(key.setup));
+  return std::tuple(position(scene_ids(), key.scene.id), key.scene,
+                    position(schemes(), key.scheme, &Scheme::id), key.scheme, line, fineness(key.setup));
 }
 using Order = decltype(order_of({}));
 
@@ -56,6 +56,7 @@ void add(BuildRun& made, const Record& row) {
     made.ended = true;
   } else {
     run.values[row.quantity] = row.value;
+    if (!row.course.empty()) run.courses[row.quantity] = row.course;
     if (is_time(row)) run.wall_clock = row.wall_clock;
   }
 }
@@ -85,10 +86,12 @@ class Collector {
 
   void take(const Record& row) { add(run_of(all_[order_of(row.key)], builds_[row.session]), row); }
 
+  void take(const SceneDescription& scene) { scenes_.insert_or_assign(scene.scene, scene); }
+
   [[nodiscard]] const std::vector<Session>& sessions() const { return sessions_; }
 
   Runs runs() && {
-    Runs runs;
+    Runs runs{.finished = {}, .failed = {}, .scenes = std::move(scenes_)};
     for (auto& [order, made] : all_) {
       std::erase_if(made, [](const auto& one) { return !one.second.ended; });  // without an examination
       if (made.empty()) continue;
@@ -102,6 +105,7 @@ class Collector {
   std::vector<Session> sessions_{};
   std::vector<std::size_t> builds_{};  // for each session the first session of the same build and machine
   std::map<Order, RunsByBuild> all_{};
+  std::map<SceneSettings, SceneDescription> scenes_{};
 };
 
 template <typename Same>
@@ -132,11 +136,17 @@ std::optional<MedianInterval> time_of(const MeasuredRun& run) {
   return MedianInterval{median, run["time_low"].value_or(*least), run["time_high"].value_or(median)};
 }
 
+const SceneDescription* Runs::describe(const SceneSettings& scene) const {
+  const auto found = scenes.find(scene);
+  return found == scenes.end() ? nullptr : &found->second;
+}
+
 ReadRuns read_runs(const Results& results) { return {results.sessions, runs_of(results)}; }
 
 Runs runs_of(const Results& results) {
   Collector collector;
   for (const Session& session : results.sessions) collector.begin(session);
+  for (const SceneDescription& scene : results.scenes) collector.take(scene);
   for (const Record& row : results.records) collector.take(row);
   return std::move(collector).runs();
 }
@@ -150,15 +160,14 @@ void count_first_runs(Runs& runs) {
   }
 }
 
-ReadRuns read_runs(const std::filesystem::path& file, const SceneRegistry& known) {
+ReadRuns read_runs(const std::filesystem::path& file) {
   Collector collector;
-  scan_results(file,
-               {.session = [&](const Session& session, auto) { collector.begin(session); },
-                .rows =
-                    [&](const std::vector<Record>& rows, auto) {
-                      for (const Record& row : rows) collector.take(row);
-                    }},
-               known);
+  scan_results(file, {.session = [&](const Session& session, auto) { collector.begin(session); },
+                      .scene = [&](const SceneDescription& scene, auto) { collector.take(scene); },
+                      .rows =
+                          [&](const std::vector<Record>& rows, auto) {
+                            for (const Record& row : rows) collector.take(row);
+                          }});
   ReadRuns read{.sessions = collector.sessions()};
   read.runs = std::move(collector).runs();
   if (read.runs.finished.empty() && read.runs.failed.empty())

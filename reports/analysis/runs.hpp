@@ -11,7 +11,6 @@
 
 #include "fdebench/benchmarks/measures/time_spread.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
-#include "fdebench/benchmarks/scenes/registry.hpp"
 
 namespace fde::bench {
 
@@ -22,8 +21,9 @@ struct MeasuredRun {
   double h = 0.0;
   std::size_t session = 0;  // session of the examination, index into Results::sessions
   RunOutcome ending{};
-  std::map<std::string, double, std::less<>> values{};  // by quantity
-  bool wall_clock = false;                              // the times are of whole processes
+  std::map<std::string, double, std::less<>> values{};   // by quantity
+  std::map<std::string, Course, std::less<>> courses{};  // of the quantities that have one
+  bool wall_clock = false;                               // the times are of whole processes
 
   // The value of a quantity; nullopt: not measured.
   [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;
@@ -32,11 +32,16 @@ struct MeasuredRun {
 // The time of a solve. Results without an interval give [minimum, median]. nullopt if the run is not timed.
 std::optional<MedianInterval> time_of(const MeasuredRun& run);
 
-// The runs of a results file, ordered by scene, scheme (as in their lists) and setup, from coarse to fine. If
-// a run was made in several sessions, the last one counts; its times may be from a later session of the same
-// build.
+// The runs of a results file, ordered by scene, scheme (as in the lists of this build, unknown ones last) and
+// setup, from coarse to fine. If a run was made in several sessions, the last one counts; its times may be
+// from a later session of the same build.
 struct Runs {
   std::vector<MeasuredRun> finished, failed;  // failed: any ending but `finished`, refusals included
+  std::map<SceneSettings, SceneDescription>
+      scenes{};  // what the file says of them, the last if it does twice
+
+  // The description of a scene; nullptr if the file has none.
+  [[nodiscard]] const SceneDescription* describe(const SceneSettings& scene) const;
 };
 
 Runs runs_of(const Results& results);
@@ -50,7 +55,7 @@ struct ReadRuns {
   std::vector<Session> sessions{};
   Runs runs{};
 };
-ReadRuns read_runs(const std::filesystem::path& file, const SceneRegistry& known = built_in_scenes());
+ReadRuns read_runs(const std::filesystem::path& file);
 ReadRuns read_runs(const Results& results);
 
 // Contiguous runs: of the same scene; or of the same scene, scheme and setup except the resolution. The

@@ -10,24 +10,7 @@
 namespace fde::bench {
 namespace {
 
-struct Unit {
-  double size;
-  const char* name;
-};
-
 double power_of_ten_in(double value) { return std::floor(std::log10(value)); }
-
-// Three significant digits, in the largest unit in which the number is at least 1, otherwise in the last
-// unit.
-template <std::size_t count>
-std::string scaled(double value, const std::array<Unit, count>& units) {
-  const auto fits = [&](const Unit& unit) { return value >= unit.size; };
-  const auto found = std::ranges::find_if(units, fits);
-  const Unit& unit = found == units.end() ? units.back() : *found;
-  const double number = value / unit.size;
-  const int decimals = number < 1.0 ? 2 : std::max(0, 2 - static_cast<int>(power_of_ten_in(number)));
-  return fmt::format("{:.{}f} {}", number, decimals, unit.name);
-}
 
 }  // namespace
 
@@ -38,18 +21,22 @@ std::string error_text(double error) {
   return fmt::format("{}e{}", text.substr(0, exponent), std::stoi(text.substr(exponent + 1)));
 }
 
+// In the largest unit in which the number is at least 1, otherwise in the last unit.
 std::string time_text(double seconds) {
+  struct Unit {
+    double size;
+    const char* name;
+  };
   static constexpr std::array units{Unit{1.0, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "µs"}, Unit{1e-9, "ns"}};
-  return scaled(seconds, units);
+  const auto* const found =
+      std::ranges::find_if(units, [&](const Unit& unit) { return seconds >= unit.size; });
+  const Unit& unit = found == units.end() ? units.back() : *found;
+  const double number = seconds / unit.size;
+  const int decimals = number < 1.0 ? 2 : std::max(0, 2 - static_cast<int>(power_of_ten_in(number)));
+  return fmt::format("{:.{}f} {}", number, decimals, unit.name);
 }
 
 std::string_view clock_note(bool wall_clock) { return wall_clock ? " of the wall clock" : ""; }
-
-std::string bytes_text(double bytes) {
-  if (bytes < 1e3) return fmt::format("{:.0f} B", bytes);
-  static constexpr std::array units{Unit{1e9, "GB"}, Unit{1e6, "MB"}, Unit{1e3, "kB"}};
-  return scaled(bytes, units);
-}
 
 std::string count_text(double count) {
   if (count >= 1e9) return error_text(count);
@@ -65,12 +52,6 @@ std::string rough_count_text(double count) {
   if (count < 100.0) return count_text(count);
   const double unit = std::pow(10.0, power_of_ten_in(count) - 1.0);
   return count_text(std::round(count / unit) * unit);
-}
-
-std::string error_title(const ErrorKind& kind) {
-  const std::string scale = kind.scale == Scale::absolute ? "" : fmt::format("{} ", name(kind.scale));
-  return kind.norm == Norm::end ? fmt::format("{}error at the end", scale)
-                                : fmt::format("{}maximum error", scale);
 }
 
 }  // namespace fde::bench

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "fdebench/reports/analysis/runs.hpp"
@@ -19,8 +18,5 @@ inline constexpr TrialResult survives{"survives"}, inaccurate{"inaccurate"}, sto
     fails{"fails"}, refuses{"refuses"}, not_judged{"not judged"};
 
 TrialResult trial_result(const MeasuredRun& run);
-
-// A sentence that explains the verdict, with error, rounding and time if they were measured.
-std::string reason_for(const MeasuredRun& run);
 
 }  // namespace fde::bench

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 
 namespace fde::bench {

@@ -4,13 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <ostream>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
@@ -19,6 +16,7 @@
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
+#include "fdebench/reports/command/recorded_scene.hpp"
 
 namespace fde::bench {
 namespace {
@@ -80,55 +78,16 @@ Recommendation searched(const SceneVariant& variant, Scene scene, const Accuracy
   return made;
 }
 
-// The scenes that have runs.
-std::set<SceneSettings> scenes_of(const Runs& runs) {
-  std::set<SceneSettings> scenes;
-  for (const auto* some : {&runs.finished, &runs.failed})
-    for (const auto& run : *some) scenes.insert(run.key.scene);
-  return scenes;
-}
-
-// The settings of a scene whose equation file does not exist; nullopt otherwise.
-std::optional<SceneSettings> settings_without_file(const ChooseArguments& arguments) {
-  const auto file = equation_file_of_label(arguments.scene.scene);
-  if (!file || std::filesystem::exists(*file)) return std::nullopt;
-  return read_settings(arguments.scene.scene, settings_of(arguments));
-}
-
-// The requested scene among `scenes`. If its equation file does not exist, the scene with the same name
-// matches, whatever its checksum.
-SceneSettings scene_among(const std::set<SceneSettings>& scenes, const ChooseArguments& arguments,
-                          const SceneRegistry& known) {
-  auto requested = settings_without_file(arguments);
-  const bool current_run = !requested;
-  if (current_run) requested = chosen_scene(arguments, known).key();
-  std::vector<SceneSettings> found;
-  const SceneSettings* other = nullptr;
-  for (const auto& scene : scenes) {
-    auto same_name = scene;
-    same_name.checksum = requested->checksum;
-    if (same_name != *requested) continue;
-    const bool same_file = !current_run || scene.checksum == requested->checksum;
-    same_file ? found.push_back(scene) : void(other = &scene);
-  }
-  if (found.size() == 1) return found.front();
-  throw std::invalid_argument(fmt::format(
-      "--results = {}: has {} {}{}", *arguments.results,
-      found.empty() ? "no run of" : "runs of more than one file that was", label_of(*requested),
-      other == nullptr
-          ? ""
-          : fmt::format(" as it is, only of another file of this name ({})", short_checksum(*other))));
-}
-
 // A recommendation from recorded runs: these have no errors of single columns and need no search time.
 Recommendation recorded(const ErrorKind& kind, double accuracy, bool first_run,
                         const ChooseArguments& arguments, const SceneRegistry& known) {
   if (arguments.columns)
     reject_text("--columns", *arguments.columns, "without --results, which has all columns");
   if (arguments.max_time) reject_text("--max-time", *arguments.max_time, "without --results");
-  Runs runs = read_runs(*arguments.results, known).runs;
+  Runs runs = read_runs(*arguments.results).runs;
+  const SceneArguments scene{arguments.scene.scene, settings_of(arguments)};
   if (first_run) count_first_runs(runs);
-  auto made = recommend(runs, scene_among(scenes_of(runs), arguments, known), kind, accuracy);
+  auto made = recommend(runs, recorded_scene(runs, *arguments.results, scene, known), kind, accuracy);
   made.first_run = first_run;
   return made;
 }

@@ -21,6 +21,7 @@
 #include "fdebench/benchmarks/records/record_validation.hpp"
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "fdebench/benchmarks/records/run_rows.hpp"
+#include "fdebench/benchmarks/sweep/described_scene.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
@@ -107,10 +108,12 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const SceneR
   if (!arguments.seconds && path.seconds) seconds = {*path.seconds};
   end_with(path, arguments.file, variant, scene);
   const Record row = row_of(variant, name, path);
-  const auto judgement = judge_trajectory(scene, path);
+  MemoizedReference reference(scene);
+  const auto judgement = judge_trajectory(scene, at_comparison_times(path), reference);
   auto rows = rows_of_examination(row, judgement);
   std::optional<ResultsFile> file;
-  if (arguments.out) file.emplace(*arguments.out, known, longest_wait);
+  if (arguments.out) file.emplace(*arguments.out, longest_wait);
+  if (file && !file->describes(row.key.scene)) file->append(describe(variant, scene, reference));
   if (file) file->append(rows);
   if (!seconds.empty() && is_compared(judgement.ending.kind)) {
     const auto times = rows_of_times(row, {.seconds = seconds});

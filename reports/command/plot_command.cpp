@@ -19,13 +19,14 @@
 
 #include "fdebench/benchmarks/external/shell_command.hpp"
 #include "fdebench/benchmarks/external/temporary_file.hpp"
-#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/command_line.hpp"
 #include "fdebench/reports/command/plot_data.hpp"
+#include "fdebench/reports/command/recorded_scene.hpp"
 #include "fdebench/reports/page/assets.hpp"
 
 namespace fde::bench {
@@ -87,13 +88,21 @@ void check(const PlotArguments& arguments, const FigureKind& kind) {
   }
 }
 
+nlohmann::json data_of_results(const PlotArguments& arguments, const FigureKind& kind,
+                               const SceneRegistry& known) {
+  const auto& results = *arguments.results;
+  ReadRuns read = read_runs(results);
+  const auto scene = recorded_scene(read.runs, results, arguments.scene, known);
+  return kind.of == FigureData::runs ? data_of_runs(std::move(read), scene)
+                                     : data_of_drifts(std::move(read), scene);
+}
+
 nlohmann::json data_of(const PlotArguments& arguments, const FigureKind& kind, const SceneRegistry& known) {
   const auto& [scene, settings] = arguments.scene;
   switch (kind.of) {
     case FigureData::runs:
-      return data_of_runs(*arguments.results, read_variant(arguments.scene, known), known);
     case FigureData::drifts:
-      return data_of_drifts(*arguments.results, read_variant(arguments.scene, known), known);
+      return data_of_results(arguments, kind, known);
     case FigureData::solution:
       return data_of_solutions(read_variants(scene, settings, known));
     case FigureData::regions:

@@ -9,9 +9,11 @@
 #include <set>
 #include <stdexcept>
 
-#include "fdebench/reports/analysis/runs.hpp"
+#include "fdebench/benchmarks/records/description_text.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/sweep/sampled_solution.hpp"
 #include "fdebench/reports/page/page_data.hpp"
-#include "fdebench/reports/page/stability_curves.hpp"
+#include "fdebench/reports/regions/stability_curves.hpp"
 
 namespace fde::bench {
 namespace {
@@ -29,7 +31,7 @@ json solution(const SceneVariant& of) {
   Scene scene = make_scene_unchecked(*of.maker, of.values);
   if (of.until) set_end(scene, *of.until);
   try {
-    return solution_of(scene);
+    return json_of(sample_solution(scene, reference_of(scene)));
   } catch (const std::runtime_error& none) {
     throw std::invalid_argument(fmt::format("{}: has no reference to draw: {}", of.label(), none.what()));
   }
@@ -59,13 +61,11 @@ json member(const SceneVariant& of, const std::string& parameter) {
 
 }  // namespace
 
-json data_of_runs(const std::string& results, const SceneVariant& of, const SceneRegistry& known) {
-  const SceneSettings scene = of.key();
-  ReadRuns read = read_runs(results, known);
+json data_of_runs(ReadRuns read, const SceneSettings& scene) {
   for (auto* some : {&read.runs.finished, &read.runs.failed})
     std::erase_if(*some, [&](const MeasuredRun& run) { return run.key.scene != scene; });
   if (read.runs.finished.empty())
-    throw std::invalid_argument(fmt::format("{}: has no run of {}", results, label_of(scene)));
+    throw std::invalid_argument(fmt::format("--results: has no run of {} that finished", label_of(scene)));
   json data = page_data(std::move(read));
   std::erase_if(data["sections"].get_ref<json::array_t&>(), [](const json& section) {
     return !section.contains("runs") || section.contains("parameter");
@@ -73,23 +73,24 @@ json data_of_runs(const std::string& results, const SceneVariant& of, const Scen
   return data;
 }
 
-json data_of_drifts(const std::string& results, const SceneVariant& of, const SceneRegistry& known) {
-  SceneSettings requested = of.key();
-  requested.values.erase("formulation");
-  ReadRuns read = read_runs(results, known);
+json data_of_drifts(ReadRuns read, SceneSettings scene) {
+  scene.values.erase("formulation");
   PageInput page{.sessions = std::move(read.sessions), .names = LineNames::of_several_scenes(read.runs)};
   page.runs = std::move(read.runs);
-  for (const auto& scene : constrained_scenes(page.runs)) {
-    if (scene.scene != requested) continue;
-    return page_of({{"id", section_of(requested)}, {"drifts", {drift_charts(page, scene)}}});
+  for (const auto& constrained : constrained_scenes(page.runs)) {
+    if (constrained.scene != scene) continue;
+    const json drifts = drift_charts(page, constrained);
+    json data = page_of({{"id", section_of(scene)}, {"drifts", {drifts}}});
+    data["lines"] = drifts["points"]["lines"];
+    return data;
   }
   throw std::invalid_argument(
-      fmt::format("{}: has no run of {} with a drift from constraints", results, label_of(requested)));
+      fmt::format("--results: has no run of {} with a drift from constraints", label_of(scene)));
 }
 
 json data_of_solutions(const std::vector<SceneVariant>& scenes) {
   const auto& first = scenes.front();
-  json section{{"id", section_of(first.key())}, {"title", name_of_scene(first.key()).title}};
+  json section{{"id", section_of(first.key())}, {"title", with_settings(first.maker->title, first.key())}};
   if (scenes.size() == 1) {
     section["solution"] = solution(first);
     return page_of(std::move(section));

@@ -2,21 +2,21 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/reports/analysis/runs.hpp"
 
 namespace fde::bench {
 
 // The JSON data of the page, restricted to one section, for a figure. All throw std::invalid_argument if
 // there is nothing to draw.
 
-// The runs of a scene in a results file.
-nlohmann::json data_of_runs(const std::string& results, const SceneVariant& of, const SceneRegistry& known);
+// The runs of a scene.
+nlohmann::json data_of_runs(ReadRuns read, const SceneSettings& scene);
 
 // The drifts of a scene in all its formulations.
-nlohmann::json data_of_drifts(const std::string& results, const SceneVariant& of, const SceneRegistry& known);
+nlohmann::json data_of_drifts(ReadRuns read, SceneSettings scene);
 
 // The reference solution; for several scenes a family over the one parameter in which they differ.
 nlohmann::json data_of_solutions(const std::vector<SceneVariant>& scenes);

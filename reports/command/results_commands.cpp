@@ -56,13 +56,13 @@ std::vector<std::string> complaints(const Comparison& comparison, const std::opt
   return all;
 }
 
-void compare_files(const CompareArguments& arguments, const Streams& streams, const SceneRegistry& known) {
+void compare_files(const CompareArguments& arguments, const Streams& streams) {
   const auto& [first, second, slowdown, require_all] = arguments;
   constexpr Range factors{.low = 1.0};
   std::optional<double> most;
   if (slowdown) most = parse_number("--max-slowdown", *slowdown, factors);
-  const auto [sessions_before, before] = read_runs(first, known);
-  const auto [sessions_now, now] = read_runs(second, known);
+  const auto [sessions_before, before] = read_runs(first);
+  const auto [sessions_now, now] = read_runs(second);
   const Comparison comparison = compare(before, now);
   if (comparison.common == 0)
     throw std::invalid_argument(fmt::format("{} and {}: have no run in common", first, second));
@@ -76,9 +76,8 @@ void compare_files(const CompareArguments& arguments, const Streams& streams, co
   if (!worse.empty()) throw WorseResults(fmt::format("{}: {}", second, fmt::join(worse, "; ")));
 }
 
-void merge_files(const std::vector<std::string>& files, const std::string& out, const Streams& streams,
-                 const SceneRegistry& known) {
-  const auto merged = merge_results({files.begin(), files.end()}, out, known);
+void merge_files(const std::vector<std::string>& files, const std::string& out, const Streams& streams) {
+  const auto merged = merge_results({files.begin(), files.end()}, out);
   streams.out << fmt::format("{}\n{} sessions, {} rows, {} repeated rows left out\n",
                              std::filesystem::absolute(out).string(), merged.sessions, merged.rows,
                              merged.repeated_rows);
@@ -86,7 +85,7 @@ void merge_files(const std::vector<std::string>& files, const std::string& out, 
 
 }  // namespace
 
-void add_results_commands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
+void add_results_commands(CommandLine& program, const Streams& streams, const SceneRegistry& /*known*/) {
   auto compared = std::make_shared<CompareArguments>();
   Subcommand compare_command(program, "compare", "What is worse or better in the second results file");
   compare_command.required("first", compared->first, "results file, before");
@@ -95,16 +94,16 @@ void add_results_commands(CommandLine& program, const Streams& streams, const Sc
                          "how many times as long a run may take; beyond it the exit code is 1");
   compare_command.flag("--require-all", compared->require_all,
                        "exit code 1 where runs or times of the first are not in the second");
-  compare_command.callback([=, &known] { compare_files(*compared, streams, known); });
+  compare_command.callback([=] { compare_files(*compared, streams); });
 
   auto files = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();
   Subcommand merge_command(program, "merge", "Put results files together; sessions stay apart");
   merge_command.list("files", *files, "results files");
   merge_command.required("--out", *out, "the new results file");
-  merge_command.callback([=, &known] {
+  merge_command.callback([=] {
     if (files->empty()) throw std::invalid_argument("files is required");
-    merge_files(*files, *out, streams, known);
+    merge_files(*files, *out, streams);
   });
 }
 

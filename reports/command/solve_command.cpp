@@ -8,7 +8,7 @@
 #include <ostream>
 #include <system_error>
 
-#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/command/arguments.hpp"

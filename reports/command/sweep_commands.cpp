@@ -143,19 +143,21 @@ Forecast forecast_of(const std::vector<Sweep>& sweeps,
   return expected;
 }
 
-void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams,
-                  const std::function<RecordedRun(const RunKey&)>& recorded,
-                  const std::function<void(const std::vector<Record>&)>& append) {
+void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams, ResultsFile& file) {
+  const auto recorded = [&](const RunKey& key) { return file.recorded(key); };
   const Forecast expected = forecast_of(sweeps, recorded);
   SweepProgress progress(streams, expected, count_is_exact(sweeps));
-  const SweepCallbacks hooks{recorded, append, [&](const SweepEvent& event) { progress.on_event(event); }};
+  const SweepCallbacks hooks{.recorded = recorded,
+                             .append = [&](const auto& rows) { file.append(rows); },
+                             .on_event = [&](const SweepEvent& event) { progress.on_event(event); },
+                             .describes = [&](const SceneSettings& scene) { return file.describes(scene); },
+                             .append_scene = [&](const SceneDescription& scene) { file.append(scene); }};
   for (const auto& sweep : sweeps) run_sweep(sweep, hooks, expected);
 }
 
 // Prints the remaining runs with their expected seconds, and the total.
-void list_runs(const std::vector<Sweep>& sweeps, const SweepArguments& arguments, const Streams& streams,
-               const SceneRegistry& known) {
-  const auto recorded = arguments.out ? read_recorded(*arguments.out, known) : RecordedByKey();
+void list_runs(const std::vector<Sweep>& sweeps, const SweepArguments& arguments, const Streams& streams) {
+  const auto recorded = arguments.out ? read_recorded(*arguments.out) : RecordedByKey();
   const auto expected = forecast_of(sweeps, [&](const RunKey& key) { return recorded_of(recorded, key); });
   for (const auto& [run, seconds] : expected) {
     streams.out << fmt::format("{} {} {}  {}\n", label_of(run.scene), run.scheme, resolution_text(run.setup),
@@ -167,15 +169,13 @@ void list_runs(const std::vector<Sweep>& sweeps, const SweepArguments& arguments
 
 void run(const SweepArguments& arguments, const Streams& streams, const SceneRegistry& known) {
   const auto sweeps = sweeps_of(arguments, known);
-  if (arguments.dry_run) return list_runs(sweeps, arguments, streams, known);
+  if (arguments.dry_run) return list_runs(sweeps, arguments, streams);
   if (!arguments.out) throw std::invalid_argument("--out is required");
-  ResultsFile file(*arguments.out, known);
+  ResultsFile file(*arguments.out);
   const SignalCleanup words(
       fmt::format("{}fdebench: stopped; the same command continues, what is measured is kept\n",
                   streams.columns > 0 ? "\n" : ""));
-  run_and_show(
-      sweeps, streams, [&](const RunKey& key) { return file.recorded(key); },
-      [&](const auto& rows) { file.append(rows); });
+  run_and_show(sweeps, streams, file);
   streams.out << std::filesystem::absolute(*arguments.out).string() << '\n';
 }
 
@@ -210,9 +210,9 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   report_command.required("file", *file, "results file");
   report_command.option("second", *second, "results file, now: the page is of it, set against the first");
   report_command.required("--out", *folder, "folder of the page");
-  report_command.callback([=, &known] {
-    auto first = read_runs(*file, known);
-    const auto path = *second ? write_report(read_runs(**second, known), *folder, std::move(first))
+  report_command.callback([=] {
+    auto first = read_runs(*file);
+    const auto path = *second ? write_report(read_runs(**second), *folder, std::move(first))
                               : write_report(std::move(first), *folder);
     streams.out << path.string() << '\n';
   });

@@ -118,22 +118,9 @@ function bare(node) {
 
 const formula = (text) => new FormulaSetter(text).sum();
 
-// Sum of coefficient D^order unknown = rhs; a condition, of order 0, is 0 = rhs. Or two formulas.
-function equation({ unknown, terms, rhs, left, right }) {
-  if (left) return setEquation(formula(left), formula(right), `${left} = ${right}`);
-  if (terms.every(([, order]) => order === "0")) return setEquation(math("mn", "0"), formula(rhs), `0 = ${rhs}`);
-  const sum = terms.flatMap(([coefficient, order], i) => {
-    const parts = [...(i ? [math("mo", "+")] : [])];
-    if (coefficient !== "1") parts.push(/[+-]/.test(coefficient.slice(1)) ? inBrackets(formula(coefficient)) : formula(coefficient));
-    return [...parts, derivative(mathName(unknown), formula(order))];
-  });
-  const text = terms.map(([coefficient, order]) => `${coefficient} D^${order} ${unknown}`).join(" + ");
-  return setEquation(math("mrow", ...sum), formula(rhs), `${text} = ${rhs}`);
-}
-
-function setEquation(left, right, text) {
-  const whole = math("math", math("mrow", left, math("mo", "="), right));
+function equation({ left, right }) {
+  const whole = math("math", math("mrow", formula(left), math("mo", "="), formula(right)));
   whole.setAttribute("display", "block");
-  whole.setAttribute("alttext", text);
+  whole.setAttribute("alttext", `${left} = ${right}`);
   return whole;
 }

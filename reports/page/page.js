@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Builds the page from its data: sections with paragraphs, charts and tables. Numbers arrive as text.
+// Builds the page from its data: sections with paragraphs, charts and tables. Facts arrive as numbers and names.
 
 // The chart's table, made when it is opened, and its numbers as a file.
 function numbersOf(chart, section, kind, lines) {
-  const titles = { error: kind.title, value: section.parameter };
+  const titles = { error: titleOfKind(kind), value: section.parameter };
   const save = element("a", { download: `${section.id}-${chart.id}.csv`, href: "" }, "CSV");
   save.addEventListener("click", () => save.setAttribute("href", `data:text/csv;charset=utf-8,${encodeURIComponent(csvOf(chart, titles))}`));
   const details = element("details", { class: "numbers" }, element("summary", {}, "Numbers"));
@@ -29,7 +29,7 @@ function drawCharts(scene, charts, { lines }, kind, frame) {
 function showScene(section, page, place) {
   if (section.equations) place.append(element("div", { class: "frame equations", role: "region", tabindex: "0", "aria-label": "Equation" }, ...section.equations.map(equation)));
   if (section.parameters) {
-    place.append(element("details", { class: "numbers" }, element("summary", {}, "Parameters"), tableFrame(section.parameters, page.lines)));
+    place.append(element("details", { class: "numbers" }, element("summary", {}, "Parameters"), tableFrame(parametersTable(section), page.lines)));
   }
   const charts = chartsOfSolution(section);
   if (charts.length === 0) return;
@@ -37,23 +37,16 @@ function showScene(section, page, place) {
   drawCharts(section, charts, page, {}, place.lastChild);
 }
 
-// The options of a recommended run as the whole command.
-const withCommands = (table, { name }) => ({ ...table, groups: table.groups.map((group) => ({ ...group, rows: group.rows.map((row) => row.map((cell) =>
-  (cell.command ? { ...cell, command: `fdebench solve ${name} --scheme ${schemeOf(row[1].line)} ${cell.command}` } : cell))) })) });
-
 // What of a section depends on the kind of error: its conclusion, its table and its charts.
 function showKind(section, page, kind, place) {
   const shown = [];
-  if (section.conclusions?.[kind.id]) shown.push(element("p", { class: "conclusion" }, ...unbroken(section.conclusions[kind.id])));
-  const table = section.tables?.[kind.id] ?? section.table;
-  if (table) {
-    const now = withCommands(viewed(table, viewNow(), page.sections), section);
-    const frame = tableFrame(now, page.lines);
-    shown.push(table.map ? element("div", { class: "mapped" }, frame, ...keyOf(now)) : frame);
-  }
-  if (section.verdicts) {
-    const rows = verdictsViewed(section, kind, viewNow(), page.sections);
-    const [winners, others] = [true, false].map((wins) => rows.filter(([, { text }]) => text.startsWith("Cheapest in") === wins));
+  const conclusion = say(statements.conclusion, section.conclusions?.[kind.id]);
+  if (conclusion) shown.push(element("p", { class: "conclusion" }, ...unbroken(conclusion)));
+  const table = tableOf(section, kind, page.sections), now = table && viewed(table, viewNow(), page.sections);
+  if (table) shown.push(table.map ? element("div", { class: "mapped" }, tableFrame(now, page.lines), ...keyOf(now)) : tableFrame(now, page.lines));
+  if (section.schemes) {
+    const verdicts = verdictsViewed(section, table, kind, viewNow(), page.sections);
+    const [winners, others] = [true, false].map((wins) => verdicts.filter(({ won }) => won > 0 === wins));
     shown.push(element("h3", {}, "Each scheme: where it wins, where not to use it"), linesSaid(winners, page.lines, "winners"));
     if (others.length > 0) shown.push(element("h3", {}, "Schemes that are cheapest nowhere"), linesSaid(others, page.lines, "others"));
   }
@@ -69,18 +62,16 @@ function showKind(section, page, kind, place) {
 function frameOf(section) {
   const heading = element("h2", {}, section.title);
   if (section.name) heading.append(" ", element("code", {}, section.name));
-  const place = element(section.folded ? "details" : "div", { class: "waiting" });
+  const place = element(textsOf(section).folded ? "details" : "div", { class: "waiting" });
   const scene = element("div", { class: "scene" });
   return { place, scene, whole: element("section", { id: section.id }, heading,
-    ...section.paragraphs.map((text) => element("p", {}, text)), scene, place) };
+    ...paragraphsOf(section).map((text) => element("p", {}, text)), scene, place) };
 }
 
 // Scenes are reached from the map.
-const briefTitles = { answer: "Answer", stability: "Trials", regions: "Stability", rates: "Rates", drift: "Drift", cost: "Cost", expansion: "Chain or expansion", reference: "References",
-  failures: "Refused and failed", schemes: "Schemes", compared: "Compared" };
 function link(section) {
   if (section.runs && !section.parameter) return;
-  document.querySelector("nav").append(element("a", { href: `#${section.id}` }, briefTitles[section.id] ?? section.title));
+  document.querySelector("nav").append(element("a", { href: `#${section.id}` }, textsOf(section).brief ?? section.title));
 }
 
 // The controls name a norm and a scale; both together are a kind of error.
@@ -90,6 +81,7 @@ function chosenKind(kinds) {
 }
 
 const data = JSON.parse(document.getElementById("data").textContent);
+for (const section of data.sections) section.title = say(textsOf(section).title, section);
 // The drifts of a scene's formulations stand where its runs are.
 for (const drift of data.sections.flatMap(({ drifts }) => drifts ?? [])) {
   const scene = data.sections.find(({ id, runs }) => runs && id === drift.id);
@@ -100,11 +92,11 @@ for (const section of data.sections.filter(({ drifts, runs }) => drifts && !runs
 }
 const short = shortNames(data.lines);
 const shortNameOfLine = (text) => short.get(text) ?? text;
-const made = madeOf(data.sessions);
+const made = data.sessions.map(({ machine, date, commit }) => ({ machine, date, commit }));
 for (const section of data.sections.filter(({ runs }) => runs)) section.made = made;
 // A solution may be in another section.
 for (const section of data.sections.filter(({ solution }) => solution?.of)) section.solution = data.sections.find(({ id }) => id === section.solution.of).solution;
-document.getElementById("sessions").append(tableFrame(data.sessions, data.lines));
+document.getElementById("sessions").append(tableFrame(sessionsTable(data.sessions), data.lines));
 
 // Sections are drawn as they come near the window, all of them for print, and again for another kind of error.
 const frames = data.sections.map((section) => ({ section, ...frameOf(section) }));
@@ -114,8 +106,9 @@ data.sections.forEach(link);
 function draw(frame) {
   frame.place.classList.remove("waiting");
   frame.drawn = true;
-  if (frame.section.folded) {
-    frame.place.replaceChildren(element("summary", {}, "Show"), tableFrame(viewed(frame.section.table, viewNow(), data.sections), data.lines));
+  if (textsOf(frame.section).folded) {
+    const table = tableOf(frame.section, chosenKind(data.kinds), data.sections);
+    frame.place.replaceChildren(element("summary", {}, "Show"), tableFrame(viewed(table, viewNow(), data.sections), data.lines));
   } else {
     if (!frame.scene.hasChildNodes()) showScene(frame.section, data, frame.scene);
     showKind(frame.section, data, chosenKind(data.kinds), frame.place);
@@ -131,19 +124,19 @@ const near = new IntersectionObserver((entries) => {
 for (const { whole } of frames) near.observe(whole);
 window.addEventListener("beforeprint", () => {
   frames.filter(({ drawn }) => !drawn).forEach(draw);
-  for (const { section, place } of frames) if (section.folded) place.open = true;
+  for (const { section, place } of frames) if (textsOf(section).folded) place.open = true;
 });
 
 // Whatever is drawn is drawn again for another view; scenes that it does not want are hidden.
 function show() {
   const view = viewNow();
-  const isEmpty = ({ runs, tables, table }) => !runs && (tables ?? table) && viewed(tables?.[chosenKind(data.kinds).id] ?? table, view, data.sections).groups.length === 0;
-  for (const { section, whole } of frames) whole.hidden = !wantsScene(view, section) || (section.id !== "answer" && isEmpty(section));
-  frames.filter(({ drawn, section }) => drawn && (section.tables || section.table || section.runs || section.regions)).forEach(draw);
+  const isEmpty = (section) => section.groups && viewed(tableOf(section, chosenKind(data.kinds), data.sections), view, data.sections).groups.length === 0;
+  for (const { section, whole } of frames) whole.hidden = !wantsScene(view, section) || isEmpty(section);
+  frames.filter(({ drawn }) => drawn).forEach(draw);
 }
 
 offerSchemes(data.lines);
-offerMachines(data.machines);
+offerMachines(data.sessions.map(({ machine }) => machine));
 readAddress();
 if (frames.length > 0) draw(frames[0]);  // the answer, wherever the address leads to
 show();

@@ -7,15 +7,10 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
-#include "fdebench/benchmarks/scenes/registry.hpp"
-#include "fdebench/benchmarks/scenes/scene.hpp"
-#include "fdebench/benchmarks/scenes/variant.hpp"
-#include "fdebench/benchmarks/sweep/trials.hpp"
-#include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/assets.hpp"
+#include "fdebench/reports/page/facts.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
@@ -23,59 +18,30 @@ namespace {
 
 using nlohmann::json;
 
-json to_json(const Section& section) {
-  json shown{{"id", section.id}, {"title", section.title}, {"paragraphs", section.paragraphs}};
-  if (!section.table.empty()) shown["table"] = to_json(section.table);
-  for (std::size_t i = 0; i < section.tables.size(); ++i)
-    shown["tables"][error_measure(error_kinds[i])] = to_json(section.tables[i]);
-  if (section.collapsed) shown["folded"] = true;
-  return shown;
-}
-
-// The machine of each session.
-std::vector<std::string> machines_of(const PageInput& page) {
-  std::vector<std::string> machines;
-  for (const Session& session : page.sessions) machines.push_back(session.machine);
-  return machines;
-}
-
 // The kinds of error that the page's controls offer.
 json kinds() {
   json all = json::array();
   for (const ErrorKind& kind : error_kinds) {
-    all.push_back({{"id", error_measure(kind)},
-                   {"norm", name(kind.norm)},
-                   {"scale", name(kind.scale)},
-                   {"title", error_title(kind)}});
+    all.push_back({{"id", error_measure(kind)}, {"norm", name(kind.norm)}, {"scale", name(kind.scale)}});
   }
   return all;
 }
 
-// The labels of all lines, without repetitions: sorted by the cells of the map that they win, then in the
-// order of the list of schemes. The order determines the colours: only the first few lines have a unique one.
+// The labels of all lines: sorted by the cells of the map that they win, then in the order of the list of
+// schemes. The order determines the colours: only the first few lines have a unique one.
 std::vector<std::string> line_labels(const PageInput& page) {
-  std::vector<std::string> labels;
-  const auto add = [&](const MeasuredRun& run) {
-    const std::string label = page.label(run.key);
-    if (std::ranges::count(labels, label) == 0) labels.push_back(label);
-  };
-  for (const auto& scheme : schemes()) {
-    for (const MeasuredRun& run : page.runs.finished) {
-      if (run.key.scheme == scheme.id) add(run);
-    }
-  }
-  std::ranges::for_each(page.runs.finished, add);  // lines of schemes that this build does not have
+  std::vector<std::string> labels = page.labels(page.runs.finished);
   auto won = cells_won(page, {});
   std::ranges::stable_sort(labels, std::greater{}, [&](const std::string& label) { return won[label]; });
   return labels;
 }
 
-bool is_trial(const MeasuredRun& run) {
-  const auto& resolution = run.key.setup.resolution;
-  return std::ranges::any_of(trials(), [&](const Trial& trial) {
-    return (resolution == StepsOrTolerance(trial.steps) || resolution == StepsOrTolerance(trial_accuracy)) &&
-           trial.scene.key() == run.key.scene;
-  });
+bool is_trial(const Runs& runs, const RunKey& run) {
+  const auto* described = runs.describe(run.scene);
+  if (described == nullptr || !described->trial) return false;
+  const auto& [number, kind, steps, accuracy] = *described->trial;
+  return run.setup.resolution == StepsOrTolerance(steps) ||
+         run.setup.resolution == StepsOrTolerance(accuracy);
 }
 
 // Returns the runs of trials, and removes those of scenes without other runs from `runs`.
@@ -83,11 +49,13 @@ std::vector<MeasuredRun> take_trials(Runs& runs) {
   std::vector<MeasuredRun> taken;
   std::set<SceneSettings> swept;
   for (auto* some : {&runs.finished, &runs.failed}) {
-    for (const auto& run : *some) is_trial(run) ? taken.push_back(run) : void(swept.insert(run.key.scene));
+    for (const auto& run : *some)
+      is_trial(runs, run.key) ? taken.push_back(run) : void(swept.insert(run.key.scene));
   }
   for (auto* some : {&runs.finished, &runs.failed}) {
-    std::erase_if(*some,
-                  [&](const MeasuredRun& run) { return is_trial(run) && !swept.contains(run.key.scene); });
+    std::erase_if(*some, [&](const MeasuredRun& run) {
+      return is_trial(runs, run.key) && !swept.contains(run.key.scene);
+    });
   }
   return taken;
 }
@@ -100,44 +68,45 @@ bool at_rounding(const ConstrainedScene& scene) {
   });
 }
 
-// The stability regions, which depend on no results and are computed in advance.
-json regions_section() {
-  return {
-      {"id", "regions"},
-      {"title", "Stability: linear equations"},
-      {"paragraphs",
-       {"What a scheme makes of D^γ y = λ y with steps h depends on z = λ h^γ alone. The solution decays to "
-        "the left of the dashed ray, where |arg z| > γπ/2; a scheme does to the left of its curve. A curve "
-        "that stays in the right half bounds no step: the scheme may take any where the solution decays. One "
-        "that ends on the negative axis bounds them: z has to be inside. Of schemes with the same curve one "
-        "is drawn. fdebench stability prints the curves for any order."}},
-      {"regions", json::parse(assets::regions())}};
+// Distinguishes equation files of the same name.
+std::string file_text(const SceneSettings& scene) {
+  return scene.checksum.empty() ? "" : fmt::format(", file {}", short_checksum(scene));
 }
+
+// The stability regions, which depend on no results and are computed in advance.
+json regions_section() { return {{"id", "regions"}, {"regions", json::parse(assets::regions())}}; }
 
 }  // namespace
 
-SceneName name_of_scene(const SceneSettings& scene) {
-  const auto* found = find_scene(scene.id);
-  if (!scene.checksum.empty())
-    return {.title = fmt::format("{}, file {}", label_of(scene), short_checksum(scene))};
-  if (found == nullptr) return {.title = label_of(scene)};
-  const auto settings = settings_text(scene);
-  return {
-      .title = settings.empty() ? std::string(found->title) : fmt::format("{} ({})", found->title, settings),
-      .source = std::string(found->source)};
+std::vector<std::string> PageInput::labels(RunSpan of) const {
+  std::vector<std::string> found;
+  const auto add = [&](const MeasuredRun& run) {
+    auto name = label(run.key);
+    if (std::ranges::find(found, name) == found.end()) found.push_back(std::move(name));
+  };
+  for (const Scheme& scheme : schemes()) {
+    for (const MeasuredRun& run : of) {
+      if (run.key.scheme == scheme.id) add(run);
+    }
+  }
+  std::ranges::for_each(of, add);
+  return found;
 }
 
-// The equation files of scenes are not read here.
-std::optional<Scene> known_scene(const SceneSettings& settings) {
-  const SceneFactory* maker = settings.checksum.empty() ? find_scene(settings.id) : nullptr;
-  if (maker == nullptr) return std::nullopt;
-  try {
-    Scene scene = make_scene_unchecked(*maker, settings.values);
-    if (settings.until) set_end(scene, *settings.until);
-    return scene;
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
+// Settings change neither title nor source.
+SceneName name_of_scene(const PageInput& page, const SceneSettings& scene) {
+  const auto& scenes = page.runs.scenes;
+  const auto found = std::ranges::find_if(scenes, [&](const auto& described) {
+    return described.first.id == scene.id && described.first.checksum == scene.checksum;
+  });
+  if (found == scenes.end()) return {.title = fmt::format("{}{}", label_of(scene), file_text(scene))};
+  return {.title = with_settings(found->second.title, scene), .source = found->second.source};
+}
+
+std::string with_settings(const std::string& title, const SceneSettings& scene) {
+  const auto settings = settings_text(scene);
+  return fmt::format("{}{}{}", title, settings.empty() ? "" : fmt::format(" ({})", settings),
+                     file_text(scene));
 }
 
 std::string section_of(const SceneSettings& scene) {
@@ -147,19 +116,17 @@ std::string section_of(const SceneSettings& scene) {
 json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
   PageInput page{.sessions = std::move(read.sessions), .names = LineNames::of_several_scenes(read.runs)};
   page.runs = std::move(read.runs);
-  const Section compared = before ? compared_section(page, before->runs) : Section{};
+  json compared = before ? compared_section(page, before->runs) : json();
   page.trials = take_trials(page.runs);
   page.rates = rates(page.runs);
   json sections = json::array();
-  const auto add = [&](const Section& section) {
-    if (!section.table.empty() || !section.tables.empty()) sections.push_back(to_json(section));
+  const auto add = [&](json section) {
+    section = compact(std::move(section));
+    if (section.contains("groups") && section["groups"].front().contains("rows"))
+      sections.push_back(std::move(section));
   };
-  if (json answers = to_json(answers_section(page)); answers.contains("tables")) {
-    for (const ErrorKind& kind : error_kinds)
-      answers["verdicts"][error_measure(kind)] = to_json(scheme_verdicts(page, kind));
-    sections.push_back(std::move(answers));
-  }
-  if (before) sections.push_back(to_json(compared));
+  if (json answers = answers_section(page); !answers.empty()) sections.push_back(std::move(answers));
+  if (before) sections.push_back(compact(std::move(compared)));
   add(stability_section(page));
   sections.push_back(regions_section());
   for (auto& scene : scene_sections(page)) sections.push_back(std::move(scene));
@@ -171,15 +138,12 @@ json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
       if (!at_rounding(scene)) sections.back()["drifts"].push_back(drift_charts(page, scene));
     }
   }
-  add(cost_section(page));
-  add(expansion_section(page));
-  add(reference_section(page));
-  add(failures_section(page));
-  add(schemes_section(page));
+  for (auto* const section_of_page :
+       {cost_section, expansion_section, reference_section, failures_section, schemes_section})
+    add(section_of_page(page));
   return {{"lines", line_labels(page)},
           {"kinds", kinds()},
-          {"sessions", to_json(sessions_table(page))},
-          {"machines", machines_of(page)},
+          {"sessions", session_facts(page)},
           {"sections", sections}};
 }
 

@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reports/analysis/formulations.hpp"
 #include "fdebench/reports/analysis/line_names.hpp"
 #include "fdebench/reports/analysis/line_rates.hpp"
 #include "fdebench/reports/analysis/recommended_run.hpp"
-#include "fdebench/reports/page/table.hpp"
 
 namespace fde::bench {
 
-// The data of the page as JSON for its script: lines, sessions, sections. Numbers in tables are formatted
-// text. `before`: earlier results, compared with these in a separate section.
+// The data of the page as JSON for its script: lines, sessions, sections. They are facts without words, which
+// the templates of the page (section_texts.js, statements.js) make sentences and tables of;
+// docs/page.schema.json has the fields. A function of the results alone: nothing is solved or measured for
+// it, and scenes need not exist. `before`: earlier results, compared with these in a separate section.
 nlohmann::json page_data(ReadRuns read, const std::optional<ReadRuns>& before = {});
 
 // The input of the sections.
@@ -34,63 +34,51 @@ struct PageInput {
     return names.name(of.schemes.front(), of.setup);
   }
   [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.setup); }
+  // The labels of the lines of these runs, without repetitions, in the order of the list of schemes; those of
+  // schemes that this build does not have last.
+  [[nodiscard]] std::vector<std::string> labels(RunSpan of) const;
   // The line's grid if its name omits it; otherwise empty.
   [[nodiscard]] std::string grid(const RunSettings& setup) const { return names.grid(setup); }
 };
 
-// A titled part of the page. Empty parts are not shown.
-struct Section {
-  std::string id, title;
-  std::vector<std::string> paragraphs{};
-  Table table{};
-  std::vector<Table> tables{};  // instead of `table`: one for each of error_kinds
-  bool collapsed = false;       // initially collapsed
-};
-
 // Date, machine, compiler and flags of each session.
-Table sessions_table(const PageInput& page);
-// The cheapest run of each scene and accuracy, as a map (scenes by accuracies).
-Section answers_section(const PageInput& page);
+nlohmann::json session_facts(const PageInput& page);
+// The accuracies and the verdicts on the schemes; the answers themselves are in the sections of the scenes.
+// null without finished runs.
+nlohmann::json answers_section(const PageInput& page);
 // The number of cells of the map in which each line is the cheapest.
 std::map<std::string, int> cells_won(const PageInput& page, const ErrorKind& kind);
-// One row per line, sorted by the cells it wins: where it is cheapest, and where it fails, is inaccurate or
-// refuses.
-Table scheme_verdicts(const PageInput& page, const ErrorKind& kind);
-// The cheapest run of one scene for each accuracy, with the data of the run.
-Table scene_answers(const PageInput& page, const SceneSettings& scene, const SceneLines& lines,
-                    const ErrorKind& kind);
+// For each line in the order of the list of schemes: where it is nearest to the cheapest, by the ids of kinds
+// of error, and where it fails, is inaccurate or refuses.
+nlohmann::json scheme_verdicts(const PageInput& page);
+// The cheapest run of one scene for each accuracy, with the data of the run and its distance from the others;
+// otherwise the best run.
+nlohmann::json scene_answers(const PageInput& page, const SceneSettings& scene, const SceneLines& lines,
+                             const ErrorKind& kind);
 // Why the first of two lines of a scene is quicker than the second by the records: fewer steps (because of
 // its rate) or cheaper steps.
-std::string reason_for_speed(const PageInput& page, const SceneSettings& scene, const RecommendedRun& first,
-                             const RecommendedRun& second, Norm norm);
+nlohmann::json reason_for_speed(const PageInput& page, const SceneSettings& scene,
+                                const RecommendedRun& first, const RecommendedRun& second, Norm norm);
 // The changes since earlier results, by compare().
-Section compared_section(const PageInput& page, const Runs& before);
+nlohmann::json compared_section(const PageInput& page, const Runs& before);
 // Observed and theoretical rates; drift from constraints; trials; cost at the finest step; decoupled chain
-// against commensurate expansion; bounds of the references; refused and failed runs; the list of schemes.
-Section rates_section(const PageInput& page);
-Section drift_section(const PageInput& page);
-Section stability_section(const PageInput& page);
-Section cost_section(const PageInput& page);
-Section expansion_section(const PageInput& page);
-Section reference_section(const PageInput& page);
-Section failures_section(const PageInput& page);
-Section schemes_section(const PageInput& page);
+// against commensurate expansion; bounds of the references; refused and failed runs; the list of schemes. A
+// section whose `groups` are empty is not shown.
+nlohmann::json rates_section(const PageInput& page);
+nlohmann::json drift_section(const PageInput& page);
+nlohmann::json stability_section(const PageInput& page);
+nlohmann::json cost_section(const PageInput& page);
+nlohmann::json expansion_section(const PageInput& page);
+nlohmann::json reference_section(const PageInput& page);
+nlohmann::json failures_section(const PageInput& page);
+nlohmann::json schemes_section(const PageInput& page);
 
-// A text for one scene: which line is cheapest for which accuracy and why, the accuracies that no run
+// The conclusion on one scene: which line is cheapest for which accuracy and why, the accuracies that no run
 // reaches, and the schemes that do not solve it.
-std::string conclusion(const PageInput& page, const SceneLines& lines, RunSpan runs, const ErrorKind& kind);
-// The equations of a scene as formulas, the values and meanings of its parameters, and its solution for
-// charts: times, columns, values, the largest bound. Each is empty if there is none.
-nlohmann::json equations_of(const SceneSettings& scene);
-Table parameters_table(const SceneSettings& scene);
-nlohmann::json solution_of(const SceneSettings& settings);
-// The scene with these settings; nullopt for a scene from a file or one that this build cannot make.
-std::optional<Scene> known_scene(const SceneSettings& settings);
-// The solution of a given scene: t, columns, values, bound; energy, reactions and motion with their own
-// columns and values. Throws std::runtime_error if there is no reference.
-nlohmann::json solution_of(const Scene& scene);
+nlohmann::json conclusion(const PageInput& page, const SceneLines& lines, RunSpan runs,
+                          const ErrorKind& kind);
 // The drifts of a constrained scene by formulation: of all runs, and as a function of t for the run of
-// best_in_time(), which is solved again.
+// best_in_time().
 nlohmann::json drift_charts(const PageInput& page, const ConstrainedScene& scene);
 
 // One section per scene, with its runs and the rates of its lines.
@@ -100,11 +88,13 @@ nlohmann::json scene_sections(const PageInput& page);
 // values.
 nlohmann::json curve_sections(const PageInput& page);
 
-// Title and source of a scene; the label alone for a scene that this build does not have.
+// Title and source of a scene; the label alone for a scene that the results do not describe.
 struct SceneName {
   std::string title, source{};
 };
-SceneName name_of_scene(const SceneSettings& scene);
+SceneName name_of_scene(const PageInput& page, const SceneSettings& scene);
+// "Fractional pendulum (alpha=1.9)" from the title alone; for an equation file "Decay (k=2), file 0a1b2c3d".
+std::string with_settings(const std::string& title, const SceneSettings& scene);
 // The id of the scene's section.
 std::string section_of(const SceneSettings& scene);
 

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/reports/page/assets.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 

@@ -1,27 +1,5 @@
 // SPDX-License-Identifier: MIT
-"use strict";
-
 // Runs arrive as columns, and are shown as points that know all that is known of them.
-
-const fewDigits = (value) => value.toExponential(1).replace("e+", "e");
-
-function timeText(seconds) {
-  const [size, unit] = [[1, "s"], [1e-3, "ms"], [1e-6, "µs"]].find(([least]) => seconds >= least) ?? [1e-9, "ns"];
-  const number = seconds / size;
-  return `${number < 100 ? number.toPrecision(3) : number.toFixed(0)} ${unit}`;
-}
-
-function bytesText(bytes) {
-  const [size, unit] = [[1e9, "GB"], [1e6, "MB"], [1e3, "kB"]].find(([least]) => bytes >= least) ?? [1, "B"];
-  return `${(bytes / size).toPrecision(3)} ${unit}`;
-}
-
-// Of each session what the tooltips of its runs say: where and with what they were made.
-function madeOf({ groups: [{ rows }] }) {
-  const texts = Object.fromEntries(rows.map(([name, ...of]) => [name, of]));
-  const present = ["machine", "date", "commit"].filter((name) => texts[name]);
-  return texts.date?.map((_, session) => Object.fromEntries(present.map((name) => [name, texts[name][session]])));
-}
 
 // A row for each run, { line, steps, ... }, without what it does not have.
 function rowsOf({ lines, end, ...columns }) {
@@ -53,7 +31,7 @@ function wordsOf(row, coarser, kind, kinds, { parameter, made }) {
   add("time", row.time_minimum, time);
   add("median time", row.time_median, time);
   add(`rate from N = ${coarser?.steps}`, rateBetween(coarser, row, kind.id), (rate) => rate.toFixed(2));
-  for (const { id, title } of kinds) add(title, row[id], fewDigits);
+  for (const of of kinds) add(titleOfKind(of), row[of.id], fewDigits);
   add("bound of the reference", row.reference_bound_maximum, fewDigits);
   add("rounding", row.rounding, fewDigits);
   add("energy residual", row.energy_residual, fewDigits);

@@ -13,14 +13,14 @@ function paretoFront(points, cost) {
 // A cost is a field of the points, what it is called and how its axis is labelled.
 function errorAgainstCost(scene, lines, kind, { id, field, name, labelExpr, least }) {
   const points = scene.points.filter((point) => point.error && point[field]);
-  const encoding = { x: logAxis(points, field, name, labelExpr), y: logAxis(points, "error", kind.title, labels.number) };
+  const encoding = { x: logAxis(points, field, name, labelExpr), y: logAxis(points, "error", titleOfKind(kind), labels.number) };
   const front = {
     name: "pareto-front", data: { values: paretoFront(points, field).map((point) => ({ [field]: point[field], error: point.error })) },
     mark: { type: "line", interpolate: "step-after", strokeWidth: 9, strokeJoin: "round", strokeCap: "round", opacity: 0.16, color: ofPage("--text"), tooltip: false }, encoding,
   };
   return {
     id, title: `Error against ${name}; band: nothing is ${least} and more accurate`, points, columns: ["line", "steps", "requested", field, "error"],
-    spec: chart(`${scene.title}: ${kind.title} against ${name}, a line for each scheme`, points,
+    spec: chart(`${scene.title}: ${titleOfKind(kind)} against ${name}, a line for each scheme`, points,
       { layer: [front, ...lineLayers(encoding, lines, points)] }),
   };
 }
@@ -34,14 +34,14 @@ const errorAgainstMemory = (scene, lines, kind) => errorAgainstCost(scene, lines
 // Dashed lines have the slope that theory promises. A scheme that chooses its steps has no step to speak of.
 function errorAgainstStep(scene, lines, kind) {
   const points = scene.points.filter((point) => point.error && !point.requested);
-  const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "error", kind.title, labels.number) };
+  const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "error", titleOfKind(kind), labels.number) };
   const guides = {
     data: { values: guidesOf(points, scene.rates, kind) },
     mark: { type: "line", strokeDash: [4, 4], strokeWidth: 1 }, encoding: { ...encoding, ...lineChannels(lines, points).colour },
   };
   return {
     id: "error-against-step", title: "Error against step; dashed: theoretical rate", points, columns: ["line", "steps", "h", "error"],
-    spec: chart(`${scene.title}: ${kind.title} against step, a line for each scheme and dashed its theoretical rate`, points,
+    spec: chart(`${scene.title}: ${titleOfKind(kind)} against step, a line for each scheme and dashed its theoretical rate`, points,
       { layer: [guides, ...lineLayers(encoding, lines, points)] }),
   };
 }
@@ -52,7 +52,7 @@ function deliveredAgainstRequested(scene, lines, kind) {
   const ends = [Math.min, Math.max].map((end) => end(...points.map((point) => point.requested)));
   const diagonal = { values: ends.map((error) => ({ requested: error, error, low: error / 10, high: error * 10 })) };
   const all = [...points, ...diagonal.values.map(({ requested, low, high }, end) => ({ requested, error: end ? high : low }))];
-  const both = { x: logAxis(all, "requested", "requested accuracy", labels.number), y: logAxis(all, "error", `${kind.title} delivered`, labels.number) };
+  const both = { x: logAxis(all, "requested", "requested accuracy", labels.number), y: logAxis(all, "error", `${titleOfKind(kind)} delivered`, labels.number) };
   const mark = { color: ofPage("--quiet"), tooltip: false, clip: true };
   const guides = [
     { data: diagonal, mark: { ...mark, type: "area", opacity: 0.15 }, encoding: { x: both.x, y: { ...both.y, field: "low" }, y2: { field: "high" } } },
@@ -61,7 +61,7 @@ function deliveredAgainstRequested(scene, lines, kind) {
   return {
     id: "delivered-against-requested", title: "Delivered against requested accuracy; band: a factor of ten", points,
     columns: ["line", "requested", "error", "ratio", "steps", "time_minimum"], open: true,
-    spec: chart(`${scene.title}: ${kind.title} delivered against accuracy requested, a line for each scheme that takes one`, points,
+    spec: chart(`${scene.title}: ${titleOfKind(kind)} delivered against accuracy requested, a line for each scheme that takes one`, points,
       { layer: [...guides, ...lineLayers(both, lines, points, "requested")] }),
   };
 }
@@ -91,7 +91,7 @@ function overParameter(id, field, labelExpr, nameOf) {
 
 const chartsOfScenes = [errorAgainstTime, errorAgainstStep, errorAgainstMemory, deliveredAgainstRequested, energyAgainstStep];
 const chartsOfCurves = [
-  overParameter("error-over-parameter", "error", labels.number, (kind) => kind.title), overParameter("time-over-parameter", "time_minimum", labels.time, () => "run time"),
+  overParameter("error-over-parameter", "error", labels.number, titleOfKind), overParameter("time-over-parameter", "time_minimum", labels.time, () => "run time"),
 ];
 
 // The charts of a scene, or over a parameter, that have points, with errors of this kind and the lines that are wanted.

@@ -14,19 +14,16 @@ const breakable = (text) => text.split(/(?<=[_,:])/).flatMap((part, i) => (i ? [
 // Step counts, times and numbers like 1.2e-7 may not break.
 const unbroken = (text) => text.split(/([Nt] = [^\s,]+|\S+e-\d+)/).map((part, i) => (i % 2 ? element("span", {}, part) : part));
 
-// Cells are texts, or say more; their text may be their line's.
-const cellOf = (cell) => (typeof cell === "string" ? { text: cell } : { text: cell.line ?? "", ...cell });
-
 // The colour and the shape that a line's points have in the charts.
 const swatch = (lines, line) => element("i", { class: "swatch", "data-shape": shapeOf(lines, line), style: `background:${colourOf(lines, line)}` });
 
-// What a verdict is in a map of narrow cells.
+// What a verdict is in a map of narrow cells; one that is not here is shown by its id.
 const signs = { survives: "✓", "stops rightly": "✓", inaccurate: "≈", fails: "✗", refuses: "–", "not judged": "?" };
 
 // A map's cells are narrow: a line's short name and a time, a verdict's sign and an error. The whole name is what a screen reader says.
 function mapContent(cell, to) {
-  const sign = cell.line ? shortNameOfLine(cell.line) : signs[cell.tone] ?? "";
-  const detail = cell.tone && cell.detail ? Number(cell.detail).toExponential(0).replace("e+", "e") : cell.detail ?? (sign ? "" : cell.text);
+  const sign = cell.line ? shortNameOfLine(cell.line) : signs[cell.tone] ?? cell.tone ?? "";
+  const detail = cell.short ?? cell.detail ?? (sign ? "" : cell.text);
   const parts = [...(sign ? [element("b", {}, sign)] : []), ...(sign && detail ? [" "] : []), ...(detail ? [element("small", {}, ...unbroken(detail))] : [])];
   if (to && cell.text) return [element("a", { href: `#${to}`, "aria-label": `${sign} ${detail}: ${cell.text}` }, ...parts)];
   return cell.tone ? [element("span", { role: "img", "aria-label": [cell.text, cell.detail].filter(Boolean).join(", ") }, ...parts)] : parts;
@@ -57,20 +54,17 @@ function cellContent(cell, lines, to) {
   return parts;
 }
 
+// Of the colour in a map, in [0, 1]. A line: 0 where another may be as quick, 1 where the second takes ten times as long or there is none.
+const strengthOfLine = ({ ties, second }) => (ties ? 0 : second ? Math.min(1, Math.max(0, Math.log10(second.ratio))) : 1);
+// A run that survives: the digits that agree, of 16.
+const strengthOfError = ({ verdict, error }) => (verdict === "survives" && error !== undefined ? Math.min(1, -Math.log10(Math.max(error, 1e-16)) / 16) : undefined);
+
 // A map's cell wears the colour of its line or its verdict; data-column repeats its heading for narrow screens, where the cells of a row wrap.
 function mapAttributes(cell, column, lines) {
-  const paint = cell.line ? { style: `--paint:${colourOf(lines, cell.line)};--strength:${Math.round(12 + 48 * (cell.strength ?? 0))}%` }
-    : cell.tone && cell.strength ? { style: `--strength:${Math.round(8 + 34 * cell.strength)}%` } : {};
+  const strength = cell.line ? 12 + 48 * strengthOfLine(cell.facts) : 8 + 34 * strengthOfError(cell.facts);
+  const style = [...(cell.line ? [`--paint:${colourOf(lines, cell.line)}`] : []), ...(strength ? [`--strength:${Math.round(strength)}%`] : [])].join(";");
+  const paint = style ? { style } : {};
   return { "data-column": shortNameOfLine(column.text), ...(cell.tone && { "data-tone": cell.tone }), ...paint };
-}
-
-// A cell of the map stands for a row of its section's table, which says more.
-function hintOf(cell, column, { to, text }, kind) {
-  if (cell.tone) return `${column.text}, ${text}: ${cell.text}${cell.hint ? `, ${cell.hint}` : ""}`;
-  if (cell.hint || !to) return cell.hint;
-  const rows = data.sections.find(({ id }) => id === to)?.tables[kind.id].groups[0].rows;
-  const row = rows?.find(([heading]) => cellOf(heading).text === column.text);
-  return row?.slice(1).map((of) => cellOf(of).text).filter(Boolean).join(": ");
 }
 
 // A scene that differs from the one above in its settings alone is named by these.
@@ -80,15 +74,14 @@ function shortHeading(text, above) {
 }
 
 function tableRow(row, { columns, map }, lines, above) {
-  const cells = row.map(cellOf);
+  const cells = [...row];
   if (map) {
-    const text = shortHeading(cells[0].text, above && cellOf(above[0]).text);
+    const text = shortHeading(cells[0].text, above?.[0].text);
     if (text !== cells[0].text) cells[0] = { ...cells[0], text, hint: cells[0].text, variant: true };
   }
   return element("tr", {}, ...cells.map((cell, i) => {
-    const hint = hintOf(cell, columns[i], cells[0], chosenKind(data.kinds));
     const marks = ["faint", "variant"].filter((mark) => cell[mark]).join(" ");
-    const attributes = { ...(hint && { title: hint }), ...(marks && { class: marks }), ...(map && i > 0 && mapAttributes(cell, columns[i], lines)) };
+    const attributes = { ...(cell.hint && { title: cell.hint }), ...(marks && { class: marks }), ...(map && i > 0 && mapAttributes(cell, columns[i], lines)) };
     return element(i ? "td" : "th", i ? attributes : { scope: "row", ...attributes }, ...(map && i ? mapContent(cell, cells[0].to) : cellContent(cell, lines, map || i === 0 ? cells[0].to : undefined)));
   }));
 }
@@ -129,7 +122,6 @@ function tableFrame(table, lines) {
       ...table.groups.map((group) => tableGroup(group, table, lines))));
 }
 
-
 // The short names in a map, in full.
 function keyOf({ columns, groups }) {
   const inCells = groups.flatMap(({ rows }) => rows.flatMap((row) => row.map((cell) => cell.line ?? "")));
@@ -138,9 +130,9 @@ function keyOf({ columns, groups }) {
 }
 
 // What is said of each line, its short name before it: a key to the map beside it.
-function linesSaid(rows, lines, id) {
-  return element("dl", { class: "said", id }, ...rows.map(([{ line }, ...said]) => element("div", {},
+function linesSaid(verdicts, lines, id) {
+  return element("dl", { class: "said", id }, ...verdicts.map(({ line, texts }) => element("div", {},
     element("dt", {}, element("b", { style: `--paint:${colourOf(lines, line)}` }, shortNameOfLine(line)), ...breakable(line)),
-    ...said.filter(({ text }) => text).map(({ text }) => element("dd", {}, ...unbroken(text))),
+    ...texts.filter(Boolean).map((text) => element("dd", {}, ...unbroken(text[0].toUpperCase() + text.slice(1)))),
   )));
 }

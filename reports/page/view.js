@@ -69,53 +69,47 @@ const wantsScene = ({ scene }, { runs, title, name }) =>
 const wantsLine = ({ schemes }, line) => !schemes || schemes.includes(schemeOf(line));
 
 // session: from 1 on; undefined where there is one only.
-const wantsSession = ({ machine }, session) => !machine || session === undefined || data.machines[session - 1] === machine;
+const wantsSession = ({ machine }, session) => !machine || session === undefined || data.sessions[session - 1].machine === machine;
+const wantsAccuracy = ({ accuracy }, value) => !accuracy || value === undefined || value === Number(accuracy);
 
-const accuracyName = /^≤ 1e-\d+$/;
-const wantsAccuracy = ({ accuracy }, text) => !accuracy || !accuracyName.test(text) || text === `≤ ${accuracy}`;
-
-// A heading may be one scheme or several, of which one is wanted.
-const isScheme = (text) => schemesMarked.includes(text) || schemeBoxes().some(({ value }) => value === text);
-const wantsHeading = (view, { text, line }) => (line ? wantsLine(view, line)
-  : !text.split(", ").every(isScheme) || text.split(", ").some((scheme) => wantsLine(view, scheme)));
-
-// A map has columns of accuracies or of lines; a row that leads to no section is a trial's and has its scene for a heading.
-const wantsColumn = (view, table, i) => (table.map && i > 0 && !accuracyName.test(table.columns[i].text) ? wantsLine(view, table.columns[i].text)
-  : wantsAccuracy(view, table.columns[i].text));
+// Columns of accuracies or of lines; a row of the lines that its table is about; a row of a map that leads to no section is a trial's and
+// has its scene for a heading.
+const wantsColumn = (view, { each }) => (typeof each === "string" ? wantsLine(view, each) : wantsAccuracy(view, each));
+const wantsLines = (view, lines) => lines === undefined || [lines].flat().some((line) => wantsLine(view, line));
 const wantsTrial = (view, table, title, { to, text }) => !table.map || Boolean(to) || wantsScene(view, { runs: true, title, name: text });
+const isFaint = (view, { line, facts }) => Boolean(line) && !(wantsLine(view, line) && wantsSession(view, facts.session));
 
 // A table as this view shows it. sections: all of the page.
 function viewed(table, view, sections) {
-  const kept = table.columns.map((column, i) => i).filter((i) => wantsColumn(view, table, i));
+  const kept = table.columns.map((column, i) => i).filter((i) => table.columns[i].each === undefined || wantsColumn(view, table.columns[i]));
   const unwanted = new Set(sections.filter((section) => !wantsScene(view, section)).flatMap(({ id, title }) => [id, title]));
-  const wantsRow = ([heading], title) => wantsAccuracy(view, heading.text) && !unwanted.has(heading.to) && !unwanted.has(heading.text) &&
-    wantsHeading(view, heading) && wantsTrial(view, table, title, heading);
+  const wantsRow = ([heading], title) => wantsAccuracy(view, heading.facts.accuracy) && !unwanted.has(heading.to) && !unwanted.has(heading.text) &&
+    wantsLines(view, heading.facts[table.filter]) && wantsTrial(view, table, title, heading);
   const groups = table.groups.filter(({ title }) => !unwanted.has(title)).map(({ title, rows }) => ({
-    title, rows: rows.map((row) => row.map(cellOf)).filter((row) => wantsRow(row, title))
-      .map((row) => kept.map((i) => ({ ...row[i], faint: Boolean(table.map && row[i].line && !(wantsLine(view, row[i].line) && wantsSession(view, row[i].session))) }))),
+    title, rows: rows.filter((row) => wantsRow(row, title)).map((row) => kept.map((i) => ({ ...row[i], faint: Boolean(table.map) && isFaint(view, row[i]) }))),
   }));
   return { ...table, columns: kept.map((i) => table.columns[i]), groups: groups.filter(({ rows }) => rows.length > 0) };
 }
 
-// Where each line is cheapest among the cells that the view shows, as { line: sentence }.
+// Where each line is cheapest among the cells of the map that the view shows, as { line: facts }.
 function winsIn({ groups }) {
-  const cells = groups.flatMap(({ rows }) => rows.flatMap(([{ to }, ...row]) => row.filter(({ line }) => line).map((cell) => ({ ...cell, scene: to.replace("scene-", "").split(":")[0] }))));
-  const sentence = (won) => {
+  const cells = groups.flatMap(({ rows }) => rows.flatMap(([{ facts: { name } }, ...row]) => row.filter(({ line }) => line).map((cell) => ({ ...cell, scene: name.split(":")[0] }))));
+  const factsOf = (won) => {
     const count = (scene) => won.filter((cell) => cell.scene === scene).length;
+    const ratios = won.map(({ facts: { second } }) => second?.ratio).filter(Boolean).sort((a, b) => a - b), next = ratios[Math.floor(ratios.length / 2)];
     const scenes = [...new Set(won.map(({ scene }) => scene))].sort((a, b) => count(b) - count(a));
-    const next = won.map((cell) => cell.next).filter(Boolean).sort((a, b) => a - b), middle = next[Math.floor(next.length / 2)];
-    const margin = middle === undefined ? "" : middle < 1.05 ? " The next is as quick, in the median." : ` The next takes ${middle} times as long, in the median.`;
-    return `Cheapest in ${won.length} of ${cells.length} cells: ${scenes.slice(0, 3).join(", ")}${scenes.length > 3 ? ` and ${scenes.length - 3} more` : ""}.${margin}`;
+    return { won: won.length, cells: cells.length, scenes, next, as_quick: next < 1.05 };
   };
-  const lines = [...new Set(cells.filter(({ faint }) => !faint).map(({ line }) => line))];
-  return Object.fromEntries(lines.map((line) => [line, sentence(cells.filter((cell) => cell.line === line))]));
+  const shown = cells.filter(({ faint }) => !faint);
+  return Object.fromEntries([...new Set(shown.map(({ line }) => line))].map((line) => [line, factsOf(shown.filter((cell) => cell.line === line))]));
 }
 
-// What is said of each line, of the cells that the view shows: where it wins, and elsewhere what speaks against it.
-function verdictsViewed(section, kind, view, sections) {
-  const rows = viewed(section.verdicts[kind.id], view, sections).groups.flatMap((group) => group.rows);
-  if (!view.scene.trim() && !view.accuracy && !view.machine) return rows;
-  const wins = winsIn(viewed(section.tables[kind.id], view, sections));
-  const said = rows.map(([line, , ...rest]) => [line, { text: wins[line.line] ?? "Wins none of these cells." }, ...rest]);
-  return said.sort(([a], [b]) => Number(b.line in wins) - Number(a.line in wins));
+// What is said of each line, of the cells of the map that the view shows: { line, won, texts }, the first with the most cells there, then in
+// the whole map. Where a line is nearest is known of the whole map only.
+function verdictsViewed({ schemes }, map, kind, view, sections) {
+  const [wins, all] = [viewed(map, view, sections), map].map(winsIn), is_part = Boolean(view.scene.trim() || view.accuracy || view.machine);
+  const wonIn = (of, { line }) => of[line]?.won ?? 0;
+  return schemes.filter(({ line }) => wantsLine(view, line)).map(({ line, nearest, ...facts }) => ({
+    line, won: wonIn(wins, { line }), texts: [say(statements.wins, { ...wins[line], is_part, nearest: nearest?.[kind.id] }), say(statements.faults, facts)],
+  })).sort((a, b) => b.won - a.won || wonIn(all, b) - wonIn(all, a));
 }

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "fdebench/reports/page/stability_curves.hpp"
+#include "fdebench/reports/regions/stability_curves.hpp"
 
 int main() try {
   const auto all = fde::bench::page_stability_curves(fde::bench::all_schemes());

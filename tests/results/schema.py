@@ -23,6 +23,10 @@ def fdebench(*words):
     return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
 
 
+def each(option, *values):
+    return [word for value in values for word in (option, value)]
+
+
 class Results(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -91,15 +95,16 @@ class Results(unittest.TestCase):
         external = next(i for i, line in enumerate(self.lines) if "external" in line)
         of_file = next(i for i, line in enumerate(self.lines) if "checksum" in line and line["quantity"] == "error_end")
         changes = [
-            (error, {"value": -1.0}), (error, {"value": None}), (error, {"value": "1"}), (error, {"quantity": "eror_end"}),
+            (error, {"value": -1.0}), (error, {"value": None}), (error, {"value": "1"}), (error, {"quantity": ""}),
             (error, {"unit": "m"}), (error, {"steps": 0}), (error, {"steps": 2.5}), (error, {"steps": 2**31}),
             (error, {"h": -1.0}), (error, {"tolerance": 2.0}), (error, {"budget": 0.0}), (error, {"grid": "curved"}),
             (error, {"history": "none"}), (error, {"scene": ""}), (error, {"scheme": ""}), (error, {"ending": "finished"}),
             (error, {"settings": {"until": 0.0}}), (error, {"settings": 1}), (ending, {"value": -1.0}),
-            (ending, {"ending": "done"}), (ending, {"unit": "s"}), (external, {"scheme": "a\nb"}), (external, {"scheme": ""}),
+            (ending, {"ending": ""}), (ending, {"unit": "s"}), (external, {"scheme": "a\nb"}), (external, {"scheme": ""}),
             (external, {"scheme": "x" * 101}), (error, {"external": True, "scheme": ""}),
             (of_file, {"checksum": ""}), (of_file, {"checksum": "abc"}), (of_file, {"checksum": "Z" * 64}),
-            (of_file, {"checksum": 1}), (of_file, {"settings": {"B": [1.0]}}),
+            (of_file, {"checksum": 1}), (of_file, {"settings": {"B": [None]}}), (error, {"settings": {"": 1.0}}),
+            (error, {"course": {"t": [1.0]}}), (error, {"course": {"t": [-1.0], "value": [1.0]}}), (error, {"unit": "a\nb"}),
             (error, {"wall_clock": True}), (external, {"wall_clock": True}),
         ]  # fmt: skip
         for number, change in changes:
@@ -109,6 +114,13 @@ class Results(unittest.TestCase):
                 taken, said = self.is_read(lines)
                 self.assertFalse(taken)
                 self.assertIn(f": line {number + 1}", said)
+        scene = next(i for i, line in enumerate(self.lines) if isinstance(line.get("scene"), dict))
+        for change in ({"title": None}, {"title": "a\nb"}, {"settings": 1}, {"scene": ""}, {"reference_seconds": -1.0}, {"evidence": 1},
+                       {"trial": {}}, {"solution": {}}, {"equations": [{"left": "y"}]}, {"parameters": [{"name": ""}]}):  # fmt: skip
+            with self.subTest(change=change):
+                lines = self.changed(scene, lambda line, change=change: line["scene"].update(change))
+                self.assertFalse(VALIDATOR.is_valid(lines[scene]))
+                self.assertFalse(self.is_read(lines)[0])
         for field in ("scene", "settings", "scheme", "steps", "h", "quantity", "value", "unit", "grid", "history", "tolerance"):
             with self.subTest(without=field):
                 lines = self.changed(error, lambda line, field=field: line.pop(field))
@@ -120,11 +132,10 @@ class Results(unittest.TestCase):
         self.assertTrue(self.is_read(self.lines)[0])
 
     def test_what_is_not_in_one_line_is_refused_too(self):
-        """A scene, a setting and a scheme that there is not; rows in the wrong order."""
+        """The name of one of our schemes for another program; rows in the wrong order; times that do not increase."""
         error = next(i for i, line in enumerate(self.lines) if line.get("quantity") == "error_end")
         for change, said in [
-            ({"scene": "relaxatoin"}, "did you mean 'relaxation'?"), ({"scheme": "l2"}, "did you mean 'l1'?"),
-            ({"settings": {"gama": 0.5}}, "gama"), ({"settings": {"gamma": 3.0}}, "gamma = 3"),
+            ({"course": {"t": [1.0, 1.0], "value": [0.0, 0.0]}}, "must increase"), ({"course": {"t": [1.0], "value": []}}, "0 values at 1 times"),
             ({"steps": 17}, "a row of another run"), ({"external": True}, "another name than those of our schemes"),
         ]:  # fmt: skip
             with self.subTest(change=change):
@@ -133,7 +144,7 @@ class Results(unittest.TestCase):
                 self.assertIn(said, why)
         second = [i for i, line in enumerate(self.lines) if "session" in line][1]
         for lines, said in [
-            (self.lines[1:], "line 1: a row before the first session"),
+            (self.lines[1:], "line 1: a scene before the first session"),
             (self.lines[: second - 1] + self.lines[second:], f"line {second}: a session begins before the last row"),
         ]:
             taken, why = self.is_read(lines)
@@ -141,21 +152,43 @@ class Results(unittest.TestCase):
             self.assertIn(said, why)
 
 
+    def test_what_another_version_may_say_is_read(self):
+        names = {"scene": "tomorrow", "scheme": "better_l1", "quantity": "beauty", "ending": "went_home"}
+        lines = copy.deepcopy(self.lines)
+        for line in lines:
+            if "session" in line:
+                continue
+            row = line["scene"] if isinstance(line["scene"], dict) else line
+            row.update({name: value for name, value in names.items() if row.get(name) in ("relaxation", "l1", "rounding", "finished")})
+            row["settings"]["news"] = [1.0, 2.0]
+            if row.get("quantity") == "beauty":
+                row.update(value=-1.0, unit="m")
+            VALIDATOR.validate(line)
+        self.assertEqual(self.is_read(lines), (True, ""))
+
+
 class Page(unittest.TestCase):
-    """What the page holds is what docs/page.schema.json says."""
+    """What the page holds is what docs/page.schema.json says, and all of it."""
 
     SCHEMA = json.loads((ROOT / "docs" / "page.schema.json").read_text())
 
     def test_is_what_the_schema_says(self):
         with tempfile.TemporaryDirectory() as folder:
             file, constrained = Path(folder) / "results.jsonl", "fractional_constraint_2d:alpha=0.3"
-            for words in (["relaxation:gamma=0.3", "relaxation", "relaxation:gamma=0.8", "pendulum"],
-                          [constrained, f"{constrained},formulation=multiplier", f"{constrained},formulation=acceleration", "loxodrome"]):
-                scenes = [word for scene in words for word in ("--scene", scene)]
-                run = fdebench("run", *scenes, "--scheme", "l1", "--scheme", "product_trapezoidal", "--scheme", "spectral_collocation",
-                               "--steps", "32,64,128", "--accuracy", "1e-3,1e-6", "--repeat", 1, "--out", file)  # fmt: skip
+            few = each("--scheme", "l1", "product_trapezoidal", "spectral_collocation")
+            sweeps = [
+                [*each("--scene", "relaxation:gamma=0.3", "relaxation", "relaxation:gamma=0.8", "pendulum", "pendulum:beta=0"), *few,
+                 *each("--scheme", "decoupled_multi_order", "commensurate_adams_pc"), "--steps", "64,128,256", "--accuracy", "1e-3,1e-6"],
+                [*each("--scene", constrained, f"{constrained},formulation=multiplier", f"{constrained},formulation=acceleration", "loxodrome"),
+                 *few, "--steps", "32,64,128"],
+                ["--scene", "relaxation:gamma=0.05", "--scheme", "l1", "--steps", 4096],  # a trial
+                ["--scene", "relaxation:lambda=0", "--scheme", "l1", "--steps", 32],  # without error
+                ["--scene", "relaxation", "--steps", 1, "--external", "end=echo 't,y\n0,1\n1,0.43' #"],  # the whole process is timed
+            ]  # fmt: skip
+            for words in sweeps:
+                run = fdebench("run", *words, "--repeat", 1, "--out", file)
                 self.assertEqual(run.returncode, 0, run.stderr)
-            self.assertEqual(fdebench("report", file, "--out", folder).returncode, 0)
+            self.assertEqual(fdebench("report", file, file, "--out", folder).returncode, 0)
             page = (Path(folder) / "index.html").read_text()
         data = json.loads(re.search('<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1])
         jsonschema.Draft202012Validator.check_schema(self.SCHEMA)

@@ -49,20 +49,22 @@ def arrows():
 
 
 def allowed():
-    """{folder: the folders that its line in layers.txt lists}, in the order of the table."""
-    table = {}
+    """{folder: the folders that its line in layers.txt lists}, in the order of the table; and the folders with a line that lists
+    all of them."""
+    table, closed = {}, set()
     for line in TABLE.read_text().splitlines():
         if line and not line.startswith("#"):
-            folder, targets = line.split(":")
+            folder, mark, targets = re.fullmatch(r"([\w/]+) ?([:=])(.*)", line).groups()
             table[folder] = targets.split()
-    return table
+            closed |= {folder} if mark == "=" else set()
+    return table, closed
 
 
-def reach(table):
-    """{folder: the folders it may include}: those of its line, and those that these may include."""
+def reach(table, closed):
+    """{folder: the folders it may include}: those of its line, and unless it is closed those that these may include."""
     result = {}
     for folder, targets in table.items():
-        result[folder] = set(targets).union(*(result.get(target, set()) for target in targets))
+        result[folder] = set(targets).union(*(result.get(target, set()) for target in targets if folder not in closed))
     return result
 
 
@@ -129,8 +131,8 @@ def faults():
     yield from twins()
     yield from twin_headers()
     yield from wrong_namespaces()
-    table, seen = allowed(), arrows()
-    may_include = reach(table)
+    (table, closed), seen = allowed(), arrows()
+    may_include = reach(table, closed)
     yield from order_faults(table)
     for (folder, target), file in seen.items():
         if target not in may_include.get(folder, ()) and not is_test_of(folder, target):
@@ -139,7 +141,7 @@ def faults():
         for target in targets:
             if (folder, target) not in seen:
                 yield f"layers.txt: no file of {folder} includes {target}"
-            if any(target in may_include[other] for other in targets):
+            if folder not in closed and any(target in may_include[other] for other in targets):
                 yield f"layers.txt: {folder} may include {target} already"
     for path in sources():
         for name, target in includes(path):
@@ -149,7 +151,7 @@ def faults():
 
 def print_dot():
     print('digraph layers {\n  rankdir=BT; nodesep=0.15; ranksep=0.35; node [shape=box, fontname="sans-serif", fontsize=11]; edge [color="#00000060"];')
-    folders = [folder for folder in allowed() if not folder.startswith("tests")]
+    folders = [folder for folder in allowed()[0] if not folder.startswith("tests")]
     for top in TOP_FOLDERS:
         inside = " ".join(f'"{folder}"' for folder in folders if folder.split("/")[0] == top)
         print(f'  subgraph "cluster_{top}" {{ label="{top}"; style=filled; color="#f0f0f0"; {inside} }}')

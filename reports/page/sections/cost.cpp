@@ -1,66 +1,35 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "fdebench/reports/analysis/text.hpp"
-#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
 namespace {
 
-Cell cell(const std::optional<double>& value, std::string (*text)(double)) {
-  return {.text = value ? text(*value) : ""};
-}
+using nlohmann::json;
 
-std::string digits_text(double digits) { return fmt::format("{:.1f}", digits); }
-
-Cell newton(const MeasuredRun& run) {
-  const auto iterations = run["newton_iterations"];
-  if (!iterations) return {.text = run.key.external ? "" : "explicit"};
-  return {.text = fmt::format("{} (to {})", count_text(*iterations), error_text(run.key.setup.tolerance))};
-}
-
-Cell time_cell(const MeasuredRun& run) {
-  Cell shown = cell(run["time_minimum"], time_text);
-  shown.text += clock_note(run.wall_clock);
-  return shown;
-}
-
-std::vector<Cell> row(const PageInput& page, const MeasuredRun& run) {
-  const std::string label = page.label(run.key);
-  return {{.text = label, .detail = page.grid(run.key.setup), .line = label},
-          {.text = count_text(run.steps)},
-          time_cell(run),
-          cell(run["error_end"], error_text),
-          cell(run["mescd"], digits_text),
-          cell(run["states"], count_text),
-          cell(run["start_weights"], count_text),
-          cell(run["rhs_calls"], count_text),
-          newton(run),
-          cell(run["history_bytes"], bytes_text)};
+json row(const PageInput& page, const MeasuredRun& run) {
+  json facts = run_facts(
+      page, run,
+      {"time_minimum", "error_end", "mescd", "states", "start_weights", "rhs_calls", "history_bytes"});
+  if (const auto iterations = run["newton_iterations"]) {
+    facts["newton"] = {{"iterations", fact(iterations)}, {"tolerance", fact(run.key.setup.tolerance)}};
+  } else {
+    facts["explicit"] = !run.key.external;
+  }
+  return facts;
 }
 
 }  // namespace
 
-Section cost_section(const PageInput& page) {
-  Section section{.id = "cost",
-                  .title = "Cost at the finest step count",
-                  .table = {.caption = "What each scheme used at its finest step count",
-                            .columns = {{"scheme"},
-                                        {"N"},
-                                        {"time"},
-                                        {"error at the end"},
-                                        {"digits (mescd)"},
-                                        {"states"},
-                                        {"start weights"},
-                                        {"rhs calls"},
-                                        {"Newton iterations"},
-                                        {"history"}}}};
+json cost_section(const PageInput& page) {
+  json groups = json::array();
   for (const RunSpan scene : by_scene(page.runs.finished)) {
-    RowGroup group{.title = name_of_scene(scene.front().key.scene).title};
-    for (const RunSpan line : by_line(scene)) group.rows.push_back(row(page, line.back()));
-    section.table.groups.push_back(std::move(group));
+    json rows = json::array();
+    for (const RunSpan line : by_line(scene)) rows.push_back(row(page, line.back()));
+    groups.push_back({{"title", name_of_scene(page, scene.front().key.scene).title}, {"rows", rows}});
   }
-  return section;
+  return {{"id", "cost"}, {"groups", groups}};
 }
 
 }  // namespace fde::bench

@@ -4,10 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "fdebench/benchmarks/scenes/registry.hpp"
-#include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reports/analysis/parameter_curves.hpp"
-#include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/reports/page/run_columns.hpp"
 
@@ -28,15 +25,11 @@ json runs_of_curves(const PageInput& page, const ParameterCurves& curves) {
   return columns;
 }
 
-// The common settings without those that equal their defaults.
-SceneSettings without_defaults(const ParameterCurves& curves) {
-  SceneSettings settings = curves.scene;
-  if (const auto* maker = find_scene(settings.id)) {
-    for (const auto& parameter : maker->parameters) {
-      const auto value = settings.values.find(parameter.name);
-      if (value != settings.values.end() && value->second == parameter.value) settings.values.erase(value);
-    }
-  }
+// The common settings, without the defaults that parameter_curves() adds.
+SceneSettings common_settings(const ParameterCurves& curves) {
+  SceneSettings settings = curves.points.front().run->key.scene;
+  settings.values.erase(curves.parameter);
+  settings.until = curves.scene.until;
   return settings;
 }
 
@@ -45,15 +38,13 @@ SceneSettings without_defaults(const ParameterCurves& curves) {
 json curve_sections(const PageInput& page) {
   json sections = json::array();
   for (const auto& curves : parameter_curves(page.runs)) {
-    const auto scene = without_defaults(curves);
+    const auto scene = common_settings(curves);
     sections.push_back(
         {{"id", fmt::format("curve-{}{}-{}", label_of(scene), short_checksum(scene), curves.parameter)},
-         {"title", fmt::format("{} over {}", name_of_scene(scene).title, curves.parameter)},
+         {"scene", name_of_scene(page, scene).title},
          {"name", label_of(scene)},
-         {"paragraphs",
-          json::array({fmt::format("Every run has N = {}, the most steps that all lines have in common.",
-                                   count_text(curves.steps))})},
          {"parameter", curves.parameter},
+         {"steps", curves.steps},
          {"runs", runs_of_curves(page, curves)}});
   }
   return sections;

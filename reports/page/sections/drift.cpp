@@ -1,73 +1,54 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "fdebench/reports/analysis/formulations.hpp"
-#include "fdebench/reports/analysis/text.hpp"
-#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
 namespace {
 
-constexpr auto internal = "internal drift", independent = "independent drift";
+using nlohmann::json;
+
 constexpr double least_correlation = 0.95;
 
-Cell size(const MeasuredRun& run, std::string_view quantity) {
-  const auto drift = run[quantity];
-  return {.text = drift ? error_text(*drift) : ""};
-}
-
-Cell growth(const MeasuredRun& run, std::string_view quantity) {
-  const auto power = run[quantity];
-  return {.text = power ? fmt::format("{:.2f}", *power) : ""};
-}
-
-Cell rate(RunSpan line, std::string_view quantity) {
+// The largest drift of a run by one rule, the power of t with which it grows, and the rate of the line.
+json drift_facts(const MeasuredRun& run, RunSpan line, const std::string& quantity) {
+  json facts{{"largest", fact(run[quantity])}, {"growth", fact(run[quantity + "_growth"])}};
   const Fit fit = observed_rate(line, quantity);
-  if (fit.points == 0 || fit.correlation < least_correlation) return {};
-  return {.text = fmt::format("{:.2f}", fit.slope),
-          .detail = fmt::format("correlation {:.4f}", fit.correlation)};
+  if (fit.points > 0 && fit.correlation >= least_correlation)
+    facts.update({{"rate", fact(fit.slope)}, {"correlation", fact(fit.correlation)}});
+  return facts;
 }
 
-std::vector<Cell> row(const PageInput& page, const std::string& formulation, RunSpan line, int steps) {
+json row(const PageInput& page, const std::string& formulation, RunSpan line, int steps) {
   const auto found = std::ranges::find(line, steps, &MeasuredRun::steps);
   const auto until = found == line.end() ? line.end() : std::next(found);
   const RunSpan fitted(line.begin(), until);
-  const MeasuredRun& run = fitted.back();
-  const std::string label = page.label(run.key);
-  const auto error = run["error_end"], seconds = run["time_minimum"];
-  return {{.text = formulation},
-          {.text = label, .line = label},
-          {.text = count_text(run.steps)},
-          size(run, "drift_internal"),
-          growth(run, "drift_internal_growth"),
-          rate(fitted, "drift_internal"),
-          size(run, "drift_independent"),
-          growth(run, "drift_independent_growth"),
-          rate(fitted, "drift_independent"),
-          {.text = error ? error_text(*error) : ""},
-          {.text = seconds ? time_text(*seconds) : ""}};
+  json facts = run_facts(page, fitted.back(), {"error_end", "time_minimum"});
+  facts["formulation"] = formulation;
+  facts["internal"] = drift_facts(fitted.back(), fitted, "drift_internal");
+  facts["independent"] = drift_facts(fitted.back(), fitted, "drift_independent");
+  return facts;
 }
 
-std::string with_run(const PageInput& page, const BestInTime& best) {
-  const auto error = best.run["error_end"];
-  return fmt::format("{} with {} ({}{} at N = {})", best.formulation, page.label(best.run.key),
-                     error_text(effective_drift(best.run)), error ? ", error " + error_text(*error) : "",
-                     count_text(best.run.steps));
-}
-
-// A text: which formulation has the least drift in the same time; empty with one formulation or without
+// The formulations in the order of their least drift in the same time; null with one formulation or without
 // times.
-std::string advice(const PageInput& page, const ConstrainedScene& scene) {
+json best_of_formulations(const PageInput& page, const ConstrainedScene& scene) {
   const auto [seconds, ranked] = best_in_time(scene);
   if (ranked.size() < 2) return {};
-  std::vector<std::string> others;
-  for (std::size_t i = 1; i < ranked.size(); ++i) others.push_back(with_run(page, ranked[i]));
-  return fmt::format("{}: within {}, the constraint is kept best by {}; then {}.",
-                     name_of_scene(scene.scene).title, time_text(seconds), with_run(page, ranked.front()),
-                     fmt::join(others, ", "));
+  json others = json::array();
+  for (const BestInTime& best : ranked) {
+    json facts = run_facts(page, best.run, {"error_end"});
+    facts.update({{"formulation", best.formulation}, {"drift", fact(effective_drift(best.run))}});
+    others.push_back(std::move(facts));
+  }
+  json first = std::move(others.front());
+  others.erase(others.begin());
+  return {{"title", name_of_scene(page, scene.scene).title},
+          {"seconds", fact(seconds)},
+          {"best", std::move(first)},
+          {"others", std::move(others)}};
 }
 
 bool at_rounding(const FormulationRuns& of) {
@@ -77,8 +58,8 @@ bool at_rounding(const FormulationRuns& of) {
   });
 }
 
-// The formulations whose runs all keep the constraint to rounding, on every scene; empty if there are none.
-std::string on_rounding(const std::vector<ConstrainedScene>& scenes) {
+// The formulations whose runs all keep the constraint to rounding, on every scene.
+std::vector<std::string> on_rounding(const std::vector<ConstrainedScene>& scenes) {
   std::vector<std::string> names;
   for (const auto& scene : scenes) {
     for (const auto& of : scene.formulations) {
@@ -92,52 +73,28 @@ std::string on_rounding(const std::vector<ConstrainedScene>& scenes) {
         names.push_back(of.formulation);
     }
   }
-  if (names.empty()) return {};
-  return fmt::format(
-      "With the scheme's own memory every run of these that did not diverge keeps the constraint to rounding "
-      "(1e-12): {}.",
-      fmt::join(names, ", "));
+  return names;
 }
 
 }  // namespace
 
-Section drift_section(const PageInput& page) {
-  Section section{
-      .id = "drift",
-      .title = "Drift from the constraints",
-      .paragraphs =
-          {"The largest |f(t, q, v, w)| along the computed path, in the unit of f. The internal drift "
-           "takes the scheme's own w at every step; the independent one takes the derivative of fractional "
-           "order of the computed path, by a rule of higher order than any scheme here. Growth is p where "
-           "the largest drift so far grows like t^p, 0 where it stays bounded. The rate in h is fitted "
-           "over five step counts at most; it is left out below a correlation of 0.95. No growth or rate "
-           "where the drift is at rounding. The table is for the finest step count that the lines of a "
-           "scene share. The sentences compare, within the largest time that every formulation was given, "
-           "each one's run with the least drift, and of those at rounding the one with the least error."},
-      .table = {.caption = "Drift from the constraints by scene, formulation and scheme",
-                .columns = {{"formulation"},
-                            {"scheme"},
-                            {"N"},
-                            {"largest", internal},
-                            {"growth", internal},
-                            {"rate in h", internal},
-                            {"largest", independent},
-                            {"growth", independent},
-                            {"rate in h", independent},
-                            {"error at the end"},
-                            {"time"}}}};
+json drift_section(const PageInput& page) {
+  json groups = json::array(), best = json::array();
   const auto scenes = constrained_scenes(page.runs);
   for (const auto& scene : scenes) {
-    RowGroup group{.title = name_of_scene(scene.scene).title};
+    json rows = json::array();
     for (const auto& of : scene.formulations) {
       for (const RunSpan line : by_line(of.runs))
-        group.rows.push_back(row(page, of.formulation, line, scene.steps));
+        rows.push_back(row(page, of.formulation, line, scene.steps));
     }
-    section.table.groups.push_back(std::move(group));
-    if (auto text = advice(page, scene); !text.empty()) section.paragraphs.push_back(std::move(text));
+    groups.push_back({{"title", name_of_scene(page, scene.scene).title}, {"rows", rows}});
+    if (auto facts = best_of_formulations(page, scene); !facts.empty()) best.push_back(std::move(facts));
   }
-  if (auto text = on_rounding(scenes); !text.empty()) section.paragraphs.push_back(std::move(text));
-  return section;
+  return {{"id", "drift"},
+          {"best_in_time", best},
+          {"at_rounding", on_rounding(scenes)},
+          {"rounding", rounding_drift},
+          {"groups", groups}};
 }
 
 }  // namespace fde::bench

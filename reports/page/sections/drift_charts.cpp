@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "fdebench/benchmarks/observers/independent_memory.hpp"
-#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/reports/analysis/formulations.hpp"
 #include "fdebench/reports/page/chart_number.hpp"
 #include "fdebench/reports/page/page_data.hpp"
@@ -22,96 +15,26 @@ namespace {
 using nlohmann::json;
 
 constexpr int digits = 3;
-constexpr int times_an_octave = 8, octaves = 10;
 
-// The running maximum of the drift, sampled at eight times per factor of 2 in t, from end/1024 on.
-class RunningMaximum {
- public:
-  explicit RunningMaximum(double end) : next_(std::ldexp(end, -octaves)) {}
-
-  void observe(double t, double drift) {
-    largest_ = std::max(largest_, drift);
-    if (t < next_ * (1.0 - 1e-12)) return;
-    if (largest_ > 0.0) {
-      t_.push_back(rounded_for_chart(t, digits));
-      drift_.push_back(rounded_for_chart(largest_, digits));
-    }
-    while (next_ * (1.0 - 1e-12) <= t) next_ *= std::exp2(1.0 / times_an_octave);
+// The drift of effective_drift() up to t; empty if the run has none.
+Course course_of(const MeasuredRun& run) {
+  for (const auto* quantity : {"drift_independent", "drift_internal"}) {
+    const auto found = run.courses.find(quantity);
+    if (found != run.courses.end()) return found->second;
   }
-
-  void add_to(json& shown) const {
-    shown["t"] = t_;
-    shown["drift"] = drift_;
-  }
-
- private:
-  double next_, largest_ = 0.0;
-  std::vector<double> t_{}, drift_{};
-};
-
-// The columns at the steps of a run. D^order of the velocities is computed by a rule other than the scheme's
-// where that is possible (IndependentMemoryRule).
-class IndependentColumns {
- public:
-  IndependentColumns(const Scene& scene, const Grid& grid, Matrix columns)
-      : scene_(scene), columns_(std::move(columns)) {
-    if (!grid.uniform() || grid.steps < IndependentMemoryRule::fewest_steps) return;
-    for (const auto& [derivative, velocity, order, powers] : scene.memory_columns)
-      memories_.emplace_back(grid, order, powers);
-  }
-
-  // Whether at() is expensive: it then computes a history sum.
-  [[nodiscard]] bool is_expensive() const { return !memories_.empty(); }
-
-  [[nodiscard]] Vec at(int step) const {
-    Vec seen = columns_.col(step);
-    for (std::size_t m = 0; m < memories_.size(); ++m) {
-      const MemoryColumn& of = scene_.memory_columns[m];
-      seen[of.derivative] = memories_[m].at(step, columns_.row(of.velocity).transpose());
-    }
-    return seen;
-  }
-
- private:
-  const Scene& scene_;
-  Matrix columns_;
-  std::vector<IndependentMemoryRule> memories_{};
-};
-
-// The drift of the run as a function of t, from a new solve; nullopt if the solve does not finish.
-std::optional<json> course_of(const PageInput& page, const BestInTime& best) {
-  const RunKey& key = best.run.key;
-  const auto* maker = find_scene(key.scene.id);
-  const auto* scheme = find_scheme(key.scheme);
-  const auto* steps = std::get_if<int>(&key.setup.resolution);
-  if (maker == nullptr || scheme == nullptr || steps == nullptr || !key.scene.checksum.empty())
-    return std::nullopt;
-  const Scene scene = make_scene(SceneVariant{maker, key.scene.values, key.scene.until});
-  const Grid grid{.end = scene.problem.end, .steps = *steps, .grading = key.setup.grading};
-  const Trajectory path = scheme->solve(scene.problem, grid, key.setup.options());
-  if (path.status != SolveStatus::finished || path.y.cols() != *steps + 1) return std::nullopt;
-  const IndependentColumns columns(scene, grid, columns_of(scene.outputs, path));
-  RunningMaximum largest(grid.end);
-  double next = 0.0;
-  for (int n = 1; n <= *steps; ++n) {
-    const double t = grid.time(n);
-    if (columns.is_expensive() && t < next && n < *steps) continue;
-    next = t * std::exp2(1.0 / times_an_octave);
-    largest.observe(t, scene.constraint.drift(t, columns.at(n)));
-  }
-  json course{{"formulation", best.formulation}, {"line", page.label(key)}, {"steps", *steps}};
-  largest.add_to(course);
-  return course;
+  return {};
 }
 
 json courses_of(const PageInput& page, const ConstrainedScene& scene) {
   json courses = json::array();
-  for (const auto& best : best_in_time(scene).ranked) {
-    try {
-      if (auto course = course_of(page, best)) courses.push_back(std::move(*course));
-    } catch (const std::exception&) {  // this build cannot solve the scene: no curve
-      continue;
-    }
+  for (const auto& [formulation, run] : best_in_time(scene).ranked) {
+    const Course course = course_of(run);
+    if (course.empty()) continue;
+    courses.push_back({{"formulation", formulation},
+                       {"line", page.label(run.key)},
+                       {"steps", run.steps},
+                       {"t", course.t},
+                       {"drift", course.value}});
   }
   return courses;
 }
@@ -147,7 +70,7 @@ json points_of(const PageInput& page, const ConstrainedScene& scene) {
 
 json drift_charts(const PageInput& page, const ConstrainedScene& scene) {
   return {{"id", section_of(scene.scene)},
-          {"title", name_of_scene(scene.scene).title},
+          {"title", name_of_scene(page, scene.scene).title},
           {"points", points_of(page, scene)},
           {"courses", courses_of(page, scene)}};
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
-#include "fdebench/reports/analysis/text.hpp"
-#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/facts.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
 namespace {
+
+using nlohmann::json;
 
 // The scheme that solves the commensurate expansion of another scheme's chains; nullptr if there is none.
 const Scheme* expansion_scheme() {
@@ -38,58 +38,35 @@ std::optional<Pair> finest_pair(const Scheme& expansion, RunSpan scene) {
   return finest;
 }
 
-Cell states(const MeasuredRun& run) {
-  const auto count = run["states"];
-  return {.text = count ? count_text(*count) : ""};
-}
-
-// A time is shown only together with its error.
-Cell time_and_error(const MeasuredRun& run) {
-  const auto seconds = run["time_minimum"], error = run["error_end"];
-  if (!seconds || !error) return {};
-  return {.text = time_text(*seconds), .detail = "error " + error_text(*error)};
-}
-
-Cell times_as_long(const Pair& pair) {
+json ratio(const Pair& pair) {
   const auto chain = (*pair.chain)["time_minimum"], expansion = (*pair.expansion)["time_minimum"];
-  return {.text = chain && expansion && *chain > 0.0 ? fmt::format("{:.2f}", *expansion / *chain) : ""};
+  return chain && expansion && *chain > 0.0 ? fact(*expansion / *chain) : json();
 }
 
 }  // namespace
 
-Section expansion_section(const PageInput& page) {
+json expansion_section(const PageInput& page) {
   const Scheme* expansion = expansion_scheme();
   if (expansion == nullptr) return {};
-  Section section{
-      .id = "expansion",
-      .title = "Decoupled chain or commensurate expansion",
-      .paragraphs = {fmt::format(
-          "Yin, Liu & Anh 2007 hold that the expansion into equal orders ({}) has too many states, against "
-          "their decoupled chain ({}). Measured, at the finest step count that both have:",
-          expansion->id, expansion->expansion_of)},
-      .table = {.caption = "States and times of the decoupled chain and the commensurate expansion",
-                .columns = {{"scene"},
-                            {"N"},
-                            {"states", "chain"},
-                            {"time", "chain"},
-                            {"states", "expansion"},
-                            {"time", "expansion"},
-                            {"time ratio"}}}};
-  RowGroup rows;
+  json rows = json::array();
   for (const RunSpan scene : by_scene(page.runs.finished)) {
     const auto pair = finest_pair(*expansion, scene);
     if (!pair) continue;
     const SceneSettings& solved = scene.front().key.scene;
-    rows.rows.push_back({{.text = name_of_scene(solved).title, .detail = label_of(solved)},
-                         {.text = count_text(pair->chain->steps)},
-                         states(*pair->chain),
-                         time_and_error(*pair->chain),
-                         states(*pair->expansion),
-                         time_and_error(*pair->expansion),
-                         times_as_long(*pair)});
+    const auto facts = [&](const MeasuredRun& run) {
+      return run_facts(page, run, {"states", "time_minimum", "error_end"});
+    };
+    rows.push_back({{"title", name_of_scene(page, solved).title},
+                    {"name", label_of(solved)},
+                    {"steps", pair->chain->steps},
+                    {"chain", facts(*pair->chain)},
+                    {"expansion", facts(*pair->expansion)},
+                    {"ratio", ratio(*pair)}});
   }
-  if (!rows.rows.empty()) section.table.groups.push_back(std::move(rows));
-  return section;
+  return {{"id", "expansion"},
+          {"chain", expansion->expansion_of},
+          {"expansion", expansion->id},
+          {"groups", json::array({{{"rows", rows}}})}};
 }
 
 }  // namespace fde::bench

@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "fdebench/reports/analysis/text.hpp"
-#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/facts.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
 namespace {
 
-// Runs with the same ending: lines with the same numbers of steps.
+using nlohmann::json;
+
+// Runs with the same ending: lines with the same numbers of steps, or the same tolerances.
 struct EqualEndings {
-  std::vector<std::string> lines, steps;
+  std::vector<std::string> lines;
+  std::vector<int> steps;
+  std::vector<double> tolerances;
   RunOutcome first, last;
 
-  // "not finite at step 13, t = 1.5 ... at step 102, t = 1.6".
-  [[nodiscard]] std::string reason() const {
-    return first == last ? sentence(first) : fmt::format("{} ... {}", sentence(first), last.detail);
+  [[nodiscard]] bool has_runs_and_reason_of(const EqualEndings& other) const {
+    return steps == other.steps && tolerances == other.tolerances && first == other.first &&
+           last == other.last;
   }
 };
 
@@ -33,84 +34,75 @@ bool alike(const RunOutcome& one, const RunOutcome& other) {
   return one.kind == other.kind && (one.kind != SolveStatus::refused || one.detail == other.detail);
 }
 
-std::string steps_or_accuracy(const MeasuredRun& run) {
-  const auto* requested = std::get_if<Tolerance>(&run.key.setup.resolution);
-  return requested != nullptr ? error_text(requested->rtol) : count_text(run.steps);
-}
-
 // Consecutive numbers of steps of a line with the same ending.
 std::vector<EqualEndings> endings_of(const PageInput& page, RunSpan line) {
   std::vector<EqualEndings> found;
   for (const MeasuredRun& run : line) {
     if (found.empty() || !alike(found.back().last, run.ending))
-      found.push_back({.lines = {page.label(run.key)}, .steps = {}, .first = run.ending, .last = {}});
-    found.back().last = run.ending;
-    found.back().steps.push_back(steps_or_accuracy(run));
+      found.push_back({{page.label(run.key)}, {}, {}, run.ending, {}});
+    auto& of = found.back();
+    of.last = run.ending;
+    if (const auto* requested = std::get_if<Tolerance>(&run.key.setup.resolution)) {
+      of.tolerances.push_back(requested->rtol);
+    } else {
+      of.steps.push_back(run.steps);
+    }
   }
   return found;
 }
 
-}  // namespace
-
-// Lines with the same endings for the same numbers of steps share a row.
-Section failures_section(const PageInput& page) {
-  Section section{
-      .id = "failures",
-      .title = "Refused and failed",
-      .paragraphs = {"Every run that did not come to its end, or whose end says nothing about the solution, "
-                     "with the reason."},
-      .table = {.caption = "Refused and failed runs with their reasons",
-                .columns = {{"scheme"}, {"N or accuracy"}, {"reason"}}},
-      .collapsed = true};
-  for (const RunSpan scene : by_scene(page.runs.failed)) {
-    std::vector<EqualEndings> all;
-    for (const RunSpan line : by_line(scene)) {
-      for (EqualEndings& ending : endings_of(page, line)) {
-        const auto same = std::ranges::find_if(all, [&](const EqualEndings& other) {
-          return other.reason() == ending.reason() && other.steps == ending.steps;
-        });
-        if (same == all.end()) {
-          all.push_back(std::move(ending));
-        } else {
-          same->lines.push_back(std::move(ending.lines.front()));
-        }
+// Lines with the same endings of the same runs share a row.
+std::vector<EqualEndings> endings_of_scene(const PageInput& page, RunSpan scene) {
+  std::vector<EqualEndings> all;
+  for (const RunSpan line : by_line(scene)) {
+    for (EqualEndings& ending : endings_of(page, line)) {
+      const auto same = std::ranges::find_if(
+          all, [&](const EqualEndings& other) { return other.has_runs_and_reason_of(ending); });
+      if (same == all.end()) {
+        all.push_back(std::move(ending));
+      } else {
+        same->lines.push_back(std::move(ending.lines.front()));
       }
     }
-    RowGroup group{.title = name_of_scene(scene.front().key.scene).title};
-    for (const EqualEndings& of : all) {
-      group.rows.push_back({{.text = fmt::format("{}", fmt::join(of.lines, ", "))},
-                            {.text = fmt::format("{}", fmt::join(of.steps, ", "))},
-                            {.text = of.reason()}});
-    }
-    section.table.groups.push_back(std::move(group));
   }
-  return section;
+  return all;
 }
 
-// The schemes of this build, then external programs.
-Section schemes_section(const PageInput& page) {
-  Section section{.id = "schemes",
-                  .title = "The schemes",
-                  .table = {.caption = "The schemes and where they come from",
-                            .columns = {{"scheme"}, {"title"}, {"source"}}}};
-  RowGroup rows;
-  for (const auto& scheme : schemes()) {
-    const std::string id(scheme.id);
-    const auto of_this = [&](const MeasuredRun& run) { return run.key.scheme == id; };
-    if (std::ranges::any_of(page.runs.finished, of_this) || std::ranges::any_of(page.runs.failed, of_this)) {
-      rows.rows.push_back(
-          {{.text = id}, {.text = std::string(scheme.title)}, {.text = std::string(scheme.source)}});
-    }
+json row(const EqualEndings& of) {
+  json facts = ending_facts(of.first);
+  facts.update({{"lines", of.lines}, {"steps", of.steps}, {"requested", of.tolerances}});
+  if (of.last != of.first) facts["last"] = of.last.detail;
+  return facts;
+}
+
+}  // namespace
+
+json failures_section(const PageInput& page) {
+  json groups = json::array();
+  for (const RunSpan scene : by_scene(page.runs.failed)) {
+    json rows = json::array();
+    for (const EqualEndings& of : endings_of_scene(page, scene)) rows.push_back(row(of));
+    groups.push_back({{"title", name_of_scene(page, scene.front().key.scene).title}, {"rows", rows}});
   }
-  std::set<std::string> external;
+  return {{"id", "failures"}, {"groups", groups}};
+}
+
+// The schemes of this build, then those of another version and external programs, of which the name is known.
+json schemes_section(const PageInput& page) {
+  json rows = json::array();
+  for (const auto& scheme : schemes()) {
+    const auto of_this = [&](const MeasuredRun& run) { return run.key.scheme == scheme.id; };
+    if (std::ranges::any_of(page.runs.finished, of_this) || std::ranges::any_of(page.runs.failed, of_this))
+      rows.push_back({{"scheme", scheme.id}, {"title", scheme.title}, {"source", scheme.source}});
+  }
+  std::set<std::string> others;
   for (const auto* runs : {&page.runs.finished, &page.runs.failed, &page.trials}) {
     for (const MeasuredRun& run : *runs) {
-      if (run.key.external) external.insert(run.key.scheme);
+      if (find_scheme(run.key.scheme) == nullptr) others.insert(run.key.scheme);
     }
   }
-  for (const auto& name : external) rows.rows.push_back({{.text = name}, {.text = "another program"}, {}});
-  if (!rows.rows.empty()) section.table.groups.push_back(std::move(rows));
-  return section;
+  for (const auto& name : others) rows.push_back({{"scheme", name}});
+  return {{"id", "schemes"}, {"groups", json::array({{{"rows", rows}}})}};
 }
 
 }  // namespace fde::bench

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
+#include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
 
-#include "fdebench/reports/analysis/text.hpp"
-#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
 namespace {
+
+using nlohmann::json;
 
 std::optional<double> observed_rate_of(const PageInput& page, const SceneSettings& scene,
                                        const RecommendedRun& line, Norm norm) {
@@ -23,24 +22,22 @@ std::optional<double> observed_rate_of(const PageInput& page, const SceneSetting
 
 }  // namespace
 
-// Time = steps * time per step: says which factor distinguishes the first line from the second.
-std::string reason_for_speed(const PageInput& page, const SceneSettings& scene, const RecommendedRun& first,
-                             const RecommendedRun& second, Norm norm) {
+// Time = steps * time per step: the factor that distinguishes the first line from the second.
+json reason_for_speed(const PageInput& page, const SceneSettings& scene, const RecommendedRun& first,
+                      const RecommendedRun& second, Norm norm) {
   const double fewer = static_cast<double>(second.steps) / first.steps;
   const double dearer = first.seconds_per_step() / second.seconds_per_step();
-  const auto name = page.label(second);
+  json reason{{"line", page.label(second)}};
   if (fewer < 1.5) {
-    return fmt::format("a step takes {} where one of {} takes {}", time_text(first.seconds_per_step()), name,
-                       time_text(second.seconds_per_step()));
+    reason["step_seconds"] = {fact(first.seconds_per_step()), fact(second.seconds_per_step())};
+    return reason;
   }
-  std::string text = fmt::format("{} steps are enough where {} needs {}", count_text(first.steps), name,
-                                 count_text(second.steps));
+  reason["steps"] = {first.steps, second.steps};
   const auto ours = observed_rate_of(page, scene, first, norm),
              theirs = observed_rate_of(page, scene, second, norm);
-  if (ours && theirs && *ours > *theirs + 0.2)
-    text += fmt::format(", by its rate, {:.1f} against {:.1f}", *ours, *theirs);
-  if (dearer > 1.5) text += fmt::format(", although a step takes {:.1f} times as long", dearer);
-  return text;
+  if (ours && theirs && *ours > *theirs + 0.2) reason["rates"] = {fact(ours), fact(theirs)};
+  if (dearer > 1.5) reason["dearer"] = fact(dearer);
+  return reason;
 }
 
 }  // namespace fde::bench

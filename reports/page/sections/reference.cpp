@@ -1,92 +1,53 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <exception>
-#include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "fdebench/benchmarks/references/reference_of.hpp"
-#include "fdebench/reports/analysis/text.hpp"
-#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
 namespace {
 
-constexpr double largest_share = 0.1;
-constexpr auto errors_at_end = "error at the end", errors_over_all = "largest error over all times";
+using nlohmann::json;
 
-// The smallest error of a scene in one norm, the bound of the reference, and their ratio: three cells, empty
-// if no run has both.
-std::vector<Cell> reference_cells(const PageInput& page, RunSpan scene, std::string_view error_id,
-                                  std::string_view bound_id) {
+constexpr double largest_share = 0.1;
+
+// The smallest error of a scene in one norm with the bound of the reference, and their ratio; null if no run
+// has both.
+json best_resolved(const PageInput& page, RunSpan scene, std::string_view error_id,
+                   std::string_view bound_id) {
   const MeasuredRun* best = nullptr;
   for (const MeasuredRun& run : scene) {
     if (run[error_id] && run[bound_id] && (best == nullptr || *run[error_id] < *(*best)[error_id]))
       best = &run;
   }
-  if (best == nullptr) return std::vector<Cell>(3);
+  if (best == nullptr) return {};
   const double error = *(*best)[error_id], bound = *(*best)[bound_id];
-  Cell share{.text = error > 0.0 ? error_text(bound / error) : "the error is 0"};
-  if (bound > largest_share * error) {
-    share.highlighted = true;
-    share.detail = "not resolved by the reference";
-  }
-  const std::string label = page.label(best->key);
-  return {{.text = error_text(bound)},
-          {.text = error_text(error),
-           .detail = fmt::format("{}, N = {}", label, count_text(best->steps)),
-           .line = label},
-          share};
+  json facts = run_facts(page, *best, {});
+  facts.update({{"error", fact(error)},
+                {"bound", fact(bound)},
+                {"ratio", error > 0.0 ? fact(bound / error) : json()},
+                {"unresolved", bound > largest_share * error}});
+  return facts;
 }
 
-// CPU seconds to compute a reference by two methods without the cache, as `fdebench exact` does; nullopt if
-// the reference is a formula or cannot be computed.
-std::optional<double> seconds_to_compute(Scene scene) {
-  if (evidence_of(scene) != "two methods") return std::nullopt;
-  scene.name.clear();  // the cache on disk is keyed by the name
-  const auto start = std::clock();
-  try {
-    reference_of(scene);
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-struct Basis {
-  std::string_view evidence{};
-  std::optional<double> seconds{};
-};
-
-// Of scenes that differ in their settings only the first is timed.
-Basis basis_of(const SceneSettings& settings, bool is_first) {
-  const auto scene = known_scene(settings);
-  if (!scene) return {};
-  return {.evidence = evidence_of(*scene), .seconds = is_first ? seconds_to_compute(*scene) : std::nullopt};
-}
-
-// Empty if no run of the scene has an error and a bound.
-std::vector<Cell> reference_row(const PageInput& page, RunSpan scene, const Basis& basis) {
+// null if no run of the scene has an error and a bound.
+json reference_row(const PageInput& page, RunSpan scene, const SceneDescription& described) {
   const auto& of = scene.front().key.scene;
-  std::vector<Cell> row{{.text = name_of_scene(of).title, .detail = label_of(of)}};
-  std::ranges::copy(reference_cells(page, scene, "error_end", "reference_bound"), std::back_inserter(row));
-  std::ranges::copy(reference_cells(page, scene, "error_maximum", "reference_bound_maximum"),
-                    std::back_inserter(row));
-  const bool known =
-      std::any_of(row.begin() + 1, row.end(), [](const Cell& cell) { return !cell.text.empty(); });
-  if (!known) return {};
-  row.insert(row.begin() + 1,
-             {.text = std::string(basis.evidence),
-              .detail = basis.seconds ? "computed in " + time_text(*basis.seconds) : std::string()});
-  return row;
+  json end = best_resolved(page, scene, "error_end", "reference_bound"),
+       maximum = best_resolved(page, scene, "error_maximum", "reference_bound_maximum");
+  if (end.is_null() && maximum.is_null()) return {};
+  return {{"title", name_of_scene(page, of).title},
+          {"name", label_of(of)},
+          {"evidence", described.evidence},
+          {"seconds", fact(described.reference_seconds)},
+          {"end", std::move(end)},
+          {"maximum", std::move(maximum)}};
 }
 
 constexpr ErrorKind judged{.norm = Norm::maximum, .scale = Scale::mixed};
@@ -128,8 +89,7 @@ double middle(std::vector<double> values) {
   return *place;
 }
 
-// Times to compute the references, and times of schemes with a comparable accuracy; empty if nothing is
-// timed.
+// Times to compute the references, and times of schemes with a comparable accuracy.
 class CostOfReferences {
  public:
   void add(const SceneLines& lines, RunSpan runs, double seconds) {
@@ -145,28 +105,18 @@ class CostOfReferences {
     forecasts_ += grid.is_forecast ? 1 : 0;
   }
 
-  [[nodiscard]] std::string text() const {
+  [[nodiscard]] json facts() const {
     if (computed_.empty()) return {};
     const auto [least, most] = std::ranges::minmax(computed_);
-    std::string said = fmt::format(
-        "Where two methods have to agree, a reference took {} to {} of a processor when it was recomputed "
-        "for this page, as fdebench exact does.",
-        time_text(least), time_text(most));
+    json all{{"seconds", {fact(least), fact(most)}}};
     if (!ratios_.empty()) {
-      said += fmt::format(
-          " The quickest scheme over a grid without start weights takes {} times as long to an error of "
-          "1e-12, "
-          "in the median of {} scenes{}.",
-          rough_count_text(middle(ratios_)), ratios_.size(),
-          forecasts_ > 0 ? fmt::format(", for {} of them by its errors so far", forecasts_) : "");
+      all["grid"] = {{"ratio", fact(middle(ratios_))},
+                     {"scenes", ratios_.size()},
+                     {"forecasts", forecasts_ > 0 ? json(forecasts_) : json()}};
     }
-    if (!choosing_.empty()) {
-      said += fmt::format(
-          " The quickest that takes an accuracy gets there in {}, in the median of the {} "
-          "where one was measured.",
-          time_text(middle(choosing_)), choosing_.size());
-    }
-    return said;
+    if (!choosing_.empty())
+      all["adaptive"] = {{"seconds", fact(middle(choosing_))}, {"scenes", choosing_.size()}};
+    return all;
   }
 
  private:
@@ -176,39 +126,17 @@ class CostOfReferences {
 
 }  // namespace
 
-Section reference_section(const PageInput& page) {
-  Section section{
-      .id = "reference",
-      .title = "How far the reference is known",
-      .paragraphs =
-          {"An error means something only as far as it is above the error of the reference itself: a bound "
-           "where the solution is known in closed form or as an inverse Laplace transform, an estimate where "
-           "two methods that share nothing agree. It is set against the smallest error measured on the "
-           "scene. "
-           "The first of the two methods is a collocation on panels, as spectral_collocation is; for that "
-           "scheme the second one vouches alone, exponentials within a Radau IIA method. What is stated "
-           "covers the difference of the two; where it is more than a tenth of an error, that is marked."},
-      .table = {.caption = "The reference's own error against the smallest error measured",
-                .columns = {{"scene"},
-                            {"rests on"},
-                            {"reference", errors_at_end},
-                            {"smallest measured", errors_at_end},
-                            {"ratio", errors_at_end},
-                            {"reference", errors_over_all},
-                            {"smallest measured", errors_over_all},
-                            {"ratio", errors_over_all}}}};
-  RowGroup rows;
+json reference_section(const PageInput& page) {
+  json rows = json::array();
   CostOfReferences cost;
-  std::set<std::string> seen;
   for (const RunSpan scene : by_scene(page.runs.finished)) {
     const auto& of = scene.front().key.scene;
-    const Basis basis = basis_of(of, seen.insert(of.id).second);
-    if (basis.seconds) cost.add(SceneLines(page.runs, of), scene, *basis.seconds);
-    if (auto cells = reference_row(page, scene, basis); !cells.empty()) rows.rows.push_back(std::move(cells));
+    const auto* found = page.runs.describe(of);
+    const SceneDescription& described = found != nullptr ? *found : SceneDescription{};
+    if (described.reference_seconds) cost.add(SceneLines(page.runs, of), scene, *described.reference_seconds);
+    if (json row = reference_row(page, scene, described); !row.is_null()) rows.push_back(std::move(row));
   }
-  if (!rows.rows.empty()) section.table.groups.push_back(std::move(rows));
-  if (auto text = cost.text(); !text.empty()) section.paragraphs.push_back(std::move(text));
-  return section;
+  return {{"id", "reference"}, {"cost", cost.facts()}, {"groups", json::array({{{"rows", rows}}})}};
 }
 
 }  // namespace fde::bench

@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
-#include "fdebench/reports/analysis/text.hpp"
-#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/benchmarks/records/description_text.hpp"
+#include "fdebench/reports/page/facts.hpp"
 #include "fdebench/reports/page/run_columns.hpp"
 
 namespace fde::bench {
 namespace {
 
 using nlohmann::json;
-
-// A logarithmic axis shows positive values only.
-std::optional<double> above_zero(const MeasuredRun& run, std::string_view quantity) {
-  const auto value = run[quantity];
-  return value && *value > 0.0 ? value : std::nullopt;
-}
 
 json runs_of_scene(const PageInput& page, RunSpan scene) {
   std::vector<const MeasuredRun*> runs;
@@ -42,47 +33,38 @@ json rates_of_scene(const PageInput& page, RunSpan scene) {
   return shown;
 }
 
-// A note that names the runs with error 0, which a logarithmic chart cannot show.
-std::string not_drawn(const PageInput& page, RunSpan scene) {
-  std::vector<std::string> names;
+// The runs with error 0, which a logarithmic chart cannot show.
+json not_drawn(const PageInput& page, RunSpan scene) {
+  json runs = json::array();
   for (const MeasuredRun& run : scene) {
-    if (run["error_end"] && !above_zero(run, "error_end")) {
-      names.push_back(fmt::format("{} at N = {}", page.label(run.key), count_text(run.steps)));
-    }
+    if (run["error_end"] == 0.0) runs.push_back({{"line", page.label(run.key)}, {"steps", run.steps}});
   }
-  if (names.empty()) return {};
-  return fmt::format("Not in the charts, because the error at the end is exactly 0: {}.",
-                     fmt::join(names, ", "));
+  return runs;
 }
 
-// A note that names the lines whose times are of whole processes.
-std::string on_wall_clock(const PageInput& page, RunSpan scene) {
+// The lines whose times are of whole processes.
+std::set<std::string> on_wall_clock(const PageInput& page, RunSpan scene) {
   std::set<std::string> names;
   for (const MeasuredRun& run : scene) {
     if (run.wall_clock) names.insert(page.label(run.key));
   }
-  if (names.empty()) return {};
-  return fmt::format("Times of whole processes, by the wall clock and with their start: {}.",
-                     fmt::join(names, ", "));
+  return names;
 }
 
-// The parameters in which the solution is not continuous at their present values, as sentences.
-std::string not_continuous(const SceneSettings& settings) {
-  const auto scene = known_scene(settings);
-  if (!scene) return {};
-  std::vector<std::string> sentences;
-  for (const auto& [parameter, limit] : scene->discontinuities) {
-    sentences.push_back(fmt::format(
-        "The solution is not continuous in {0} here: as {0} tends to its value, {1}.", parameter, limit));
+// What the results say of the scene: the parameters in which the solution is not continuous at their present
+// values, with its limit there, the equations as text that the page typesets, the parameters, the solution.
+json description_facts(const SceneDescription& scene) {
+  json facts = json::object();
+  for (const auto& [parameter, limit] : scene.discontinuities)
+    facts["discontinuities"].push_back({{"parameter", parameter}, {"limit", limit}});
+  for (const auto& [left, right] : scene.equations)
+    facts["equations"].push_back({{"left", left}, {"right", right}});
+  for (const auto& [name, value, meaning, given] : scene.parameters) {
+    facts["parameters"].push_back(
+        compact({{"name", name}, {"value", value}, {"meaning", meaning}, {"given", given}}));
   }
-  return fmt::format("{}", fmt::join(sentences, " "));
-}
-
-// Adds the equations and parameters of the scene to its section.
-void add_scene(json& section, const SceneSettings& scene) {
-  if (auto equations = equations_of(scene); !equations.empty()) section["equations"] = std::move(equations);
-  if (const auto parameters = parameters_table(scene); !parameters.empty())
-    section["parameters"] = to_json(parameters);
+  if (scene.solution) facts["solution"] = json_of(*scene.solution);
+  return facts;
 }
 
 // Formulations of one scene have the same solution: it is stored in the first of their sections only.
@@ -101,29 +83,24 @@ json scene_sections(const PageInput& page) {
   json sections = json::array();
   for (const RunSpan scene : by_scene(page.runs.finished)) {
     const SceneSettings& solved = scene.front().key.scene;
-    const auto label = label_of(solved);
-    const auto [title, source] = name_of_scene(solved);
-    std::vector<std::string> paragraphs;
-    for (const auto& text :
-         {source, not_continuous(solved), not_drawn(page, scene), on_wall_clock(page, scene)}) {
-      if (!text.empty()) paragraphs.push_back(text);
-    }
+    const auto [title, source] = name_of_scene(page, solved);
     const SceneLines lines(page.runs, solved);
     json answers = json::object(), conclusions = json::object();
     for (const ErrorKind& kind : error_kinds) {
-      answers[error_measure(kind)] = to_json(scene_answers(page, solved, lines, kind));
+      answers[error_measure(kind)] = scene_answers(page, solved, lines, kind);
       conclusions[error_measure(kind)] = conclusion(page, lines, scene, kind);
     }
-    json section{{"id", section_of(solved)},
-                 {"title", title},
-                 {"tables", answers},
-                 {"name", label},
-                 {"paragraphs", paragraphs},
-                 {"conclusions", conclusions},
-                 {"runs", runs_of_scene(page, scene)},
-                 {"rates", rates_of_scene(page, scene)}};
-    add_scene(section, solved);
-    if (auto solution = solution_of(solved); !solution.empty()) section["solution"] = std::move(solution);
+    json section = compact({{"id", section_of(solved)},
+                            {"title", title},
+                            {"name", label_of(solved)},
+                            {"source", source},
+                            {"not_drawn", not_drawn(page, scene)},
+                            {"on_wall_clock", on_wall_clock(page, scene)},
+                            {"answers", answers},
+                            {"conclusions", conclusions}});
+    section["runs"] = runs_of_scene(page, scene);
+    section["rates"] = rates_of_scene(page, scene);
+    if (const auto* described = page.runs.describe(solved)) section.update(description_facts(*described));
     sections.push_back(std::move(section));
   }
   share_solutions(sections);

@@ -48,6 +48,8 @@ TEST(DriftObserver, TellsWhatTheSchemeSaysFromWhatItsVelocitiesSay) {
     watch.observe(grid.time(n), Vec{{grid.time(n), 1.0, n == 333 ? -1.5 : -1.0}});
   EXPECT_EQ(watch.internal().largest, 0.5);  // at step 333 only: every step is evaluated
   EXPECT_NEAR(watch.independent()->largest, 1.0 + 4.0 / std::sqrt(std::acos(-1.0)), 1e-13);
+  EXPECT_TRUE(watch.internal().course.empty()) << "the independent drift has one";
+  EXPECT_NEAR(watch.independent()->course.value.back(), watch.independent()->largest, 5e-3);
 }
 
 bool has_independent_drift(const Scene& scene, const std::optional<Grid>& grid, const Grid& seen) {

@@ -36,6 +36,26 @@ double error_of_power(const IndependentMemoryRule& memory, const Grid& grid, dou
   return largest;
 }
 
+// Eight times per factor of 2, from end/1024 on; a step may pass several of them.
+TEST(RunningMaximum, IsSampledEvenlyInTheLogarithmOfTime) {
+  RunningMaximum every(1024.0), few(1024.0);
+  for (int t = 1; t <= 1024; ++t) every.observe(t, t == 100 ? 5.0 : 1.0);
+  for (const double t : {0.5, 2.0, 512.0, 1024.0}) few.observe(t, t == 512.0 ? 0.0 : t);
+  const auto& [t, value] = every.course();
+  EXPECT_EQ(t.front(), 1.0);
+  EXPECT_EQ(t.back(), 1020.0) << "to three digits";
+  EXPECT_LE(t.size(), 81U);
+  EXPECT_TRUE(std::ranges::is_sorted(value));
+  for (std::size_t i = 0; i < t.size(); ++i) EXPECT_EQ(value[i], t[i] < 100.0 ? 1.0 : 5.0) << t[i];
+  EXPECT_EQ(few.course(), (Course{{2.0, 512.0, 1020.0}, {2.0, 2.0, 1020.0}}));
+}
+
+TEST(RunningMaximum, HasNoTimesWithoutAPositiveValue) {
+  RunningMaximum none(1.0);
+  for (const double t : {0.5, 1.0}) none.observe(t, 0.0);
+  EXPECT_TRUE(none.course().empty());
+}
+
 class IndependentMemories : public testing::TestWithParam<double> {
  protected:
   static double order() { return GetParam(); }

@@ -81,6 +81,23 @@ TEST_F(Merges, OfOneFileAreThatFile) {
   EXPECT_EQ(to_text(out_), to_text(file));
 }
 
+// A description of a scene is copied once for each session that has it.
+TEST_F(Merges, KeepTheScenesThatAreDescribed) {
+  const auto described = [&](const std::string& name, const std::string& machine) {
+    const auto file = file_of(name, machine, {8});
+    auto text = to_text(file);
+    text.insert(text.find('\n') + 1, line_of(SceneDescription{.scene = {"power"}, .title = "Power"}));
+    folder_.write(name, text);
+    return file;
+  };
+  const auto merged =
+      merge_results({described("a", "one"), described("b", "one"), described("c", "other")}, out_);
+  EXPECT_EQ(merged.rows, 4U);
+  const auto results = read_results(out_);
+  ASSERT_EQ(results.scenes.size(), 2U);
+  EXPECT_EQ(results.scenes[0].title, "Power");
+}
+
 // Sessions that began in the same second on equal machines have equal session lines and count as one.
 TEST_F(Merges, TakeWhatStandsInSeveralFilesOnce) {
   const auto merged = merge_results(

@@ -111,7 +111,7 @@ TEST_F(Cache, SolvesAnewWhatIsDamaged) {
     EXPECT_FALSE(cache_.load(reference_key("cubic", counted.problem), counted.problem));
   }
   EXPECT_FALSE(hit(counted));
-  EXPECT_EQ(bytes_of(file), good);
+  EXPECT_TRUE(hit(counted));
 }
 
 TEST_F(Cache, TakesNoFileOfAnotherProblem) {
@@ -125,20 +125,31 @@ TEST_F(Cache, TakesNoFileOfAnotherProblem) {
 
 TEST_F(Cache, TakesNoTableOfAnotherShape) {
   const Counted counted;
-  const reference::PanelTable good = reference::reference_table(counted.problem);
-  const auto loads = [&](const reference::PanelTable& table) {
+  const TimedTable good{reference::reference_table(counted.problem), 0.25};
+  const auto loads = [&](const TimedTable& table) {
     cache_.store("key", table);
     return cache_.load("key", counted.problem).has_value();
   };
   EXPECT_TRUE(loads(good));
-  reference::PanelTable gap = good, narrow = good, early = good;
-  gap.panels.erase(gap.panels.begin() + 3);
-  narrow.panels[5].values.conservativeResize(4, 1);
-  early.panels.pop_back();
+  TimedTable gap = good, narrow = good, early = good, timeless = good;
+  gap.panels.panels.erase(gap.panels.panels.begin() + 3);
+  narrow.panels.panels[5].values.conservativeResize(4, 1);
+  early.panels.panels.pop_back();
+  timeless.seconds = -1.0;
   EXPECT_FALSE(loads(gap));
   EXPECT_FALSE(loads(narrow));
   EXPECT_FALSE(loads(early));
+  EXPECT_FALSE(loads(timeless));
   EXPECT_FALSE(loads({}));
+}
+
+// Its time is that of the computation, also when the reference is read.
+TEST_F(Cache, KeepsTheTimeOfAReference) {
+  const Counted counted;
+  const auto computed = cached_reference("cubic", counted.problem, cache_).seconds;
+  ASSERT_TRUE(computed.has_value());
+  EXPECT_GT(*computed, 0.0);
+  EXPECT_EQ(cached_reference("cubic", counted.problem, cache_).seconds, computed);
 }
 
 TEST_F(Cache, DoesWithoutAFolderThatCannotBeWritten) {

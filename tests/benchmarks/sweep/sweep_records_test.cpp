@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -19,7 +20,7 @@ namespace {
 RecordedRun complete(const RunKey& key) {
   RecordedRun run;
   run.add({.key = key, .quantity = "ending", .ending = RunOutcome{}});
-  run.add({.key = key, .quantity = "time_minimum"});
+  run.add({.key = key, .quantity = "time_minimum", .unit = "s"});
   return run;
 }
 
@@ -78,6 +79,36 @@ TEST(Sweeps, MeasureOnceWhatIsAskedForTwice) {
              .append = [&](const auto&) { ++calls; },
              .on_event = [](const auto&) {}});
   EXPECT_EQ(calls, 2);  // one examination and its times
+}
+
+// The lines of results in order: ids of scenes that are described, and of scenes in brackets for their rows.
+std::vector<std::string> lines_of_sweep(const Sweep& sweep, const std::set<std::string>& described) {
+  std::vector<std::string> lines;
+  run_sweep(sweep,
+            {.recorded = [](const auto&) { return RecordedRun(); },
+             .append = [&](const auto& rows) { lines.push_back("(" + rows.front().key.scene.id + ")"); },
+             .on_event = [](const auto&) {},
+             .describes =
+                 [&](const SceneSettings& scene) {
+                   return described.contains(scene.id) || std::ranges::count(lines, scene.id) > 0;
+                 },
+             .append_scene = [&](const SceneDescription& scene) { lines.push_back(scene.scene.id); }});
+  return lines;
+}
+
+TEST(Sweeps, DescribeASceneBeforeItsFirstRowsUnlessItIsRecorded) {
+  const Sweep sweep{.scenes = {{&scene_maker("power")}, {&scene_maker("relaxation")}},
+                    .schemes = {find_scheme("l1")},
+                    .plan = {{16, 32}},
+                    .repeats = {.most = 1},
+                    .threads = 1};
+  const std::vector<std::string> both{"power",   "(power)",      "relaxation", "(relaxation)",
+                                      "(power)", "(relaxation)", "(power)",    "(relaxation)",
+                                      "(power)", "(relaxation)"};
+  EXPECT_EQ(lines_of_sweep(sweep, {}), both);
+  std::vector<std::string> one = both;
+  std::erase(one, "power");
+  EXPECT_EQ(lines_of_sweep(sweep, {"power"}), one);
 }
 
 TEST(Sweeps, StopAtTheFirstFailureToWrite) {

@@ -118,6 +118,16 @@ TEST_F(Judging, SaysOfOurOwnRunWhatRunSays) {
   }
 }
 
+TEST_F(Judging, DescribesItsSceneOnceForThePage) {
+  for (const std::string name : {"one", "other"})
+    EXPECT_EQ(judge("t,y\n0,1\n0.5,0.52\n", {"--name", name, "--out", results_}).code, 0);
+  const auto results = read_results(results_);
+  EXPECT_EQ(results.records.back().key.scheme, "other");
+  ASSERT_EQ(results.scenes.size(), 1U);
+  EXPECT_EQ(results.scenes[0].scene, results.records.back().key.scene);
+  EXPECT_EQ(results.scenes[0].solution->t.back(), 0.5) << "the end of the trajectory";
+}
+
 TEST_F(Judging, IsOfTheColumnsThatAreThere) {
   const auto solved = fdebench("solve damped_oscillator --scheme l1 --steps 4096 --every 256").out;
   std::istringstream lines(solved);

@@ -5,7 +5,7 @@
 
 #include "fdebench/schemes/stepping/scheme.hpp"
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 // D^0.4711 y = -y, an order that no other test has.
@@ -50,4 +50,4 @@ TEST(SetupTimes, CountEachTableOnce) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench

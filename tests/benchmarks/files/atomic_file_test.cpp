@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/benchmarks/references/atomic_file.hpp"
+#include "fdebench/benchmarks/files/atomic_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

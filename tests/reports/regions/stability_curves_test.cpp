@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The stability regions on the page: the stored table against the curves computed now.
 
-#include "fdebench/reports/page/stability_curves.hpp"
+#include "fdebench/reports/regions/stability_curves.hpp"
 
 #include <gtest/gtest.h>
 

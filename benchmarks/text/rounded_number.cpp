@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/page/chart_number.hpp"
+#include "fdebench/benchmarks/text/rounded_number.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 namespace fde::bench {
 
-double rounded_for_chart(double value, int digits) {
+double rounded(double value, int digits) {
   return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
 }
 

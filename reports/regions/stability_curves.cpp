@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/page/stability_curves.hpp"
+#include "fdebench/reports/regions/stability_curves.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fdebench/benchmarks/records/scene_description.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+
+namespace fde::bench {
+
+// What results files say of a scene, its solution included if there is a reference. `scene` is made from the
+// variant, and `reference` is of the scene.
+SceneDescription describe(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference);
+
+}  // namespace fde::bench

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <initializer_list>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string_view>
+
+#include "fdebench/reports/page/page_data.hpp"
+
+// What the page says, as JSON without words: the page's templates make sentences and cells of it.
+namespace fde::bench {
+
+// A number of the page: a whole one as it is, any other to eight digits. null without a finite value.
+nlohmann::json fact(const std::optional<double>& value);
+
+// The value without the members of its objects that are null, false or empty: a template leaves out what it
+// does not find. Elements of lists are kept.
+nlohmann::json compact(nlohmann::json value);
+
+// A run: `line`, `grid` if the line's name omits it, `steps`, `wall_clock`, and the named quantities.
+nlohmann::json run_facts(const PageInput& page, const MeasuredRun& run,
+                         std::initializer_list<std::string_view> quantities);
+
+// The same of a recommended run, with `error`, `requested` (tolerance, with adaptive step size), the time
+// `seconds` and its interval `low`, `high`, `setup_seconds` if they are more than the time, and `session`
+// from 1 on if there are several.
+nlohmann::json run_facts(const PageInput& page, const RecommendedRun& option);
+
+// How a run ended: `ending`, the id of its outcome, and `detail`.
+nlohmann::json ending_facts(const RunOutcome& outcome);
+
+// The number of a session, from 1 on; null if there is only one.
+nlohmann::json session_number(const PageInput& page, std::size_t index);
+
+}  // namespace fde::bench

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The sections of the page by their ids: their titles, what the contents call them, and their paragraphs, which are templates (say.js)
+// over the section's facts. A paragraph with `each` is said of every element of that list.
+
+const sectionTexts = {
+  answer: {
+    title: "Which scheme is cheapest", brief: "Answer",
+    paragraphs: [
+      "For each scene and each error, the measured run that reaches it in the least time. The darker the cell, the larger the factor by which " +
+        "the next scheme is slower. A click leads to the scene, with the runs, its charts and its equation's source.",
+      "{?several_sessions}The results were made in several sessions; times of different machines or builds do not compare. A run made more " +
+        "than once counts with its last session.",
+    ],
+  },
+  compared: {
+    title: "Compared with the first results", brief: "Compared",
+    paragraphs: [
+      "{common} runs are in both, {only_before} only in the first, {only_now} only in the second, which the rest of the page is of. Where a " +
+        "verdict got worse or an error grew, it is marked. Errors that moved by less than a hundredth, or by less than what rounding and the " +
+        "reference leave open, are left out, and times whose 95 % intervals meet.",
+    ],
+  },
+  stability: {
+    title: "Stability: stiff and extreme", brief: "Trials",
+    paragraphs: [
+      "What becomes of each scheme where schemes break, each scene with one number of steps. A run survives when every value at the end is " +
+        "within a hundredth of its size of the reference, the bound of the reference included; otherwise it is inaccurate. It fails where it " +
+        "ends early, or where from some step on its error is not below the size of the value up to the end. It stops rightly where the " +
+        "solution has a singularity, and is not judged where there is no reference or the solution itself overflows. Below the verdict is " +
+        "the error at the end as a part of the value; a darker colour means a smaller error. A pointer that rests there shows the reason, or " +
+        "from when on rounding is at least a quarter of the error, and the time of the solve. Why each scheme fares as it does: docs/stability.md.",
+    ],
+  },
+  regions: {
+    title: "Stability: linear equations", brief: "Stability",
+    paragraphs: [
+      "What a scheme makes of D^γ y = λ y with steps h depends on z = λ h^γ alone. The solution decays to the left of the dashed ray, where " +
+        "|arg z| > γπ/2; a scheme does to the left of its curve. A curve that stays in the right half bounds no step: the scheme may take any " +
+        "where the solution decays. One that ends on the negative axis bounds them: z has to be inside. Of schemes with the same curve one is " +
+        "drawn. fdebench stability prints the curves for any order.",
+    ],
+  },
+  scene: {
+    title: "{title}",
+    paragraphs: [
+      "{source}",
+      "{discontinuities:discontinuity/ }",
+      "Not in the charts, because the error at the end is exactly 0: {not_drawn:at_steps}.",
+      "Times of whole processes, by the wall clock and with their start: {on_wall_clock}.",
+    ],
+  },
+  curve: {
+    title: "{scene} over {parameter}",
+    paragraphs: ["Every run has N = {steps:count}, the most steps that all lines have in common."],
+  },
+  rates: {
+    title: "Observed and theoretical rates", brief: "Rates",
+    paragraphs: [
+      {
+        each: "theorems",
+        text: "At a fixed time t > 0 {scheme} shows {rate} on {scenes}, although the hypothesis of {theorem}, {hypothesis}, fails for these scenes. " +
+          "In the maximum norm over all steps it does not: the error at t₁ is O(h) or worse. A larger slope there means that the first steps do " +
+          "not dominate the fitted range yet. Rates belong to (scheme, smoothness, grid, norm).",
+      },
+      "Observed rates are least-squares slopes over the finest step counts, five at most; errors at rounding are left out. {deviating} of {fits} " +
+        "differ from the theory by more than {largest_deviation}. They are marked: the fitted range may not be asymptotic, or the scene has " +
+        "what the theory leaves out.",
+    ],
+  },
+  drift: {
+    title: "Drift from the constraints", brief: "Drift",
+    paragraphs: [
+      "The largest |f(t, q, v, w)| along the computed path, in the unit of f. The internal drift takes the scheme's own w at every step; the " +
+        "independent one takes the derivative of fractional order of the computed path, by a rule of higher order than any scheme here. Growth " +
+        "is p where the largest drift so far grows like t^p, 0 where it stays bounded. The rate in h is fitted over five step counts at most; " +
+        "it is left out below a correlation of 0.95. No growth or rate where the drift is at rounding. The table is for the finest step count " +
+        "that the lines of a scene share. The sentences compare, within the largest time that every formulation was given, each one's run with " +
+        "the least drift, and of those at rounding the one with the least error.",
+      { each: "best_in_time", text: "{title}: within {seconds:time}, the constraint is kept best by {best:kept}; then {others:kept}." },
+      "With the scheme's own memory every run of these that did not diverge keeps the constraint to rounding ({rounding:digit}): {at_rounding}.",
+    ],
+  },
+  cost: { title: "Cost at the finest step count", brief: "Cost" },
+  expansion: {
+    title: "Decoupled chain or commensurate expansion", brief: "Chain or expansion",
+    paragraphs: [
+      "Yin, Liu & Anh 2007 hold that the expansion into equal orders ({expansion}) has too many states, against their decoupled chain ({chain}). " +
+        "Measured, at the finest step count that both have:",
+    ],
+  },
+  reference: {
+    title: "How far the reference is known", brief: "References",
+    paragraphs: [
+      "An error means something only as far as it is above the error of the reference itself: a bound where the solution is known in closed form " +
+        "or as an inverse Laplace transform, an estimate where two methods that share nothing agree. It is set against the smallest error " +
+        "measured on the scene. The first of the two methods is a collocation on panels, as spectral_collocation is; for that scheme the second " +
+        "one vouches alone, exponentials within a Radau IIA method. What is stated covers the difference of the two; where it is more than a " +
+        "tenth of an error, that is marked.",
+      "Where two methods have to agree, it took {cost.seconds.0:time} to {cost.seconds.1:time} of a processor to compute a reference, as " +
+        "fdebench exact does.[ The quickest scheme over a grid without start weights takes {cost.grid.ratio:rough} times as " +
+        "long to an error of 1e-12, in the median of {cost.grid.scenes} scenes[, for {cost.grid.forecasts} of them by its errors so far].]" +
+        "[ The quickest that takes an accuracy gets there in {cost.adaptive.seconds:time}, in the median of the {cost.adaptive.scenes} where " +
+        "one was measured.]",
+    ],
+  },
+  failures: {
+    title: "Refused and failed", brief: "Refused and failed", folded: true,
+    paragraphs: ["Every run that did not come to its end, or whose end says nothing about the solution, with the reason."],
+  },
+  schemes: { title: "The schemes", brief: "Schemes" },
+};
+const textsOf = ({ id, parameter }) => sectionTexts[id] ?? (parameter ? sectionTexts.curve : sectionTexts.scene);
+
+const paragraphsOf = (section) => (textsOf(section).paragraphs ?? []).flatMap((paragraph) =>
+  (paragraph.each ? (section[paragraph.each] ?? []).map((facts) => say(paragraph.text, facts)) : [say(paragraph, section)])).filter(Boolean);

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// What results files say of their scenes.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "fdebench/benchmarks/records/results_file.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace fde::bench {
+namespace {
+
+SceneDescription description() {
+  return {.scene = {.id = "relaxation", .values = {{"gamma", 0.25}}},
+          .title = "Relaxation",
+          .source = "a book",
+          .equations = {{"D(y, gamma)", "-y"}},
+          .parameters = {{"gamma", "0.25", "the order", true}},
+          .discontinuities = {{"gamma", "all tends to nothing"}},
+          .evidence = "two methods",
+          .reference_seconds = 0.5,
+          .trial = TrialRuns{3, "Stiff", 4096, {1e-6, 1e-9}},
+          .solution = SampledSolution{.t = {0.0, 1.0},
+                                      .columns = {{"y"}, {{1.0, std::nullopt}}},
+                                      .bound = 1e-15,
+                                      .energy = {{"energy"}, {{2.0, 1.0}}},
+                                      .motion = {.names = {"y"}}}};
+}
+
+Record ending() {
+  return {.key = {.scene = description().scene, .scheme = "l1", .setup = {.resolution = 64}},
+          .steps = 64,
+          .h = 1.0 / 64,
+          .quantity = "ending",
+          .value = 1.0,
+          .unit = "t",
+          .ending = RunOutcome{}};
+}
+
+class DescribedScenes : public testing::Test {
+ protected:
+  [[nodiscard]] std::string text() const {
+    std::ostringstream all;
+    all << std::ifstream(file_).rdbuf();
+    return all.str();
+  }
+  void write(const std::string& content) const { std::ofstream(file_) << content; }
+
+  static std::string message(const std::filesystem::path& file) {
+    try {
+      const ResultsFile opened(file);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "opened";
+  }
+
+  const TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_.path() / "results.jsonl";
+};
+
+TEST_F(DescribedScenes, AreReturnedByTheFile) {
+  {
+    ResultsFile file(file_);
+    EXPECT_FALSE(file.describes(description().scene));
+    file.append(description());
+    EXPECT_TRUE(file.describes(description().scene));
+    file.append({ending()});
+  }
+  const auto results = read_results(file_);
+  EXPECT_EQ(results.scenes, std::vector{description()});
+  EXPECT_EQ(results.records.size(), 1U);
+  EXPECT_TRUE(ResultsFile(file_).describes(description().scene));
+}
+
+TEST_F(DescribedScenes, AreRefusedIfTheyAreMalformed) {
+  ResultsFile(file_).append(description());
+  const auto whole = text();
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    auto other = whole;
+    const auto at = other.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    write(other.replace(at, from.size(), to));
+    return message(file_).substr(file_.string().size());
+  };
+  EXPECT_EQ(changed(R"("title":"Relaxation")", R"("title":"a\u0007")"),
+            ": line 2: title = a\a: must be UTF-8 that prints");
+  EXPECT_EQ(changed(R"("title":"Relaxation")", R"("name":1)"), ": line 2 is not a row of fdebench results");
+  EXPECT_EQ(changed(R"("reference_seconds":0.5)", R"("reference_seconds":-1)"),
+            ": line 2: reference_seconds = -1: must be a finite number of at least 0");
+  EXPECT_EQ(changed(R"("t":[0.0,1.0])", R"("t":[0.0,0.0])"), ": line 2: solution: its times must increase");
+  EXPECT_EQ(changed(R"("t":[0.0,1.0])", R"("t":[0.0,1.0,2.0])"),
+            ": line 2: solution: has 2 values at 3 times");
+  EXPECT_EQ(changed(R"("steps":4096)", R"("steps":0)"),
+            ": line 2: trial = 0: must be a finite number of at least 1");
+  write(whole.substr(whole.find('\n') + 1));
+  EXPECT_EQ(message(file_), file_.string() + ": line 1: a scene before the first session");
+}
+
+}  // namespace
+}  // namespace fde::bench
