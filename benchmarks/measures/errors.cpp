@@ -51,9 +51,7 @@ constexpr auto rows_of_kinds(std::index_sequence<kind...> /*kinds*/) {
   return std::array{
       Measure{.id = error_measure(error_kinds[kind]), .value = error<kind>, .error = error_kinds[kind]}...,
       Measure{.id = baseline_measure(error_kinds[kind]), .value = baseline<kind>}...,
-      unresolved_row<Scale::absolute>,
-      unresolved_row<Scale::relative>,
-      unresolved_row<Scale::mixed>};
+      unresolved_row<Scale::absolute>, unresolved_row<Scale::relative>, unresolved_row<Scale::mixed>};
 }
 
 Value digits(const FinishedRun& run) {

@@ -68,7 +68,8 @@ std::array<std::optional<double>, 3> unresolved_variations(const Problem& proble
     if (!values.allFinite()) return found;
     for (const Scale scale : {Scale::absolute, Scale::relative, Scale::mixed}) {
       const TotalVariation variation(times, values, divisors(scale, times, values));
-      found.at(static_cast<std::size_t>(scale)) = variation.unresolved_variation(grid, smallest_order(problem));
+      found.at(static_cast<std::size_t>(scale)) =
+          variation.unresolved_variation(grid, smallest_order(problem));
     }
   } catch (const std::runtime_error&) {  // without a reference there is no error either
     return {};

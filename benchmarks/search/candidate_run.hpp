@@ -53,8 +53,8 @@ class RunEvaluator {
   CandidateRun evaluate(const Configuration& configuration, const StepsOrTolerance& resolution, int compared,
                         double budget);
 
-  // Solves again, twice or for at least 0.2 ms, and sets `run.seconds` to the least time of a solve; with
-  // AccuracyTarget::first_run plus its setup_seconds.
+  // Solves again, once or, where that takes less than 5 ms, twice and for at least 0.2 ms, and sets
+  // `run.seconds` to the least time of a solve; with AccuracyTarget::first_run plus its setup_seconds.
   void time_again(const Configuration& configuration, CandidateRun& run) const;
 
   // Solves without a comparison or a budget, for timing.

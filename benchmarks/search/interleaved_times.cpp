@@ -42,9 +42,8 @@ std::vector<MedianInterval> intervals(const std::vector<std::vector<double>>& me
 bool is_decided(const std::vector<std::vector<double>>& measured) {
   const auto times = intervals(measured);
   const auto first = std::ranges::min_element(times, {}, &MedianInterval::median);
-  return std::ranges::all_of(times, [&](const MedianInterval& time) {
-    return &time == &*first || time.low > first->high;
-  });
+  return std::ranges::all_of(
+      times, [&](const MedianInterval& time) { return &time == &*first || time.low > first->high; });
 }
 
 }  // namespace

@@ -26,8 +26,10 @@ constexpr double long_run = 5e-3;
 // The runs of one configuration by their number of steps, seen against one target.
 class StepsSearch {
  public:
-  StepsSearch(const SearchGoal& goal, const Refinement& of, const ErrorTarget& target, double quickest)
-      : goal_(goal), of_(of), target_(target), quickest_(quickest) {
+  // least_step: the seconds of the cheapest step of any configuration.
+  StepsSearch(const SearchGoal& goal, const Refinement& of, const ErrorTarget& target, double quickest,
+              double least_step)
+      : goal_(goal), of_(of), target_(target), quickest_(quickest), least_step_(least_step) {
     for (const RefinementRun& run : of.runs) runs_.insert_or_assign(std::get<int>(run.resolution), &run);
     const auto within = std::ranges::find_if(runs_, [&](const auto& run) { return is_in(*run.second); });
     if (within != runs_.end()) fewest_ = within->first;
@@ -41,7 +43,7 @@ class StepsSearch {
     const double next = seconds_with(of_, 2.0 * steps).value_or(0.0);
     if (next - start_seconds(of_) > goal_.most_seconds) return std::nullopt;
     if (runs_.size() < goal_.fewest_runs) return 2 * steps;
-    if (finest->seconds && *finest->seconds > goal_.margin * quickest_) return std::nullopt;
+    if (least_seconds(*finest) > goal_.margin * quickest_) return std::nullopt;
     return is_out_of_reach(next, least_forecast) ? std::nullopt : NextRun(2 * steps);
   }
 
@@ -50,7 +52,7 @@ class StepsSearch {
     const auto next = runs_.find(fewest_);
     if (next == runs_.begin()) return fewest_ > of_.unit ? NextRun(multiple(fewest_ / 2)) : std::nullopt;
     const auto& [below, outside] = *std::prev(next);
-    if (outside->seconds && *outside->seconds > near * quickest_) return std::nullopt;
+    if (least_seconds(*outside) > near * quickest_) return std::nullopt;
     if (fewest_ - below > of_.unit && fewest_ > goal_.closeness * below) return between(below);
     if (const auto crossing = sign_change(below)) return crossing;
     return may_be_irregular() ? scanned() : std::nullopt;
@@ -62,6 +64,13 @@ class StepsSearch {
   [[nodiscard]] bool is_in(const RefinementRun& run) const { return is_within(run, target_); }
 
   [[nodiscard]] const RunError& error(int steps) const { return runs_.at(steps)->errors[target_.kind]; }
+
+  // A run to the end with as many steps takes at least this long: a run that failed may have failed late, by
+  // iterations that do not converge, or at once.
+  [[nodiscard]] double least_seconds(const RefinementRun& run) const {
+    const bool finished = std::isfinite(run.errors.at(target_.kind).value);
+    return finished ? run.seconds.value_or(0.0) : run.steps * least_step_;
+  }
 
   [[nodiscard]] int multiple(double steps) const {
     return std::max(of_.unit, static_cast<int>(steps / of_.unit) * of_.unit);
@@ -78,15 +87,16 @@ class StepsSearch {
     part = std::clamp(part, edge, 1.0 - edge);
     const double root = below * std::pow(static_cast<double>(fewest_) / below, part),
                  steps = root * (of_.runs.back().steps == fewest_ ? little_less : little_more);
-    return std::clamp(multiple(std::ceil(steps / of_.unit) * of_.unit), below + of_.unit,
-                      fewest_ - of_.unit);
+    return std::clamp(multiple(std::ceil(steps / of_.unit) * of_.unit), below + of_.unit, fewest_ - of_.unit);
   }
 
   // Whether the last three runs all lie at one end of the bracket: then the secant converges slowly.
   [[nodiscard]] bool is_lopsided(int below) const {
     if (of_.runs.size() < 5) return false;
     const auto last = std::span(of_.runs).last(3);
-    const auto at = [&](const RefinementRun& run) { return run.steps >= fewest_ ? 1 : run.steps <= below ? -1 : 0; };
+    const auto at = [&](const RefinementRun& run) {
+      return run.steps >= fewest_ ? 1 : run.steps <= below ? -1 : 0;
+    };
     return at(last[0]) != 0 && at(last[0]) == at(last[1]) && at(last[1]) == at(last[2]);
   }
 
@@ -140,7 +150,7 @@ class StepsSearch {
   const SearchGoal& goal_;
   const Refinement& of_;
   const ErrorTarget& target_;
-  double quickest_;
+  double quickest_, least_step_;
   std::map<int, const RefinementRun*> runs_{};
   int fewest_ = 0;  // within the target; 0: none
 };
@@ -208,7 +218,7 @@ class TargetSearch {
 
   NextRun next(const Refinement& of) {
     if (of.is_adaptive) return next_tolerance(goal_, of, target_, quickest_);
-    const StepsSearch search(goal_, of, target_, quickest_);
+    const StepsSearch search(goal_, of, target_, quickest_, least_step());
     return search.is_reached() ? search.narrowed() : search.refined([this] { return least_forecast(); });
   }
 
@@ -224,11 +234,25 @@ class TargetSearch {
     return least_forecast_.emplace(least);
   }
 
+  double least_step() {
+    if (least_step_) return *least_step_;
+    double least = never;
+    for (const Refinement& of : of_scene_) {
+      for (const RefinementRun& run : of.runs) {
+        const bool finished =
+            target_.kind < run.errors.size() && std::isfinite(run.errors[target_.kind].value);
+        if (finished && run.seconds && !of.is_adaptive && !run.is_whole_process)
+          least = std::min(least, *run.seconds / run.steps);
+      }
+    }
+    return least_step_.emplace(std::isfinite(least) ? least : 0.0);
+  }
+
   const SearchGoal& goal_;
   std::span<const Refinement> of_scene_;
   const ErrorTarget& target_;
   double quickest_;
-  std::optional<double> least_forecast_{};
+  std::optional<double> least_forecast_{}, least_step_{};
 };
 
 }  // namespace

@@ -34,7 +34,8 @@ std::vector<double> quickest_seconds(const SearchGoal& goal, std::span<const Ref
 // in log N and log e. Tolerances are divided by ten from the loosest on; then those next to the quickest run
 // are tried, for neither error nor time need be monotone in the tolerance. A configuration is left
 //   - if more steps fail alike, or another run would take more than most_seconds;
-//   - if its finest run, not within the target, already takes `margin` times the quickest run within it;
+//   - if its finest run, not within the target, already takes `margin` times the quickest run within it; a
+//     run that failed counts with the cheapest step of any configuration;
 //   - if its errors stagnate outside the target;
 //   - if by its errors so far, which decrease, it needs more than `margin` times what another one is measured
 //     or forecast to need; this is asked only before runs of more than 5 ms;

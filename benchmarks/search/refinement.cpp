@@ -140,7 +140,8 @@ std::optional<Prediction> forecast_by_tolerances(const Refinement& of, const Err
   if (seconds.size() < 2) return std::nullopt;
   const auto [fine, fine_seconds] = *seconds.begin();
   const auto [coarse, coarse_seconds] = *std::next(seconds.begin());
-  const double power = std::clamp(std::log(fine_seconds / coarse_seconds) / std::log(coarse / fine), 0.0, 1.0);
+  const double power =
+      std::clamp(std::log(fine_seconds / coarse_seconds) / std::log(coarse / fine), 0.0, 1.0);
   const double value = fine_seconds * std::pow(fine / target.error, power);
   return Prediction{value, value / uncertainty, value * uncertainty};
 }

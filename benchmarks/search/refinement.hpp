@@ -17,8 +17,8 @@ struct RunError {
   double value = std::numeric_limits<double>::infinity();  // infinity: the run has none
   // The smaller error of y = 0 and of y = y(0), which a run has to be below; infinity: not known to matter.
   double baseline = std::numeric_limits<double>::infinity();
-  bool is_stagnant = false;    // dominated by rounding or by the error of the reference
-  double signed_value = 0.0;   // the error with its sign, where it is of one number; otherwise 0
+  bool is_stagnant = false;   // dominated by rounding or by the error of the reference
+  double signed_value = 0.0;  // the error with its sign, where it is of one number; otherwise 0
 
   bool operator==(const RunError&) const = default;
 };
@@ -26,11 +26,11 @@ struct RunError {
 // A run as the search for the cheapest run sees it.
 struct RefinementRun {
   StepsOrTolerance resolution = 1;
-  int steps = 0;                     // taken
-  std::optional<double> seconds{};   // of one solve; nullopt: not timed
+  int steps = 0;                       // taken
+  std::optional<double> seconds{};     // of one solve; nullopt: not timed
   bool fails_with_more_steps = false;  // more steps fail alike: refused, no reference, a singularity, ...
-  bool is_whole_process = false;     // `seconds` is the time of a whole process
-  std::vector<RunError> errors{};    // one entry for each kind of error of the search
+  bool is_whole_process = false;       // `seconds` is the time of a whole process
+  std::vector<RunError> errors{};      // one entry for each kind of error of the search
 };
 
 // The runs so far of one configuration (a scheme with a grading, or with adaptive step size) on a scene.

@@ -77,7 +77,8 @@ class Search {
   void add_configurations(const Scheme& scheme) {
     const Scene& scene = evaluator_.scene();
     const auto why_not = [&](double grading) {
-      Resolution resolution = Grid{.end = scene.problem.end, .steps = goal_.coarsest_steps, .grading = grading};
+      Resolution resolution =
+          Grid{.end = scene.problem.end, .steps = goal_.coarsest_steps, .grading = grading};
       if (scheme.capabilities.is_adaptive()) resolution = Tolerance{accuracy(), accuracy()};
       return unsupported_reason(scheme, scene.problem, resolution);
     };
@@ -98,9 +99,8 @@ class Search {
                            .outcome = refused ? SearchOutcome::refused : SearchOutcome::out_of_time,
                            .reason = refused.value_or(""),
                            .names = {std::string(configuration.scheme->id)}});
-    refinements_.push_back({.is_adaptive = configuration.is_adaptive(),
-                            .is_closed = refused.has_value(),
-                            .unit = unit});
+    refinements_.push_back(
+        {.is_adaptive = configuration.is_adaptive(), .is_closed = refused.has_value(), .unit = unit});
   }
 
   // Sets at how many times runs are compared, from the measured cost of one reference value. All runs with
@@ -138,7 +138,8 @@ class Search {
   }
 
   [[nodiscard]] bool has_next_runs() {
-    return left() > 0.0 && std::ranges::any_of(next_runs(), [](const auto& next) { return next.has_value(); });
+    return left() > 0.0 &&
+           std::ranges::any_of(next_runs(), [](const auto& next) { return next.has_value(); });
   }
 
   // The forecast seconds of the next run of a configuration.
@@ -168,7 +169,7 @@ class Search {
   void make_run(std::size_t i, const StepsOrTolerance& resolution) {
     SearchCandidate& of = candidates_[i];
     CandidateRun made = evaluated(of, resolution, comparison_times_);
-    constexpr double short_run = 5e-3;
+    constexpr double short_run = 0.1;
     // The first solve may compute start weights; it allocates, and stores the compared values.
     if (made.ending.kind != SolveStatus::out_of_budget &&
         (made.seconds < short_run || made.setup_seconds > 0.0))
@@ -201,13 +202,12 @@ class Search {
 
   // The run as the choice of the next one sees it.
   [[nodiscard]] static RefinementRun seen(const CandidateRun& run) {
-    return {.resolution = resolution_of(run),
-            .steps = run.steps,
-            .seconds = run.seconds,
-            .fails_with_more_steps = is_hopeless(run.ending.kind),
-            .errors = {{.value = run.error,
-                        .baseline = run.baseline_error,
-                        .signed_value = run.signed_error}}};
+    return {
+        .resolution = resolution_of(run),
+        .steps = run.steps,
+        .seconds = run.seconds,
+        .fails_with_more_steps = is_hopeless(run.ending.kind),
+        .errors = {{.value = run.error, .baseline = run.baseline_error, .signed_value = run.signed_error}}};
   }
 
   // Gives configurations that are one algorithm all its names, where they have few runs after more of them.
@@ -272,8 +272,8 @@ class Search {
     progress_(fmt::format("timing {} runs", quick.size()), std::min(1.0, elapsed() / seconds_));
     const auto times = time_interleaved(solves, timing_part * seconds_);
     for (std::size_t k = 0; k < quick.size(); ++k) take_time(quick[k], times[k]);
-    const auto first = *std::ranges::min_element(
-        quick, {}, [&](std::size_t i) { return candidates_[i].time->median; });
+    const auto first =
+        *std::ranges::min_element(quick, {}, [&](std::size_t i) { return candidates_[i].time->median; });
     return verify(first, *best_run(first));
   }
 
@@ -315,8 +315,7 @@ class Search {
     }
     of.outcome = outcome_outside(of, runs);
     const ErrorModel model(errors);
-    const bool is_asymptotic =
-        !errors.empty() && errors.back().error < 0.1 * of.finest()->baseline_error;
+    const bool is_asymptotic = !errors.empty() && errors.back().error < 0.1 * of.finest()->baseline_error;
     if (!model.empty() && is_asymptotic && !of.configuration.is_adaptive())
       of.steps_needed = model.steps(goal_.targets.front().error);
   }
@@ -326,11 +325,9 @@ class Search {
     const CandidateRun& finest = *of.finest();
     const bool finished = finest.ending.kind == SolveStatus::finished;
     if (!finished) of.reason = sentence(finest.ending);
-    if (!finished && of.configuration.is_adaptive()) return SearchOutcome::failed;
-    if (finest.seconds > quickest()) return SearchOutcome::slower;
-    if (runs.runs.back().fails_with_more_steps)
-      return finest.ending.kind == SolveStatus::out_of_budget ? SearchOutcome::out_of_time
-                                                              : SearchOutcome::failed;
+    if (!finished && finest.ending.kind != SolveStatus::out_of_budget) return SearchOutcome::failed;
+    if (finished && finest.seconds > quickest()) return SearchOutcome::slower;
+    if (!finished) return SearchOutcome::out_of_time;
     if (has_stagnated(runs, 0) || of.configuration.is_adaptive()) return SearchOutcome::stagnated;
     return quickest() < infinity && left() > 0.0 ? SearchOutcome::expected_slower
                                                  : SearchOutcome::out_of_time;

@@ -147,7 +147,7 @@ struct TimedRun {
 };
 
 TimedRun solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
-                       const Options& options, const TimingRepeats& repeats) {
+                          const Options& options, const TimingRepeats& repeats) {
   TimedRun timed;
   auto& seconds = timed.solves.seconds;
   double total = 0.0;

@@ -32,8 +32,7 @@ struct SceneRefinements {
       : variant(std::move(swept)), name(variant.key()), scene(make_scene(variant)) {
     for (const auto* scheme : sweep.schemes) {
       for (const RunSettings& setup : setups_of(sweep, *scheme, scene.problem)) {
-        add({scheme, {name, std::string(scheme->id), setup}, setup},
-            scheme->capabilities, sweep.plan);
+        add({scheme, {name, std::string(scheme->id), setup}, setup}, scheme->capabilities, sweep.plan);
       }
     }
     for (const auto& program : sweep.programs) {

@@ -9,10 +9,11 @@
 namespace fde::bench {
 namespace {
 
-constexpr std::array hopeless{OutcomeKind(SolveStatus::refused),       OutcomeKind(SolveStatus::left_domain),
-                              OutcomeKind(SolveStatus::out_of_budget), OutcomeKind(Verdict::no_reference),
-                              OutcomeKind(Verdict::overflow),          OutcomeKind(Verdict::passed_singularity),
-                              OutcomeKind(Verdict::program_failed)};
+constexpr std::array hopeless{
+    OutcomeKind(SolveStatus::refused),       OutcomeKind(SolveStatus::left_domain),
+    OutcomeKind(SolveStatus::out_of_budget), OutcomeKind(Verdict::no_reference),
+    OutcomeKind(Verdict::overflow),          OutcomeKind(Verdict::passed_singularity),
+    OutcomeKind(Verdict::program_failed)};
 
 RunError error_of(const RecordedRun& run, Norm norm) {
   const ErrorKind kind{.norm = norm, .scale = Scale::mixed};
@@ -41,18 +42,18 @@ std::vector<StepsOrTolerance> resolutions_for(const SweepPlan& plan, const Capab
 
 RefinementRun refinement_run(const RunSettings& setup, const RecordedRun& run) {
   const auto* steps = std::get_if<int>(&setup.resolution);
-  return {.resolution = setup.resolution,
-          .steps = steps != nullptr ? *steps : 0,
-          .seconds = run["time_minimum"],
-          .fails_with_more_steps =
-              run.ending() && std::ranges::find(hopeless, *run.ending()) != hopeless.end(),
-          .is_whole_process = run.wall_clock(),
-          .errors = {error_of(run, Norm::end), error_of(run, Norm::maximum)}};
+  return {
+      .resolution = setup.resolution,
+      .steps = steps != nullptr ? *steps : 0,
+      .seconds = run["time_minimum"],
+      .fails_with_more_steps = run.ending() && std::ranges::find(hopeless, *run.ending()) != hopeless.end(),
+      .is_whole_process = run.wall_clock(),
+      .errors = {error_of(run, Norm::end), error_of(run, Norm::maximum)}};
 }
 
-std::vector<std::optional<StepsOrTolerance>> next_runs(
-    const SweepPlan& plan, std::span<const std::vector<StepsOrTolerance>> listed,
-    std::span<const Refinement> of_scene) {
+std::vector<std::optional<StepsOrTolerance>> next_runs(const SweepPlan& plan,
+                                                       std::span<const std::vector<StepsOrTolerance>> listed,
+                                                       std::span<const Refinement> of_scene) {
   if (plan.goal) return next_resolutions(*plan.goal, of_scene);
   std::vector<std::optional<StepsOrTolerance>> next(of_scene.size());
   for (std::size_t i = 0; i < of_scene.size(); ++i) {

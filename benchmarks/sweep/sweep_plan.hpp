@@ -31,8 +31,8 @@ inline constexpr std::size_t error_at_end = 0, error_maximum = 1;
 RefinementRun refinement_run(const RunSettings& setup, const RecordedRun& run);
 
 // The next run of each refinement of a scene; nullopt where it has ended. `listed`: its resolutions_for().
-std::vector<std::optional<StepsOrTolerance>> next_runs(
-    const SweepPlan& plan, std::span<const std::vector<StepsOrTolerance>> listed,
-    std::span<const Refinement> of_scene);
+std::vector<std::optional<StepsOrTolerance>> next_runs(const SweepPlan& plan,
+                                                       std::span<const std::vector<StepsOrTolerance>> listed,
+                                                       std::span<const Refinement> of_scene);
 
 }  // namespace fde::bench

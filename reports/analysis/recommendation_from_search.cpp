@@ -58,10 +58,10 @@ std::string reason_of(const SearchCandidate& of) {
     case SearchOutcome::slower:
       return of.reason.empty() ? "slower" : "slower: " + of.reason;
     default:
-      return of.steps_needed ? fmt::format("about N = {} by its errors, {}",
-                                           rough_count_text(of.steps_needed->value),
-                                           time_text(of.steps_needed->value * of.seconds_per_step))
-                             : std::string(of.reason);
+      return of.steps_needed
+                 ? fmt::format("about N = {} by its errors, {}", rough_count_text(of.steps_needed->value),
+                               time_text(of.steps_needed->value * of.seconds_per_step))
+                 : std::string(of.reason);
   }
 }
 
@@ -77,7 +77,8 @@ RejectedScheme rejected(const SearchCandidate& of) {
     scheme.finest.error = run->error;
     scheme.finest.time = {run->seconds, run->seconds, run->seconds};
     scheme.finest.setup_seconds = run->setup_seconds;
-    if (std::isfinite(run->error) && !(run->error < run->baseline_error)) scheme.reason += ", no better than y = 0";
+    if (std::isfinite(run->error) && !(run->error < run->baseline_error))
+      scheme.reason += ", no better than y = 0";
   }
   return scheme;
 }
@@ -135,8 +136,8 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
   }
   const CandidateRun& last = *finest(*best);
   made.missing.push_back(fmt::format("best: {}: {} {} with N = {}, in {} at t = {:.6g}", name_of(*best),
-                                    error_word(made), error_text(last.error), count_text(last.steps),
-                                    columns[static_cast<std::size_t>(last.column)], last.time));
+                                     error_word(made), error_text(last.error), count_text(last.steps),
+                                     columns[static_cast<std::size_t>(last.column)], last.time));
   const SearchCandidate* least = nullptr;
   const auto seconds = [](const SearchCandidate& of) { return of.steps_needed->value * of.seconds_per_step; };
   for (const SearchCandidate& of : searched) {
@@ -144,7 +145,7 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
   }
   if (least == nullptr) return;
   made.missing.push_back(needed_text(name_of(*least), *least->steps_needed) +
-                        fmt::format(", {}", time_text(seconds(*least))));
+                         fmt::format(", {}", time_text(seconds(*least))));
 }
 
 }  // namespace

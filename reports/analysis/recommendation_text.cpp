@@ -38,7 +38,8 @@ std::string aligned(const std::vector<TableRow>& rows) {
 }
 
 // Why the first option is quicker than the second: fewer steps or cheaper steps.
-std::string reason_for_speed(const RecommendedRun& first, const RecommendedRun& second, std::string_view error) {
+std::string reason_for_speed(const RecommendedRun& first, const RecommendedRun& second,
+                             std::string_view error) {
   const double steps = static_cast<double>(second.steps) / first.steps,
                cost = first.seconds_per_step() / second.seconds_per_step();
   const auto compared = [](double ratio, const char* more, const char* less) {
@@ -81,9 +82,8 @@ std::string table_of(const Recommendation& made, bool verbose) {
   for (const RecommendedRun& option : made.options) {
     if (!listed.insert(option.schemes.front()).second && !verbose) continue;
     const bool is_best = &option == &made.options.front();
-    rows.push_back(row_of(
-        made, option,
-        is_best ? "" : fmt::format("{:.2f} times as long", option.time.median / least)));
+    rows.push_back(
+        row_of(made, option, is_best ? "" : fmt::format("{:.2f} times as long", option.time.median / least)));
   }
   for (const RejectedScheme& scheme : made.rejected) {
     if (scheme.refused && !verbose) continue;
@@ -111,7 +111,8 @@ std::string certainty(const Recommendation& made, const RecommendedRun& first) {
   if (made.estimate) text = estimate_text(*made.estimate) + "; ";
   if (made.reference_bound && !made.estimate)
     text = fmt::format("the reference is known to {}; ", error_text(*made.reference_bound));
-  text += fmt::format("the time is in {} ... {} (95 %)", time_text(first.time.low), time_text(first.time.high));
+  text +=
+      fmt::format("the time is in {} ... {} (95 %)", time_text(first.time.low), time_text(first.time.high));
   if (made.constant) return text + "; the solution is constant: any scheme that keeps y(0) will do";
   if (const auto noise = within_noise(made); !noise.empty())
     return text + fmt::format("; within noise of {}", fmt::join(noise, ", "));

@@ -34,7 +34,7 @@ void show(const Results& results) {
   for (const double accuracy : {1e-3, 1e-12}) {
     for (const ErrorKind& kind : error_kinds) {
       const auto made = recommend(runs_of(results), results.records.front().key.scene, kind, accuracy);
-      for (const auto& text : made.others)
+      for (const auto& text : made.missing)
         fuzz::require(!fuzz::contains_nan_or_inf(text), "numbers of what is missing", text);
       if (made.options.empty()) continue;
       const std::string text = to_text(made) + json_of(made);

@@ -3,6 +3,8 @@
 // of the reference cache. Read, or a one-line error; the cache returns only tables that fit the problem.
 
 #include <fstream>
+#include <iterator>
+#include <vector>
 #include <stdexcept>
 
 #include "fdebench/benchmarks/reference_data/description.hpp"
@@ -36,7 +38,7 @@ void load_from_cache(const std::string& text) {
   const auto name = cache.file_of("key").filename();
   folder().write(std::filesystem::path("cache") / name, sha256(text) + text);
   if (const auto table = cache.load("key", scene.problem)) {
-    for (const auto& panel : table->panels) {
+    for (const auto& panel : table->panels.panels) {
       fuzz::require(panel.values.allFinite() && panel.bound.allFinite(), "what is kept is finite");
       fuzz::require(panel.values.cols() == scene.problem.size(), "what is kept has the problem's size");
     }

@@ -70,7 +70,9 @@ struct Question {
 
 Question random_question(std::mt19937_64& random) {
   const auto scenes = default_scenes();
-  const auto pick = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random); };
+  const auto pick = [&](std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+  };
   const double exponent = std::uniform_real_distribution<double>(-12.0, -2.0)(random);
   constexpr std::array norms{Norm::maximum, Norm::end};
   constexpr std::array scales{Scale::mixed, Scale::absolute, Scale::relative};
@@ -116,10 +118,10 @@ void compare(const Question& question) {
   const Best best = best_of_all(scene, target, first.time->median);
   double ratio = 0.0;
   if (best.run.meets_accuracy) {
-    const auto times =
-        time_interleaved({{[&] { evaluator.solve_for_timing(first.configuration, resolution_of(first.best)); }},
-                          {[&] { evaluator.solve_for_timing(best.configuration, resolution_of(best.run)); }}},
-                         0.5);
+    const auto times = time_interleaved(
+        {{[&] { evaluator.solve_for_timing(first.configuration, resolution_of(first.best)); }},
+         {[&] { evaluator.solve_for_timing(best.configuration, resolution_of(best.run)); }}},
+        0.5);
     ratio = times[0].median / times[1].median;
   }
   fmt::print("{},{},{},{:.3g},{:.3g},{},{},{},{:.2f},{:.2f}\n", first.configuration.scheme->id,
@@ -135,8 +137,9 @@ int main(int count, char** words) try {
   const std::vector<std::string> given(words + 1, words + count);
   std::mt19937_64 random(given.empty() ? 1 : std::stoull(given[0]));
   const int questions = given.size() < 2 ? 40 : std::stoi(given[1]);
-  fmt::print("scene,kind,accuracy,scheme,grading,steps,part_of_accuracy,seconds,best,its_grading,its_steps,ratio,"
-             "search_seconds\n");
+  fmt::print(
+      "scene,kind,accuracy,scheme,grading,steps,part_of_accuracy,seconds,best,its_grading,its_steps,ratio,"
+      "search_seconds\n");
   for (int i = 0; i < questions; ++i) {
     fde::bench::compare(fde::bench::random_question(random));
     std::fflush(stdout);

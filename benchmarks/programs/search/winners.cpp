@@ -47,8 +47,7 @@ std::string reasons(std::vector<SearchCandidate> found) {
   std::set<std::string_view> printed;
   std::string text;
   for (const auto& way : found) {
-    if (!way.rate || way.runs.empty() || !printed.insert(way.configuration.scheme->id).second)
-      continue;
+    if (!way.rate || way.runs.empty() || !printed.insert(way.configuration.scheme->id).second) continue;
     text += fmt::format("{}{} {:.1f} ({}, {:.0f} ns a step)", text.empty() ? "" : "; ", way.names.front(),
                         *way.rate, grid_text(way.configuration.grading), 1e9 * way.seconds_per_step);
   }

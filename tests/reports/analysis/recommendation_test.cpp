@@ -159,16 +159,16 @@ TEST(Recommendation, TellsWhatIsWithinNoise) {
 
 // Three lines answer: what to run, what it delivers, how sure that is; the table has a row a scheme.
 TEST(Recommendation, AnswersInThreeLinesBeforeItsTable) {
-  Recommendation made{.scene = {"pendulum"},
-                      .kind = at_end,
-                      .accuracy = 1e-6,
-                      .options = {option("bdf4", 512, {1e-3, 0.9e-3, 1.1e-3}),
-                                  option("l1", 4096, {2e-3, 1.9e-3, 2.1e-3})},
-                      .rejected = {{.finest = option("bdf2", 64, {3e-3, 3e-3, 3e-3}), .reason = "slower"},
-                                   {.finest = {.schemes = {"power_series"}},
-                                    .reason = "refused: too many rows",
-                                    .refused = true}},
-                      .reference_bound = 1e-16};
+  Recommendation made{
+      .scene = {"pendulum"},
+      .kind = at_end,
+      .accuracy = 1e-6,
+      .options = {option("bdf4", 512, {1e-3, 0.9e-3, 1.1e-3}), option("l1", 4096, {2e-3, 1.9e-3, 2.1e-3})},
+      .rejected = {{.finest = option("bdf2", 64, {3e-3, 3e-3, 3e-3}), .reason = "slower"},
+                   {.finest = {.schemes = {"power_series"}},
+                    .reason = "refused: too many rows",
+                    .refused = true}},
+      .reference_bound = 1e-16};
   made.options.front().setup_seconds = 0.02;
   const std::string text = to_text(made);
   EXPECT_THAT(text, testing::StartsWith(
