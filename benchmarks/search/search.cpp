@@ -31,10 +31,6 @@ constexpr double margin = 1.5;
 // The fraction of the time left that one run may take.
 constexpr double most_of_rest = 0.3;
 
-bool is_hopeless(const OutcomeKind& kind) {
-  return kind == SolveStatus::left_domain || kind == SolveStatus::out_of_budget;
-}
-
 // The smallest number of equal steps whose times contain all jumps of the right-hand side; 1 if there is none
 // up to 1000.
 int meeting_jumps(const Problem& problem) {
@@ -206,7 +202,7 @@ class Search {
         .resolution = resolution_of(run),
         .steps = run.steps,
         .seconds = run.seconds,
-        .fails_with_more_steps = is_hopeless(run.ending.kind),
+        .fails_with_more_steps = run.ending.kind == SolveStatus::out_of_budget,
         .errors = {{.value = run.error, .baseline = run.baseline_error, .signed_value = run.signed_error}}};
   }
 

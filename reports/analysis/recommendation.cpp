@@ -86,12 +86,4 @@ std::string name_of(const RecommendedRun& option) {
   return text;
 }
 
-double first_run_seconds(const Recommendation& made, const RecommendedRun& option) {
-  return option.time.median + (made.first_run ? 0.0 : option.setup_seconds);
-}
-
-double later_run_seconds(const Recommendation& made, const RecommendedRun& option) {
-  return option.time.median - (made.first_run ? option.setup_seconds : 0.0);
-}
-
 }  // namespace fde::bench

@@ -25,13 +25,12 @@ struct Recommendation {
   SceneSettings scene{};
   ErrorKind kind{};
   double accuracy = 0.0;
-  std::vector<std::string> columns{};      // the compared columns; empty: all
-  bool first_run = false;                  // times are those of the first run of a process
-  std::vector<RecommendedRun> options{};   // within the accuracy, the quickest first
-  std::vector<RecommendedRun> expected{};  // predictions for other schemes, which are slower
-  std::vector<RejectedScheme> rejected{};  // the schemes without an option
-  std::vector<std::string> missing{};      // without options: the best error, and what would be needed
-  bool constant = false;                   // the solution equals its initial value at all times
+  std::vector<std::string> columns{};       // the compared columns; empty: all
+  std::vector<RecommendedRun> options{};    // within the accuracy, the quickest first
+  std::vector<RecommendedRun> expected{};   // predictions for other schemes, which are slower
+  std::vector<RejectedScheme> rejected{};   // the schemes without an option
+  std::vector<std::string> missing{};       // without options: the best error, and what would be needed
+  bool constant = false;                    // the solution equals its initial value at all times
   std::optional<double> reference_bound{};  // of the reference at the end time; nullopt: not known here
   std::optional<ErrorEstimate> estimate{};  // the basis of all errors; nullopt: there is a reference
 };
@@ -70,10 +69,6 @@ std::string kind_text(const ErrorKind& kind);
 
 // "l1 = commensurate_l1, graded:2".
 std::string name_of(const RecommendedRun& option);
-
-// The time of the first run of a process, and of a later one.
-double first_run_seconds(const Recommendation& made, const RecommendedRun& option);
-double later_run_seconds(const Recommendation& made, const RecommendedRun& option);
 
 // The recommendation as text: three lines (what to run, what it delivers, how sure that is), then a table of
 // the schemes. With `verbose` also why it is quickest, all grids, and the schemes that refuse the problem.

@@ -153,17 +153,17 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
 Recommendation recommend(const std::vector<SearchCandidate>& searched, const SceneSettings& scene,
                          const std::vector<std::string>& columns, const AccuracyTarget& question,
                          const std::optional<ErrorEstimate>& estimate) {
-  Recommendation made{.scene = scene,
-                      .kind = question.kind,
-                      .accuracy = question.accuracy,
-                      .first_run = question.first_run,
-                      .estimate = estimate};
+  Recommendation made{
+      .scene = scene, .kind = question.kind, .accuracy = question.accuracy, .estimate = estimate};
   for (const SearchCandidate& of : searched) {
     if (of.outcome != SearchOutcome::accuracy_reached) continue;
     made.options.push_back(option_of(of));
+    made.options.back().first_run = question.first_run;
     made.constant = std::isinf(of.best.baseline_error);
   }
   made.options.empty() ? tell_shortfall(searched, columns, made) : tell_others(searched, made);
+  for (RecommendedRun& option : made.expected) option.first_run = question.first_run;
+  for (RejectedScheme& scheme : made.rejected) scheme.finest.first_run = question.first_run;
   return made;
 }
 

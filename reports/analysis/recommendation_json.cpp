@@ -21,7 +21,7 @@ nlohmann::json json_of(const ErrorEstimate& estimate) {
 }
 
 // What was run, what it takes and delivers; null where a scheme has no run, or none to its end.
-nlohmann::json json_of(const Recommendation& made, const RecommendedRun& option, const std::string& outcome) {
+nlohmann::json json_of(const RecommendedRun& option, const std::string& outcome) {
   nlohmann::json json{{"scheme", option.schemes.front()},
                       {"grid", nullptr},
                       {"asked", nullptr},
@@ -38,17 +38,16 @@ nlohmann::json json_of(const Recommendation& made, const RecommendedRun& option,
   if (option.steps == 0) return json;
   json["steps"] = option.steps;
   if (std::isfinite(option.error)) json["error"] = option.error;
-  json["seconds"] = later_run_seconds(made, option);
-  json["first_run_seconds"] = first_run_seconds(made, option);
+  json["seconds"] = option.later_run_seconds();
+  json["first_run_seconds"] = option.first_run_seconds();
   return json;
 }
 
 nlohmann::json others_of(const Recommendation& made) {
   nlohmann::json all = nlohmann::json::array();
   for (const RecommendedRun& option : made.options)
-    if (&option != &made.options.front()) all.push_back(json_of(made, option, "within"));
-  for (const RejectedScheme& scheme : made.rejected)
-    all.push_back(json_of(made, scheme.finest, scheme.reason));
+    if (&option != &made.options.front()) all.push_back(json_of(option, "within"));
+  for (const RejectedScheme& scheme : made.rejected) all.push_back(json_of(scheme.finest, scheme.reason));
   return all;
 }
 
@@ -87,8 +86,8 @@ std::string json_of(const Recommendation& made) {
     json["estimate"] = json_of(*made.estimate);
   }
   if (first.setup_seconds > 0.0) json["once_seconds"] = first.setup_seconds;
-  json["runs"] = made.first_run ? "1" : "many";
-  if (!first.wall_clock) json["first_run_seconds"] = first_run_seconds(made, first);
+  json["runs"] = first.first_run ? "1" : "many";
+  if (!first.wall_clock) json["first_run_seconds"] = first.first_run_seconds();
   if (made.constant) json["constant"] = true;
   if (first.wall_clock) json["wall_clock"] = true;
   if (first.predicted_error) json["predicted_error"] = *first.predicted_error;

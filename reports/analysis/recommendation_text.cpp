@@ -51,6 +51,9 @@ std::string reason_for_speed(const RecommendedRun& first, const RecommendedRun& 
   std::string rates;
   if (first.rate && second.rate)
     rates = fmt::format(" (its {} falls with rate {:.2f}, there {:.2f})", error, *first.rate, *second.rate);
+  if (second.first_run && second.setup_seconds > second.later_run_seconds())
+    return fmt::format("its first run takes {} for start weights and tables",
+                       time_text(second.setup_seconds));
   count = count.empty() ? "it needs as many steps" : fmt::format("it needs {} steps", count);
   each = each.empty() ? "a step costs the same" : fmt::format("a step costs {}", each);
   return fmt::format("{}{}, {}", count, rates, each);
@@ -62,14 +65,14 @@ std::string steps_text(const RecommendedRun& option) {
   return count_text(option.steps) + (accuracy != nullptr ? " to " + error_text(accuracy->rtol) : "");
 }
 
-TableRow row_of(const Recommendation& made, const RecommendedRun& option, std::string outcome) {
+TableRow row_of(const RecommendedRun& option, std::string outcome) {
   const auto seconds = [&](double value) { return value > 0.0 ? time_text(value) : std::string(); };
   return {fmt::format("{}", fmt::join(option.schemes, " = ")),
           option.setup.grading == 1.0 ? "" : grid_text(option.setup.grading),
           steps_text(option),
           option.steps > 0 && std::isfinite(option.error) ? error_text(option.error) : "",
-          seconds(later_run_seconds(made, option)) + std::string(clock_note(option.wall_clock)),
-          option.wall_clock ? "" : seconds(first_run_seconds(made, option)),
+          seconds(option.later_run_seconds()) + std::string(clock_note(option.wall_clock)),
+          option.wall_clock ? "" : seconds(option.first_run_seconds()),
           std::move(outcome)};
 }
 
@@ -83,24 +86,24 @@ std::string table_of(const Recommendation& made, bool verbose) {
     if (!listed.insert(option.schemes.front()).second && !verbose) continue;
     const bool is_best = &option == &made.options.front();
     rows.push_back(
-        row_of(made, option, is_best ? "" : fmt::format("{:.2f} times as long", option.time.median / least)));
+        row_of(option, is_best ? "" : fmt::format("{:.2f} times as long", option.time.median / least)));
   }
   for (const RejectedScheme& scheme : made.rejected) {
     if (scheme.refused && !verbose) continue;
     if (!listed.insert(scheme.finest.schemes.front()).second && !verbose) continue;
-    rows.push_back(row_of(made, scheme.finest, scheme.reason));
+    rows.push_back(row_of(scheme.finest, scheme.reason));
   }
   return aligned(rows);
 }
 
 // "error 8.7e-13 in 9.6 µs; the first run of a process takes 12.3 ms".
 std::string delivery(const Recommendation& made, const RecommendedRun& first) {
-  const double once = first_run_seconds(made, first), later = later_run_seconds(made, first);
+  const double once = first.first_run_seconds(), later = first.later_run_seconds();
   auto text = fmt::format("{} {} ({}; {} wanted) in {}{}", error_word(made), error_text(first.error),
                           kind_text(made.kind), error_text(made.accuracy), time_text(first.time.median),
                           clock_note(first.wall_clock));
   if (first.wall_clock) return text;
-  if (made.first_run) return text + fmt::format(", the first run of a process; {} later", time_text(later));
+  if (first.first_run) return text + fmt::format(", the first run of a process; {} later", time_text(later));
   return text + (first.setup_seconds > 0.0
                      ? fmt::format("; {} for the first run of a process", time_text(once))
                      : "; as quick the first time");

@@ -33,6 +33,7 @@ std::optional<RecommendedRun> option_of(const MeasuredRun& run, const ErrorKind&
                         .wall_clock = run.wall_clock};
   option.time = time_of(run).value_or(MedianInterval{});
   option.setup_seconds = run["time_setup"].value_or(0.0);
+  option.first_run = run.first_run;
   return option;
 }
 

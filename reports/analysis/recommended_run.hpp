@@ -23,12 +23,15 @@ struct RecommendedRun {
   std::optional<double> predicted_error{};  // from the errors with other numbers of steps
   MedianInterval time{};
   double setup_seconds = 0.0;    // by which the first run of a process takes longer
+  bool first_run = false;        // `time` is that of the first run, otherwise of a later one
   std::optional<double> rate{};  // observed
   std::size_t session = 0;       // index into Results::sessions, for recorded runs
   bool external = false;         // run of an external program
   bool wall_clock = false;       // `time` is of a whole process
 
-  [[nodiscard]] double seconds_per_step() const { return time.median / steps; }
+  [[nodiscard]] double first_run_seconds() const { return time.median + (first_run ? 0.0 : setup_seconds); }
+  [[nodiscard]] double later_run_seconds() const { return time.median - (first_run ? setup_seconds : 0.0); }
+  [[nodiscard]] double seconds_per_step() const { return later_run_seconds() / steps; }
 };
 
 // The option with predicted_error and rate from the coarser runs of its line.

@@ -154,6 +154,7 @@ Runs runs_of(const Results& results) {
 void count_first_runs(Runs& runs) {
   for (MeasuredRun& run : runs.finished) {
     const double setup = run["time_setup"].value_or(0.0);
+    run.first_run = true;
     for (const auto* time : {"time_minimum", "time_median", "time_low", "time_high"}) {
       if (const auto found = run.values.find(time); found != run.values.end()) found->second += setup;
     }

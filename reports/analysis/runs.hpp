@@ -24,6 +24,7 @@ struct MeasuredRun {
   std::map<std::string, double, std::less<>> values{};   // by quantity
   std::map<std::string, Course, std::less<>> courses{};  // of the quantities that have one
   bool wall_clock = false;                               // the times are of whole processes
+  bool first_run = false;                                // the times are of the first run of a process
 
   // The value of a quantity; nullopt: not measured.
   [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;
@@ -46,7 +47,8 @@ struct Runs {
 
 Runs runs_of(const Results& results);
 
-// Adds to each time of a run what the first run of a process takes longer, so that runs are ranked by it.
+// Makes each time that of the first run of a process, by what that takes longer, so that runs are ranked by
+// it.
 void count_first_runs(Runs& runs);
 
 // The sessions and runs of a results file. Rows are not stored: they would take twice the size of the file.

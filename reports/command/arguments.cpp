@@ -69,6 +69,11 @@ Tolerance parse_accuracy(std::string_view text) {
   return {.rtol = error, .atol = error};
 }
 
+bool requests_first_run(const std::string& runs) {
+  if (runs != "1" && runs != "many") reject_text("--runs", runs, "1 or many");
+  return runs == "1";
+}
+
 bool requests_optimal_grading(const RunSettingsArguments& arguments) {
   return arguments.grid == "graded:auto";
 }

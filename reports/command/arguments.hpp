@@ -55,6 +55,9 @@ std::vector<double> sorted_times(std::string_view name, std::string_view text);
 
 Tolerance parse_accuracy(std::string_view text);  // one number, relative and absolute
 
+// Whether times are those of the first run of a process: --runs 1, otherwise many.
+bool requests_first_run(const std::string& runs);
+
 inline constexpr int max_digits = 100'000;
 inline constexpr int most_steps = 1'000'000'000;  // the weights are tested up to this lag
 

@@ -87,15 +87,7 @@ Recommendation recorded(const ErrorKind& kind, double accuracy, bool first_run,
   Runs runs = read_runs(*arguments.results).runs;
   const SceneArguments scene{arguments.scene.scene, settings_of(arguments)};
   if (first_run) count_first_runs(runs);
-  auto made = recommend(runs, recorded_scene(runs, *arguments.results, scene, known), kind, accuracy);
-  made.first_run = first_run;
-  return made;
-}
-
-// Whether times are those of the first run of a process.
-bool parse_runs(const std::string& text) {
-  if (text != "1" && text != "many") reject_text("--runs", text, "1 or many");
-  return text == "1";
+  return recommend(runs, recorded_scene(runs, *arguments.results, scene, known), kind, accuracy);
 }
 
 void choose(const ChooseArguments& arguments, const Streams& streams, const SceneRegistry& known) {
@@ -103,7 +95,7 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
   const ErrorKind kind{parse_norm(arguments.norm), parse_scale(arguments.scale)};
   const double seconds =
       arguments.max_time ? parse_number("--max-time", *arguments.max_time, search_seconds) : default_seconds;
-  const bool first_run = parse_runs(arguments.runs);
+  const bool first_run = requests_first_run(arguments.runs);
   Recommendation made;
   if (arguments.results) {
     made = recorded(kind, accuracy, first_run, arguments, known);

@@ -210,9 +210,18 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   report_command.required("file", *file, "results file");
   report_command.option("second", *second, "results file, now: the page is of it, set against the first");
   report_command.required("--out", *folder, "folder of the page");
+  auto runs = std::make_shared<std::string>("many");
+  report_command.option("--runs", *runs,
+                        "1: by the time of the first run of a process; many, the default: of a later one");
   report_command.callback([=] {
-    auto first = read_runs(*file);
-    const auto path = *second ? write_report(read_runs(**second), *folder, std::move(first))
+    const bool first_runs = requests_first_run(*runs);
+    const auto read = [&](const std::string& from) {
+      auto of_file = read_runs(from);
+      if (first_runs) count_first_runs(of_file.runs);
+      return of_file;
+    };
+    auto first = read(*file);
+    const auto path = *second ? write_report(read(**second), *folder, std::move(first))
                               : write_report(std::move(first), *folder);
     streams.out << path.string() << '\n';
   });

@@ -68,7 +68,13 @@ json run_facts(const PageInput& page, const RecommendedRun& option) {
              {"wall_clock", option.wall_clock}, {"session", session_number(page, option.session)}};
   if (requested != nullptr) facts["requested"] = fact(requested->rtol);
   if (is_timed) facts.update({{"seconds", fact(median)}, {"low", fact(low)}, {"high", fact(high)}});
-  if (is_timed && option.setup_seconds > median) facts["setup_seconds"] = fact(option.setup_seconds);
+  if (is_timed && option.setup_seconds > 0.0) {
+    if (option.first_run) {
+      facts["later_seconds"] = fact(option.later_run_seconds());
+    } else {
+      facts["first_seconds"] = fact(option.first_run_seconds());
+    }
+  }
   return facts;
 }
 

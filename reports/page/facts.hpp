@@ -23,8 +23,8 @@ nlohmann::json run_facts(const PageInput& page, const MeasuredRun& run,
                          std::initializer_list<std::string_view> quantities);
 
 // The same of a recommended run, with `error`, `requested` (tolerance, with adaptive step size), the time
-// `seconds` and its interval `low`, `high`, `setup_seconds` if they are more than the time, and `session`
-// from 1 on if there are several.
+// `seconds` and its interval `low`, `high`, `first_seconds` of the first run of a process if that takes
+// longer (or `later_seconds` if `seconds` is of the first), and `session` from 1 on if there are several.
 nlohmann::json run_facts(const PageInput& page, const RecommendedRun& option);
 
 // How a run ended: `ending`, the id of its outcome, and `detail`.

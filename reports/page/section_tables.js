@@ -101,6 +101,7 @@ const sectionTables = {
     caption: "What each scheme used at its finest step count", filter: "line",
     columns: [
       lineColumn, { head: "N", cell: "{steps:count}" }, { head: "time", cell: "{time_minimum:time}[{?wall_clock} of the wall clock]" },
+      { head: "first run", cell: "{first_seconds:time}" },
       { head: "error at the end", cell: "{error_end:error}" }, { head: "digits (mescd)", cell: "{mescd:tenths}" }, { head: "states", cell: "{states:count}" },
       { head: "start weights", cell: "{start_weights:count}" }, { head: "rhs calls", cell: "{rhs_calls:count}" },
       { head: "Newton iterations", cell: ["{newton.iterations:count} (to {newton.tolerance:error})", "{?explicit}explicit"] }, { head: "history", cell: "{history_bytes:bytes}" },

@@ -7,7 +7,9 @@ const sectionTexts = {
     title: "Which scheme is cheapest", brief: "Answer",
     paragraphs: [
       "For each scene and each error, the measured run that reaches it in the least time. The darker the cell, the larger the factor by which " +
-        "the next scheme is slower. A click leads to the scene, with the runs, its charts and its equation's source.",
+        "the next scheme is slower. [{?first_run}A time is that of the first run of a process, which computes start weights and tables.]" +
+        "[{!first_run}A time is that of a later run: the first run of a process computes start weights and tables too, and its time is beside it.]" +
+        " A click leads to the scene, with the runs, its charts and its equation's source.",
       "{?several_sessions}The results were made in several sessions; times of different machines or builds do not compare. A run made more " +
         "than once counts with its last session.",
     ],

@@ -9,7 +9,7 @@ const statements = {
   // Runs, and why one is the cheapest.
   timed: "{seconds:time} ({low:time} ... {high:time})[{?wall_clock} of the wall clock]",
   run: "[{grid}, ][accuracy {requested:error}, ]N = {steps:count}, error {error:error}[, {:timed}][{!seconds}, not timed]" +
-    "[, the first time {setup_seconds:time} more for start weights][, session {session}]",
+    "[, {first_seconds:time} in the first run of a process][, {later_seconds:time} in later runs][, session {session}]",
   at_steps: "{line} at N = {steps:count}",
   cheapest: ["{line}", "{?untimed}reached, not timed yet", "{?best}none measured reaches it", "no run has this error"],
   its_run: ["{?line}{:run}", "best: {best.line}, {best:run}"],
@@ -20,6 +20,7 @@ const statements = {
     "{?line}no other line gets there[; the next best, {next_best.line}, has {next_best.error:error}]",
   ],
   reason: [
+    "the first run of {line} takes {setup:time} for start weights and tables",
     "a step takes {step_seconds.0:time} where one of {line} takes {step_seconds.1:time}",
     "{steps.0:count} steps are enough where {line} needs {steps.1:count}[, by its rate, {rates.0:tenths} against {rates.1:tenths}]" +
       "[, although a step takes {dearer:tenths} times as long]",

@@ -44,8 +44,8 @@ test("numbers are rounded for readers", () => withPage({}, async (page) => {
 const run = { line: "l1", steps: 256, error: 5.5e-5, seconds: 256e-6, low: 255e-6, high: 258e-6 };
 test("a run is said with its time, and why it is the cheapest", () => checkSaid([
   ["run", run, "N = 256, error 5.5e-5, 256 µs (255 µs ... 258 µs)"],
-  ["run", { ...run, grid: "graded:2", requested: 1e-6, wall_clock: true, setup_seconds: 1, session: 2 },
-    "graded:2, accuracy 1.0e-6, N = 256, error 5.5e-5, 256 µs (255 µs ... 258 µs) of the wall clock, the first time 1.00 s more for start weights, session 2"],
+  ["run", { ...run, grid: "graded:2", requested: 1e-6, wall_clock: true, first_seconds: 1, session: 2 },
+    "graded:2, accuracy 1.0e-6, N = 256, error 5.5e-5, 256 µs (255 µs ... 258 µs) of the wall clock, 1.00 s in the first run of a process, session 2"],
   ["run", { line: "l1", steps: 256, error: 5.5e-5 }, "N = 256, error 5.5e-5, not timed"],
   ["its_run", { best: run }, "best: l1, N = 256, error 5.5e-5, 256 µs (255 µs ... 258 µs)"],
   ["cheapest", { untimed: true, best: run }, "reached, not timed yet"],

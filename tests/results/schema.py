@@ -77,7 +77,7 @@ class Results(unittest.TestCase):
         kinds = (ROOT / "benchmarks" / "measures" / "error_kind.hpp").read_text()
         times = (ROOT / "benchmarks" / "measures" / "measures.cpp").read_text()
         measures = set(re.findall(r"FDE_MEASURE\((\w+)\)", lists)) | set(re.findall(r'TimeMeasure{"(\w+)"', times))
-        measures |= set(re.findall(r'"((?:error|baseline)_(?:end|maximum)\w*)"', "\n".join(
+        measures |= set(re.findall(r'"((?:error|baseline|unresolved)_(?:end|maximum)\w*)"', "\n".join(
             line for line in kinds.splitlines() if not line.lstrip().startswith("//"))))
         self.assertEqual(set(SCHEMA["$defs"]["quantity"]["enum"]), measures | {"ending"})
         page = (ROOT / "docs" / "results.md").read_text()
@@ -188,7 +188,7 @@ class Page(unittest.TestCase):
             for words in sweeps:
                 run = fdebench("run", *words, "--repeat", 1, "--out", file)
                 self.assertEqual(run.returncode, 0, run.stderr)
-            self.assertEqual(fdebench("report", file, file, "--out", folder).returncode, 0)
+            self.assertEqual(fdebench("report", file, file, "--runs", "1", "--out", folder).returncode, 0)
             page = (Path(folder) / "index.html").read_text()
         data = json.loads(re.search('<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1])
         jsonschema.Draft202012Validator.check_schema(self.SCHEMA)

@@ -14,6 +14,7 @@ int main() {
   const auto path = fde::find_scheme("product_trapezoidal")->solve(pendulum.problem, grid, {});
   fde::bench::MemoizedReference reference(pendulum);
   const fde::bench::Assessment judged = fde::bench::judge(pendulum, path, reference, {.grid = grid});
-  for (const auto& [id, unit, value] : judged.measured)
-    std::printf("%s %g %s\n", std::string(id).c_str(), value, std::string(unit).c_str());
+  for (const fde::bench::MeasuredValue& measured : judged.measured)
+    std::printf("%s %g %s\n", std::string(measured.id).c_str(), measured.value,
+                std::string(measured.unit).c_str());
 }

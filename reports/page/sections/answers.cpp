@@ -79,6 +79,7 @@ json answers_section(const PageInput& page) {
   return compact({{"id", "answer"},
                   {"accuracies", accuracies},
                   {"several_sessions", page.sessions.size() > 1},
+                  {"first_run", page.runs.finished.front().first_run},
                   {"schemes", scheme_verdicts(page)}});
 }
 

@@ -28,6 +28,10 @@ json reason_for_speed(const PageInput& page, const SceneSettings& scene, const R
   const double fewer = static_cast<double>(second.steps) / first.steps;
   const double dearer = first.seconds_per_step() / second.seconds_per_step();
   json reason{{"line", page.label(second)}};
+  if (second.first_run && second.setup_seconds > second.later_run_seconds()) {
+    reason["setup"] = fact(second.setup_seconds);
+    return reason;
+  }
   if (fewer < 1.5) {
     reason["step_seconds"] = {fact(first.seconds_per_step()), fact(second.seconds_per_step())};
     return reason;

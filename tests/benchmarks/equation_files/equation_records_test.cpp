@@ -109,7 +109,7 @@ TEST_F(EquationFileCommand, NeedsNotBeAtHandForItsResults) {
   std::filesystem::remove(folder_.path() / "decay.toml");
   const auto choice = fdebench("choose " + file() + " --error 0.1 --results " + results());
   EXPECT_EQ(choice.code, 0) << choice.err;
-  EXPECT_THAT(choice.out, StartsWith(file() + " to "));
+  EXPECT_THAT(choice.out, StartsWith("run: fdebench solve " + file() + " "));
   EXPECT_EQ(fdebench("choose " + file() + ":k=2 --error 0.1 --results " + results()).code, 2);
   const auto folder = (folder_.path() / "page").string();
   EXPECT_EQ(fdebench("report " + results() + " --out " + folder).code, 0);

@@ -215,8 +215,8 @@ TEST_F(ExternalRuns, AreChosenFromResults) {
   ASSERT_EQ(run(square(), {"--scheme", "grunwald_letnikov"}).code, 0);
   const auto answer = fdebench({"choose", "power:p=2", "--error", "2e-3", "--results", results_});
   EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("\nmine: N = 8, error 1.0e-3, "));
-  EXPECT_THAT(answer.out, HasSubstr(") of the wall clock\n"));
+  EXPECT_THAT(answer.out, HasSubstr("run: mine with N = 8\ndelivers: error 1.0e-3 "));
+  EXPECT_THAT(answer.out, HasSubstr(" of the wall clock\n"));
   const auto json = fdebench({"choose", "power:p=2", "--error", "2e-3", "--results", results_, "--json"});
   EXPECT_THAT(json.out, HasSubstr("\"wall_clock\":true"));
 }

@@ -205,7 +205,7 @@ TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
   };
   EXPECT_THAT(lines(results), testing::UnorderedElementsAre("adams_pc", "l1", "l1, graded:2"));
   EXPECT_THAT(to_text(recommend(runs_of(results), {"pendulum"}, {Norm::end, Scale::absolute}, 3e-5)),
-              HasSubstr("l1, graded:2: N = 512"));
+              HasSubstr("--scheme l1 --steps 512\n"));
   EXPECT_THAT(lines(two_lines()), testing::UnorderedElementsAre("adams_pc", "l1"));
 }
 
