@@ -63,12 +63,12 @@ class StepsSearch {
  private:
   [[nodiscard]] bool is_in(const RefinementRun& run) const { return is_within(run, target_); }
 
-  [[nodiscard]] const RunError& error(int steps) const { return runs_.at(steps)->errors[target_.kind]; }
+  [[nodiscard]] double error(int steps) const { return error_of(*runs_.at(steps), target_.kind).value; }
 
   // A run to the end with as many steps takes at least this long: a run that failed may have failed late, by
   // iterations that do not converge, or at once.
   [[nodiscard]] double least_seconds(const RefinementRun& run) const {
-    const bool finished = std::isfinite(run.errors.at(target_.kind).value);
+    const bool finished = std::isfinite(error_of(run, target_.kind).value);
     return finished ? run.seconds.value_or(0.0) : run.steps * least_step_;
   }
 
@@ -80,7 +80,7 @@ class StepsSearch {
   // the last run was not on, so that the bracket closes from both sides; the middle where the secant fails.
   [[nodiscard]] int between(int below) const {
     constexpr double little_more = 1.003, little_less = 0.993, edge = 0.02;
-    const double low = error(below).value, high = error(fewest_).value;
+    const double low = error(below), high = error(fewest_);
     double part = 0.5;
     if (std::isfinite(low) && low > high && high > 0.0 && target_.error < low && !is_lopsided(below))
       part = std::log(low / target_.error) / std::log(low / high);
@@ -114,7 +114,7 @@ class StepsSearch {
   }
 
   [[nodiscard]] double error_sign(const RefinementRun& run) const {
-    const double value = run.errors.empty() ? 0.0 : run.errors[target_.kind].signed_value;
+    const double value = error_of(run, target_.kind).signed_value;
     return value == 0.0 || !std::isfinite(value) ? 0.0 : std::copysign(1.0, value);
   }
 
@@ -239,8 +239,7 @@ class TargetSearch {
     double least = never;
     for (const Refinement& of : of_scene_) {
       for (const RefinementRun& run : of.runs) {
-        const bool finished =
-            target_.kind < run.errors.size() && std::isfinite(run.errors[target_.kind].value);
+        const bool finished = std::isfinite(error_of(run, target_.kind).value);
         if (finished && run.seconds && !of.is_adaptive && !run.is_whole_process)
           least = std::min(least, *run.seconds / run.steps);
       }

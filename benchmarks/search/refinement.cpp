@@ -33,9 +33,12 @@ bool are_equal(const RefinementRun& a, const RefinementRun& b) {
 
 }  // namespace
 
+RunError error_of(const RefinementRun& run, std::size_t kind) {
+  return kind < run.errors.size() ? run.errors[kind] : RunError{};
+}
+
 bool is_within(const RefinementRun& run, const ErrorTarget& target) {
-  if (target.kind >= run.errors.size()) return false;
-  const RunError& error = run.errors[target.kind];
+  const RunError error = error_of(run, target.kind);
   return error.value <= target.error && error.value < error.baseline;
 }
 
@@ -54,9 +57,9 @@ std::vector<TrialError> doubled_errors(const Refinement& of, std::size_t kind, i
   const auto runs = by_steps(of);
   for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
     const auto& [steps, made] = *run;
-    if (steps > most || kind >= made->errors.size() || !std::isfinite(made->errors[kind].value)) continue;
-    if (errors.empty() || nearly_two * steps <= errors.back().steps)
-      errors.push_back({steps, made->errors[kind].value});
+    const double error = error_of(*made, kind).value;
+    if (steps > most || !std::isfinite(error)) continue;
+    if (errors.empty() || nearly_two * steps <= errors.back().steps) errors.push_back({steps, error});
   }
   std::ranges::reverse(errors);
   return errors;
@@ -73,11 +76,11 @@ const RefinementRun* finest_timed(const Refinement& of) {
 bool has_stagnated(const Refinement& of, std::size_t kind) {
   constexpr double small = 1e-8, falling = 0.7;
   const auto runs = by_steps(of);
-  if (runs.empty() || kind >= runs.rbegin()->second->errors.size()) return false;
-  if (runs.rbegin()->second->errors[kind].is_stagnant) return true;
+  if (runs.empty()) return false;
+  if (error_of(*runs.rbegin()->second, kind).is_stagnant) return true;
   const auto errors = doubled_errors(of, kind);
   if (errors.size() < 3) return false;
-  const double baseline = runs.rbegin()->second->errors[kind].baseline,
+  const double baseline = error_of(*runs.rbegin()->second, kind).baseline,
                size = std::isfinite(baseline) ? baseline
                                               : std::ranges::max(errors, {}, &TrialError::error).error;
   const auto last = std::span(errors).last(3);
@@ -133,9 +136,8 @@ std::optional<Prediction> forecast_by_tolerances(const Refinement& of, const Err
   constexpr double uncertainty = 2.0;
   std::map<double, double> seconds;  // by error
   for (const RefinementRun& run : of.runs) {
-    if (!run.seconds || target.kind >= run.errors.size()) continue;
-    const double error = run.errors[target.kind].value;
-    if (error > 0.0 && std::isfinite(error)) seconds.insert_or_assign(error, *run.seconds);
+    const double error = error_of(run, target.kind).value;
+    if (run.seconds && error > 0.0 && std::isfinite(error)) seconds.insert_or_assign(error, *run.seconds);
   }
   if (seconds.size() < 2) return std::nullopt;
   const auto [fine, fine_seconds] = *seconds.begin();

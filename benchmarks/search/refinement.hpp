@@ -41,6 +41,9 @@ struct Refinement {
   std::vector<RefinementRun> runs{};  // in the order in which they were made
 };
 
+// The error of this kind; infinity where the run has none.
+RunError error_of(const RefinementRun& run, std::size_t kind);
+
 // A requested accuracy: errors[kind].value <= error.
 struct ErrorTarget {
   std::size_t kind = 0;
