@@ -20,11 +20,18 @@ RunningMaximum::RunningMaximum(double end) : next_(std::ldexp(end, -octaves)) {}
 void RunningMaximum::observe(double t, double value) {
   largest_ = std::max(largest_, value);
   if (t < next_ * (1.0 - rounding)) return;
-  if (largest_ > 0.0 && std::isfinite(largest_)) {
-    course_.t.push_back(rounded(t, digits));
-    course_.value.push_back(rounded(largest_, digits));
-  }
+  if (largest_ > 0.0 && std::isfinite(largest_)) add(rounded(t, digits), rounded(largest_, digits));
   while (next_ * (1.0 - rounding) <= t) next_ *= std::exp2(between);
+}
+
+// Two times next to each other may be the same to three digits.
+void RunningMaximum::add(double t, double value) {
+  if (course_.empty() || t > course_.t.back()) {
+    course_.t.push_back(t);
+    course_.value.push_back(value);
+  } else {
+    course_.value.back() = value;
+  }
 }
 
 }  // namespace fde::bench

@@ -25,6 +25,8 @@ class RunningMaximum {
   [[nodiscard]] const Course& course() const { return course_; }
 
  private:
+  void add(double t, double value);
+
   double next_, largest_ = 0.0;
   Course course_{};
 };

@@ -50,6 +50,16 @@ TEST(RunningMaximum, IsSampledEvenlyInTheLogarithmOfTime) {
   EXPECT_EQ(few.course(), (Course{{2.0, 512.0, 1020.0}, {2.0, 2.0, 1020.0}}));
 }
 
+// 0.3117 and 0.3121 are both 0.312 to three digits.
+TEST(RunningMaximum, HasEachRoundedTimeOnce) {
+  RunningMaximum largest(10.0);
+  largest.observe(0.3117, 1.0);
+  largest.observe(0.3121, 2.0);
+  largest.observe(0.3121 * 1.0001, 3.0);
+  largest.observe(0.5, 3.0);
+  EXPECT_THAT(largest.course().t, testing::ElementsAre(0.312, 0.5));
+}
+
 TEST(RunningMaximum, HasNoTimesWithoutAPositiveValue) {
   RunningMaximum none(1.0);
   for (const double t : {0.5, 1.0}) none.observe(t, 0.0);
