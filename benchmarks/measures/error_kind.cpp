@@ -86,6 +86,13 @@ double error_of(Norm norm, const Rows& values, const Rows& reference, const Rows
   return norm == Norm::end ? parts.rightCols(1).maxCoeff() : parts.maxCoeff();
 }
 
+bool is_constant(const Rows& reference, const Rows& bounds) {
+  constexpr double rounding = 1e-15;
+  const Rows first = reference.col(0).replicate(1, reference.cols());
+  const Rows least = bounds + bounds.col(0).replicate(1, bounds.cols()) + rounding * first.cwiseAbs();
+  return ((reference - first).cwiseAbs().array() <= least.array()).all();
+}
+
 double constant_solution_error(Norm norm, const std::vector<double>& times, const Rows& reference,
                                const Rows& divisors) {
   const bool from_start = times.front() == 0.0 && times.size() > 1;

@@ -25,7 +25,9 @@ Value error(const FinishedRun& run) {
 // The constant-solution baseline, if the run is not better.
 template <std::size_t kind>
 Value baseline(const FinishedRun& run) {
-  if (!has_reference(run)) return std::nullopt;
+  const bool from_start = run.path.times.size() > 1 && run.path.times.front() == 0.0;
+  if (!has_reference(run) || (from_start && is_constant(run.reference, run.reference_bounds)))
+    return std::nullopt;
   const auto [norm, scale] = error_kinds[kind];
   const auto& times = run.path.times;
   const double least =

@@ -10,7 +10,7 @@ namespace fde::bench {
 // The value of `scene` in the line of a scene, and its inverse, which throws std::exception if a field is
 // missing or has another type. Unknown fields are ignored.
 nlohmann::json json_of(const SceneDescription& scene);
-SceneDescription description_of(const nlohmann::json& scene);
+SceneDescription description_of(const nlohmann::json& fields);
 
 // t, columns, values, bound; energy, reactions and motion, each with columns and values of its own.
 nlohmann::json json_of(const SampledSolution& solution);

@@ -124,12 +124,9 @@ void RunEvaluator::measure_maximum_error(const Rows& values, const std::vector<d
 bool RunEvaluator::is_constant() {
   if (is_constant_) return *is_constant_;
   constexpr int steps = 64;
-  constexpr double rounding = 1e-15;
   const auto times = comparison_times(scene_.problem, steps);
-  const Rows values = finite_reference(times), unknown = compared_columns(reference_.bounds(times));
-  const Rows first = values.col(0).replicate(1, values.cols());
-  const Rows least = unknown + unknown.col(0).replicate(1, unknown.cols()) + rounding * first.cwiseAbs();
-  return is_constant_.emplace(((values - first).cwiseAbs().array() <= least.array()).all());
+  const Rows bounds = compared_columns(reference_.bounds(times));
+  return is_constant_.emplace(bench::is_constant(finite_reference(times), bounds));
 }
 
 const TotalVariation& RunEvaluator::variation() {

@@ -50,7 +50,7 @@ class StepsSearch {
   // With a run within the target.
   [[nodiscard]] NextRun narrowed() const {
     const auto next = runs_.find(fewest_);
-    if (next == runs_.begin()) return fewest_ > of_.unit ? NextRun(multiple(fewest_ / 2)) : std::nullopt;
+    if (next == runs_.begin()) return fewest_ > of_.unit ? NextRun(multiple(0.5 * fewest_)) : std::nullopt;
     const auto& [below, outside] = *std::prev(next);
     if (least_seconds(*outside) > near * quickest_) return std::nullopt;
     if (fewest_ - below > of_.unit && fewest_ > goal_.closeness * below) return between(below);
@@ -108,7 +108,7 @@ class StepsSearch {
       if (right->first - left->first < 2 * of_.unit || is_in(*right->second)) continue;
       if (left->second->seconds.value_or(0.0) > goal_.margin * quickest_) continue;
       if (error_sign(*left->second) * error_sign(*right->second) >= 0.0) continue;
-      return multiple((left->first + right->first) / 2);
+      return multiple(0.5 * (left->first + right->first));
     }
     return std::nullopt;
   }

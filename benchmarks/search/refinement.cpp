@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace fde::bench {
 namespace {
@@ -55,8 +56,8 @@ std::vector<TrialError> doubled_errors(const Refinement& of, std::size_t kind, i
   constexpr double nearly_two = 1.9;
   std::vector<TrialError> errors;
   const auto runs = by_steps(of);
-  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
-    const auto& [steps, made] = *run;
+  const std::vector<std::pair<int, const RefinementRun*>> from_finest(runs.rbegin(), runs.rend());
+  for (const auto& [steps, made] : from_finest) {
     const double error = error_of(*made, kind).value;
     if (steps > most || !std::isfinite(error)) continue;
     if (errors.empty() || nearly_two * steps <= errors.back().steps) errors.push_back({steps, error});

@@ -214,7 +214,9 @@ class Search {
         if (candidates_[first].configuration.grading != candidates_[second].configuration.grading) continue;
         if (!is_same_algorithm(refinements_[first], refinements_[second], 1) || !is_confirmed(first, second))
           continue;
-        candidates_[first].names.emplace_back(candidates_[second].configuration.scheme->id);
+        const auto& scheme = *candidates_[second].configuration.scheme;
+        if (candidates_[first].configuration.scheme != &scheme)
+          candidates_[first].names.emplace_back(scheme.id);
         candidates_[second].outcome = SearchOutcome::duplicate;
         refinements_[second].is_closed = true;
       }
@@ -268,6 +270,9 @@ class Search {
     progress_(fmt::format("timing {} runs", quick.size()), std::min(1.0, elapsed() / seconds_));
     const auto times = time_interleaved(solves, timing_part * seconds_);
     for (std::size_t k = 0; k < quick.size(); ++k) take_time(quick[k], times[k]);
+    const bool is_overtaken = std::ranges::none_of(
+        quick, [&](std::size_t i) { return *refinements_[i].runs[*best_run(i)].seconds <= quickest(); });
+    if (is_overtaken && left() > 0.0) return false;
     const auto first =
         *std::ranges::min_element(quick, {}, [&](std::size_t i) { return candidates_[i].time->median; });
     return verify(first, *best_run(first));
@@ -279,8 +284,13 @@ class Search {
     const double more = evaluator_.question().first_run ? run.setup_seconds : 0.0;
     time = {time.median + more, time.low + more, time.high + more};
     candidates_[i].time = time;
-    run.seconds = time.median;
-    refinements_[i].runs[best].seconds = time.median;
+    // What made this run slower than it was before makes the others of the configuration slower too.
+    const double slower = std::max(1.0, time.median / run.seconds);
+    for (std::size_t k = 0; k < candidates_[i].runs.size(); ++k) {
+      double& seconds = candidates_[i].runs[k].seconds;
+      seconds = k == best ? time.median : slower * seconds;
+      refinements_[i].runs[k].seconds = seconds;
+    }
   }
 
   // Compares the run with the reference at more times; returns whether it is within the accuracy there.
@@ -313,7 +323,13 @@ class Search {
     const ErrorModel model(errors);
     const bool is_asymptotic = !errors.empty() && errors.back().error < 0.1 * of.finest()->baseline_error;
     if (!model.empty() && is_asymptotic && !of.configuration.is_adaptive())
-      of.steps_needed = model.steps(goal_.targets.front().error);
+      of.steps_needed = steps_beyond(of.finest()->steps, model.steps(goal_.targets.front().error));
+  }
+
+  // More steps than the finest run, which is outside the accuracy.
+  static Prediction steps_beyond(int finest, Prediction steps) {
+    for (double* of : {&steps.value, &steps.low, &steps.high}) *of = std::max(*of, finest + 1.0);
+    return steps;
   }
 
   // Why no run of the configuration is within the accuracy.

@@ -19,7 +19,7 @@ namespace {
 // "coefficient*D(unknown, order)", without a coefficient 1.
 std::string text_of(const EquationFormula::Term& term, const std::string& unknown) {
   const auto& [coefficient, order] = term;
-  const auto derivative = fmt::format("D({}, {})", unknown, order);
+  auto derivative = fmt::format("D({}, {})", unknown, order);
   if (coefficient == "1") return derivative;
   const bool is_sum = coefficient.find_first_of("+-", 1) != std::string::npos;
   return fmt::format("{}*{}", is_sum ? fmt::format("({})", coefficient) : coefficient, derivative);

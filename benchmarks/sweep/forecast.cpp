@@ -175,7 +175,7 @@ class RefinementSimulation {
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
     if (recorded.amount() == RecordedAmount::everything) return refinement_run(key.setup, recorded);
-    const RefinementRun run = line.probe.forecast(resolution);
+    RefinementRun run = line.probe.forecast(resolution);
     expected_[key] = seconds_of(run) + seconds_of_timing(run, sweep_.repeats);
     return run;
   }

@@ -61,7 +61,8 @@ std::string reason_of(const SearchCandidate& of) {
       return of.steps_needed
                  ? fmt::format("about N = {} by its errors, {}", rough_count_text(of.steps_needed->value),
                                time_text(of.steps_needed->value * of.seconds_per_step))
-                 : std::string(of.reason);
+             : of.reason.empty() ? std::string("the time ran out")
+                                 : of.reason;
   }
 }
 
@@ -69,8 +70,10 @@ RejectedScheme rejected(const SearchCandidate& of) {
   RejectedScheme scheme{.finest = {.schemes = of.names, .setup = setup_of(of.configuration, 1)},
                         .reason = reason_of(of),
                         .refused = of.outcome == SearchOutcome::refused};
-  // Where a run shows that the configuration is slower, that one; otherwise the one with the least error.
-  const auto* run = of.outcome == SearchOutcome::slower ? of.finest() : finest(of);
+  // Where a run shows that the configuration is slower or fails, that one; otherwise the one with the least
+  // error.
+  const bool explains = of.outcome == SearchOutcome::slower || of.outcome == SearchOutcome::failed;
+  const auto* run = explains ? of.finest() : finest(of);
   if (run != nullptr) {
     scheme.finest.setup.resolution = resolution_of(*run);
     scheme.finest.steps = run->steps;
@@ -78,7 +81,7 @@ RejectedScheme rejected(const SearchCandidate& of) {
     scheme.finest.time = {run->seconds, run->seconds, run->seconds};
     scheme.finest.setup_seconds = run->setup_seconds;
     if (std::isfinite(run->error) && !(run->error < run->baseline_error))
-      scheme.reason += ", no better than y = 0";
+      scheme.reason += scheme.reason.empty() ? "no better than y = 0" : ", no better than y = 0";
   }
   return scheme;
 }
@@ -129,15 +132,18 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
     if (attempt != nullptr && (best == nullptr || attempt->error < finest(*best)->error)) best = &of;
   }
   if (best == nullptr) {
-    for (const SearchCandidate& of : searched)
+    for (const SearchCandidate& of : searched) {
       if (of.configuration.grading == 1.0 && of.outcome != SearchOutcome::duplicate)
         made.missing.push_back(fmt::format("{}: {}", name_of(of), reason_of(of)));
+    }
     return;
   }
   const CandidateRun& last = *finest(*best);
   made.missing.push_back(fmt::format("best: {}: {} {} with N = {}, in {} at t = {:.6g}", name_of(*best),
                                      error_word(made), error_text(last.error), count_text(last.steps),
                                      columns[static_cast<std::size_t>(last.column)], last.time));
+  const auto is_late = [](const SearchCandidate& of) { return of.outcome == SearchOutcome::out_of_time; };
+  if (std::ranges::any_of(searched, is_late)) made.missing.emplace_back("the time of the search ran out");
   const SearchCandidate* least = nullptr;
   const auto seconds = [](const SearchCandidate& of) { return of.steps_needed->value * of.seconds_per_step; };
   for (const SearchCandidate& of : searched) {

@@ -51,9 +51,10 @@ std::string reason_for_speed(const RecommendedRun& first, const RecommendedRun& 
   std::string rates;
   if (first.rate && second.rate)
     rates = fmt::format(" (its {} falls with rate {:.2f}, there {:.2f})", error, *first.rate, *second.rate);
-  if (second.first_run && second.setup_seconds > second.later_run_seconds())
+  if (second.first_run && second.setup_seconds > second.later_run_seconds()) {
     return fmt::format("its first run takes {} for start weights and tables",
                        time_text(second.setup_seconds));
+  }
   count = count.empty() ? "it needs as many steps" : fmt::format("it needs {} steps", count);
   each = each.empty() ? "a step costs the same" : fmt::format("a step costs {}", each);
   return fmt::format("{}{}, {}", count, rates, each);

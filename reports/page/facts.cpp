@@ -17,7 +17,8 @@ constexpr int digits = 8;
 constexpr double largest_exact = 9e15;  // every whole number up to it is a double
 
 bool is_missing(const json& value) {
-  return value.is_null() || value == false || value == "" || (value.is_structured() && value.empty());
+  if (const auto* text = value.get_ptr<const std::string*>()) return text->empty();
+  return value.is_null() || value == false || (value.is_structured() && value.empty());
 }
 
 }  // namespace

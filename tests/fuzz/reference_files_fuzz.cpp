@@ -4,8 +4,8 @@
 
 #include <fstream>
 #include <iterator>
-#include <vector>
 #include <stdexcept>
+#include <vector>
 
 #include "fdebench/benchmarks/reference_data/description.hpp"
 #include "fdebench/benchmarks/reference_data/reference_check.hpp"

@@ -84,9 +84,10 @@ json against(const PageInput& page, const std::string& line) {
     const auto& [scenes, reasons] = counted[of.word];
     if (scenes.empty()) continue;
     json facts{{std::string(of.word), by_count(scenes)}};
-    if (of == refuses)
+    if (of == refuses) {
       facts["reason"] =
           std::ranges::max_element(reasons, {}, &std::pair<const std::string, int>::second)->first;
+    }
     all.push_back(std::move(facts));
   }
   return all;

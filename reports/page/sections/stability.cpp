@@ -15,9 +15,9 @@ using nlohmann::json;
 // The scenes of the trials, in their order.
 std::vector<const SceneDescription*> scenes_of(const PageInput& page) {
   std::vector<const SceneDescription*> scenes;
-  for (const auto& [scene, described] : page.runs.scenes) {
-    const auto of_this = [&](const MeasuredRun& run) { return run.key.scene == scene; };
-    if (std::ranges::any_of(page.trials, of_this)) scenes.push_back(&described);
+  for (const auto& entry : page.runs.scenes) {
+    const auto of_this = [&](const MeasuredRun& run) { return run.key.scene == entry.first; };
+    if (std::ranges::any_of(page.trials, of_this)) scenes.push_back(&entry.second);
   }
   std::ranges::stable_sort(scenes, {}, [](const auto* scene) { return scene->trial->number; });
   return scenes;

@@ -57,7 +57,7 @@ TEST(RunningMaximum, HasEachRoundedTimeOnce) {
   largest.observe(0.3121, 2.0);
   largest.observe(0.3121 * 1.0001, 3.0);
   largest.observe(0.5, 3.0);
-  EXPECT_THAT(largest.course().t, testing::ElementsAre(0.312, 0.5));
+  EXPECT_EQ(largest.course().t, (std::vector{0.312, 0.5}));
 }
 
 TEST(RunningMaximum, HasNoTimesWithoutAPositiveValue) {

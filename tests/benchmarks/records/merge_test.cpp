@@ -84,7 +84,7 @@ TEST_F(Merges, OfOneFileAreThatFile) {
 // A description of a scene is copied once for each session that has it.
 TEST_F(Merges, KeepTheScenesThatAreDescribed) {
   const auto described = [&](const std::string& name, const std::string& machine) {
-    const auto file = file_of(name, machine, {8});
+    auto file = file_of(name, machine, {8});
     auto text = to_text(file);
     text.insert(text.find('\n') + 1, line_of(SceneDescription{.scene = {"power"}, .title = "Power"}));
     folder_.write(name, text);

@@ -263,9 +263,10 @@ TEST_F(ResultsFiles, WithImpossibleRowsAreRefused) {
 // Results of another version may have what this build does not: it is read, and keeps its name.
 TEST_F(ResultsFiles, WithUnknownNamesAreRead) {
   auto some = rows("scheme_of_tomorrow", 64);
-  for (auto& row : some)
+  for (auto& row : some) {
     row.key.scene = {"scene_of_tomorrow",
                      {{"gamma", 3.0}, {"form", "new"}, {"orders", std::vector{0.1, 0.2}}}};
+  }
   some.front().quantity = "surprise";
   some.front().unit = "m";
   some.front().value = -1.0;

@@ -158,7 +158,7 @@ TEST(NextResolutions, EndWhereMoreStepsEndInTheSameWay) {
 
 // A run that failed has no errors at all, as in a forecast; beside a quick one it is left by its steps.
 TEST(NextResolutions, DoubleTheStepsOfARunWithoutErrors) {
-  std::vector<Refinement> of_scene{{.runs = {{.resolution = 64, .steps = 64, .seconds = 1.0}}}, {}};
+  std::vector<Refinement> of_scene{{.runs = {{.resolution = 64, .steps = 64, .seconds = 2e-3}}}, {}};
   of_scene[1].runs = {run_of(power(1.0, 2.0), 512), run_of(power(1.0, 2.0), 1024)};
   EXPECT_EQ(next_resolutions(goal_for(), of_scene).front(), StepsOrTolerance(128));
   of_scene[0].runs = {{.resolution = 1 << 20, .steps = 1 << 20, .seconds = 1e-5}};

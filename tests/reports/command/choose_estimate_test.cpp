@@ -25,9 +25,8 @@ TEST(ChoiceWithoutReference, IsAnEstimateThatNamesItsTwoRuns) {
   EXPECT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(answer.out, HasSubstr("delivers: estimated error "));
   EXPECT_THAT(answer.out, testing::Not(HasSubstr(", error ")));
-  EXPECT_THAT(
-      answer.out,
-      HasSubstr("\nhow sure: errors are estimated, not verified: there is no reference (collocation: no convergence"));
+  EXPECT_THAT(answer.out, HasSubstr("\nhow sure: errors are estimated, not verified: there is no reference "
+                                    "(collocation: no convergence"));
   EXPECT_THAT(answer.out, ContainsRegex("in its place l1, graded:[0-9.]+ with N = [0-9]+ is used"));
   EXPECT_THAT(answer.out, ContainsRegex("which [a-z0-9_]+ with N = [0-9]+ differs from by "));
 }
