@@ -130,7 +130,7 @@ std::string line_of(const Record& row, bool last) {
 std::string line_of(const SceneDescription& scene) {
   Json json{{"scene", json_of(scene)}};
   std::string text = json.dump();
-  for (const auto* part : {"parameters", "equations", "solution", "source"}) {
+  for (const auto* part : {"parameters", "equations", "solution"}) {
     if (text.size() <= most_line_bytes) break;
     json["scene"].erase(part);
     text = json.dump();

@@ -97,8 +97,12 @@ TEST_F(DescribedScenes, LeaveOutWhatALineHasNoRoomFor) {
   scene.equations = {{half, half}};
   kept.equations.clear();
   EXPECT_EQ(returned(), std::vector{kept});
-  scene.source = half + half;
-  kept.source.clear();
+  const int times = 200'000;
+  scene.solution = SampledSolution{.columns = {{"y"}, {{}}}};
+  for (int i = 0; i < times; ++i) {
+    scene.solution->t.push_back(i);
+    scene.solution->columns.values[0].emplace_back(i);
+  }
   kept.solution.reset();
   EXPECT_EQ(returned(), std::vector{kept});
 }
