@@ -75,13 +75,14 @@ const energyOverTime = (section) => section.solution.energy && varies(section.so
 const reactionsOverTime = (section) => section.solution.reactions &&
   againstTime(section, section.solution.reactions, "multipliers", "The multipliers of the constraints", "the multipliers of its constraints against t");
 
-// One curve in the plane, a dot at its start.
+// One curve in the plane, a dot at its start if that is known.
 function curve(points, x, y) {
+  const start = points.slice(0, 1).filter((point) => point.x !== null && point.y !== null);
   return {
     encoding: { x, y },
     layer: [
       { mark: { type: "line", strokeWidth: 1.2, color: colours[0] }, encoding: { order: { field: "t" } } },
-      { data: { values: points.slice(0, 1) }, mark: { type: "point", filled: true, size: 60, color: colours[1] } },
+      ...(start.length > 0 ? [{ data: { values: start }, mark: { type: "point", filled: true, size: 60, color: colours[1] } }] : []),
     ],
   };
 }
