@@ -49,7 +49,7 @@ class EquationReader : DeclarationReader {
     }
     if (const auto* columns = all.get("columns")) read.columns = columns_of(*columns, read.parameters);
     if (const auto* domain = all.get("domain")) read.domain = domain_of(*domain);
-    if (const auto* path = all.get("path")) read.path = formulas_of(*path, "path");
+    if (const auto* path = all.get("path")) read.path = path_of(*path);
     if (const auto* exact = all.get("exact")) read.exact = formulas_of(*exact, "exact");
     if (const auto* energy = all.get("energy")) read.energy = energy_of(*energy);
     if (const auto* constraint = all.get("constraint")) read.constraints = constraints_of(*constraint);
@@ -78,6 +78,14 @@ class EquationReader : DeclarationReader {
     for (const auto& entry : entries(node, name))
       formulas.push_back({entry.name, entry.position, formula(*entry.node, entry.name)});
     return formulas;
+  }
+
+  // In the plane or in space.
+  [[nodiscard]] std::vector<NamedFormula> path_of(const toml::node& node) const {
+    auto path = formulas_of(node, "path");
+    if (path.size() < 2 || path.size() > 3)
+      reject(position_of(node), fmt::format("path has {} formulas: must be 2 or 3", path.size()));
+    return path;
   }
 
   // The unknowns or the coordinates, as `kind` says.

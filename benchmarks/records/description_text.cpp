@@ -2,6 +2,7 @@
 #include "fdebench/benchmarks/records/description_text.hpp"
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -22,8 +23,10 @@ constexpr std::array parts{std::pair{"energy", &SampledSolution::energy},
                            std::pair{"motion", &SampledSolution::motion}};
 
 Json values_of(const std::vector<std::optional<double>>& column) {
+  constexpr double largest = 1e300;
   Json values = Json::array();
-  for (const auto& value : column) values.push_back(value ? Json(*value) : Json());
+  for (const auto& value : column)
+    values.push_back(value && std::abs(*value) <= largest ? Json(*value) : Json());
   return values;
 }
 

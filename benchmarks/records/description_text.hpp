@@ -12,7 +12,8 @@ namespace fde::bench {
 nlohmann::json json_of(const SceneDescription& scene);
 SceneDescription description_of(const nlohmann::json& fields);
 
-// t, columns, values, bound; energy, reactions and motion, each with columns and values of its own.
+// t, columns, values, bound; energy, reactions and motion, each with columns and values of its own. Values
+// above 1e300 in size are null: the extent of a chart's axis would overflow.
 nlohmann::json json_of(const SampledSolution& solution);
 
 }  // namespace fde::bench

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "fdebench/benchmarks/records/record_validation.hpp"
 #include "fdebench/benchmarks/records/well_formed.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {
 namespace {
@@ -20,13 +25,25 @@ void require_columns(const SampledColumns& columns, const std::vector<double>& t
   }
 }
 
+// Two or three coordinates, columns of the scene or with values of their own.
+void require_motion(const SampledColumns& motion, const SampledSolution& solution) {
+  if (motion.names.size() < 2 || motion.names.size() > 3)
+    reject_text("motion", fmt::format("{} columns", motion.names.size()), "2 or 3 columns");
+  if (!motion.values.empty()) return require_columns(motion, solution.t);
+  for (const auto& name : motion.names) {
+    if (std::ranges::find(solution.columns.names, name) == solution.columns.names.end())
+      reject_text("motion", name, "a column of the solution, or have values");
+  }
+}
+
 void require_solution(const SampledSolution& solution) {
   require_times("solution", solution.t);
   require_in("bound", solution.bound, not_negative);
+  if (solution.t.empty() || solution.columns.names.empty())
+    throw std::invalid_argument("solution: must have a time and a column");
   for (const auto* part : {&solution.columns, &solution.energy, &solution.reactions})
     require_columns(*part, solution.t);
-  if (!solution.motion.values.empty()) require_columns(solution.motion, solution.t);
-  for (const auto& name : solution.motion.names) require_name("motion", name);
+  if (!solution.motion.names.empty()) require_motion(solution.motion, solution);
 }
 
 void require_trial(const TrialRuns& trial) {

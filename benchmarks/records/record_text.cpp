@@ -11,6 +11,7 @@
 
 #include "fdebench/benchmarks/records/description_text.hpp"
 #include "fdebench/benchmarks/records/key_text.hpp"
+#include "fdebench/benchmarks/records/lines.hpp"
 
 namespace fde::bench {
 
@@ -126,7 +127,16 @@ std::string line_of(const Record& row, bool last) {
   return json.dump() + '\n';
 }
 
-std::string line_of(const SceneDescription& scene) { return Json{{"scene", json_of(scene)}}.dump() + '\n'; }
+std::string line_of(const SceneDescription& scene) {
+  Json json{{"scene", json_of(scene)}};
+  std::string text = json.dump();
+  for (const auto* part : {"parameters", "equations", "solution"}) {
+    if (text.size() <= most_line_bytes) break;
+    json["scene"].erase(part);
+    text = json.dump();
+  }
+  return text + '\n';
+}
 
 ResultsLine parse_line(const std::string& line) {
   const Json json = Json::parse(line);

@@ -12,7 +12,9 @@
 namespace fde::bench {
 
 // Lines of a results file, in JSON: a session, or a scene or a row of the preceding session. `last` marks the
-// last row of a measurement, which is written at once.
+// last row of a measurement, which is written at once. A scene whose line would be longer than
+// most_line_bytes is written without its parameters; if that does not suffice, also without its equations,
+// then its solution.
 
 std::string line_of(const Session& session);
 std::string line_of(const SceneDescription& scene);

@@ -65,9 +65,18 @@ function lineLayers(encoding, lines, points, field = "steps") {
 
 const ofPage = (name) => getComputedStyle(document.documentElement).getPropertyValue(name);
 
+// Vega keeps curves by their names in objects, where a name like "constructor" is taken: an invisible word joiner sets it apart.
+const labelOf = (text) => (text in Object.prototype ? `\u2060${text}` : text);
+function withLabels(spec) {
+  if (typeof spec === "string") return labelOf(spec);
+  if (Array.isArray(spec)) return spec.map(withLabels);
+  if (spec === null || typeof spec !== "object") return spec;
+  return Object.fromEntries(Object.entries(spec).map(([key, value]) => [key, withLabels(value)]));
+}
+
 function chart(description, points, rest) {
   const [text, quiet, rule] = ["--text", "--quiet", "--rule"].map(ofPage);
-  return {
+  return withLabels({
     $schema: "https://vega.github.io/schema/vega-lite/v6.json",
     description, width: "container", height: 300, data: { values: points },
     autosize: { type: "fit-x", contains: "padding" },
@@ -76,5 +85,5 @@ function chart(description, points, rest) {
       tickColor: quiet, labelColor: quiet, titleColor: text, titleFontWeight: 500, labelFontSize: 11, titleFontSize: 12 },
       legend: { labelFontSize: 11.5, labelColor: text } },
     ...rest,
-  };
+  });
 }

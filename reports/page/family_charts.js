@@ -3,7 +3,7 @@
 // continuous in the parameter its curve is dashed, and a note beneath says what its neighbours tend to.
 
 // A sentence with names of columns as symbols: D^beta phi, phi' - phi'(0) are Dᵝφ, φ′ − φ′(0).
-const symbolsIn = (text) => text.replace(/D\^(\w+) (\w+)/g, (_, order, of) => symbolOf(`D${order}_${of}`)).replace(/[A-Za-z]+/g, (word) => letters[word] ?? word)
+const symbolsIn = (text) => text.replace(/D\^(\w+) (\w+)/g, (_, order, of) => symbolOf(`D${order}_${of}`)).replace(/[A-Za-z]+/g, (word) => letters.get(word) ?? word)
   .replaceAll("'", "′").replaceAll(" - ", " − ");
 const dashedWhereApart = { condition: { test: "datum.apart", value: [4, 3] }, value: [1, 0] };
 function noteOfFamily({ parameter, members }) {

@@ -9,7 +9,7 @@ function math(name, ...children) {
   return made;
 }
 
-const greek = Object.fromEntries(("alpha α beta β gamma γ delta δ epsilon ε kappa κ lambda λ mu μ nu ν omega ω phi φ psi ψ rho ρ " +
+const greek = new Map(("alpha α beta β gamma γ delta δ epsilon ε kappa κ lambda λ mu μ nu ν omega ω phi φ psi ψ rho ρ " +
   "sigma σ tau τ theta θ xi ξ zeta ζ pi π").split(" ").map((word, i, all) => [word, all[i + 1]]).filter((_, i) => i % 2 === 0));
 
 // k1 has a subscript, g_over_L is a quotient, mu is a letter.
@@ -17,7 +17,7 @@ function mathName(name) {
   const [over, under] = name.split("_over_");
   if (under) return math("mfrac", mathName(over), mathName(under));
   const [, letters, index] = /^(.*?)_?(\d*|_\w+)$/.exec(name);
-  const letter = greek[letters] ?? letters;
+  const letter = greek.get(letters) ?? letters;
   const identifier = /_/.test(letter) ? math("mtext", letter.replaceAll("_", " ")) : math("mi", letter);
   return index ? math("msub", identifier, math("mn", index.replace("_", ""))) : identifier;
 }
@@ -28,12 +28,12 @@ function inBrackets(inner, open = "(", close = ")") {
   if (["mi", "mn"].includes(inner.nodeName)) for (const mark of marks) mark.setAttribute("stretchy", "false");
   return math("mrow", marks[0], inner, marks[1]);
 }
-const primes = { 1: "′", 2: "″" };
+const primes = new Map([["1", "′"], ["2", "″"]]);
 
 // D^order x; whole orders as primes.
 function derivative(unknown, order) {
   if (order.textContent === "0") return unknown;
-  const prime = primes[order.textContent];
+  const prime = primes.get(order.textContent);
   if (prime) {
     const mark = math("mo", prime);
     for (const side of ["lspace", "rspace"]) mark.setAttribute(side, "0");
@@ -43,24 +43,31 @@ function derivative(unknown, order) {
 }
 
 // D^order and J^order of a formula; from the end T backwards with t and T beside it.
-function operator(name, [of, order]) {
-  const [letter, side] = name.split("_");
-  if (!side) return math("mrow", math("msup", math("mi", letter), order), of);
-  return math("mrow", math("msub", math("mrow"), math("mi", "t")), math("msubsup", math("mi", letter), math("mi", "T"), order), of);
-}
+const integral = (of, order) => math("mrow", math("msup", math("mi", "J"), order), of);
+const fromTheEnd = (letter) => (of, order) =>
+  math("mrow", math("msub", math("mrow"), math("mi", "t")), math("msubsup", math("mi", letter), math("mi", "T"), order), of);
 
-const functionsOfMath = {
-  sum: ([index, x]) => math("mrow", math("munder", math("mo", "∑"), index), x),
-  sqrt: ([x]) => math("msqrt", x),
-  abs: ([x]) => inBrackets(x, "|", "|"),
-  gamma: ([x]) => math("mrow", math("mi", "Γ"), inBrackets(x)),
-  step: ([x]) => math("mrow", math("mi", "θ"), inBrackets(x)),
-  mittag_leffler: ([a, b, z]) => math("mrow", math("msub", math("mi", "E"), math("mrow", a, math("mo", ","), b)), inBrackets(z)),
-};
+// What has a notation of its own, by its name; another number of arguments has that of any function.
+const notations = new Map(Object.entries({
+  D: derivative,
+  J: integral,
+  D_right: fromTheEnd("D"),
+  J_right: fromTheEnd("J"),
+  sum: (index, x) => math("mrow", math("munder", math("mo", "∑"), index), x),
+  sqrt: (x) => math("msqrt", x),
+  abs: (x) => inBrackets(x, "|", "|"),
+  gamma: (x) => math("mrow", math("mi", "Γ"), inBrackets(x)),
+  step: (x) => math("mrow", math("mi", "θ"), inBrackets(x)),
+  mittag_leffler: (a, b, z) => math("mrow", math("msub", math("mi", "E"), math("mrow", a, math("mo", ","), b)), inBrackets(z)),
+}));
+
+// Longer formulas and deeper ones are shown as they are written.
+const mostLetters = 2000, mostLevels = 100;
 
 class FormulaSetter {
   constructor(text) {
     this.tokens = text.match(/[A-Za-z]\w*|(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|\S/g) ?? [];
+    this.level = 0;
   }
   take(symbol) {
     const found = this.tokens[0] === symbol;
@@ -85,6 +92,12 @@ class FormulaSetter {
     return parts.length > 1 ? math("mrow", ...parts) : parts[0];
   }
   signed() {
+    if (++this.level > mostLevels) throw new RangeError("a formula that is too deep");
+    const made = this.withSign();
+    this.level -= 1;
+    return made;
+  }
+  withSign() {
     if (this.take("-")) return math("mrow", math("mo", "−"), this.signed());
     if (this.take("+")) return this.signed();
     const base = this.single();
@@ -104,9 +117,10 @@ class FormulaSetter {
     const parts = [];
     do parts.push(this.sum()); while (this.take(","));
     this.take(")");
-    if (name === "D") return derivative(parts[0], parts[1]);
-    if (["J", "D_right", "J_right"].includes(name)) return operator(name, parts);
-    return functionsOfMath[name]?.(parts) ?? math("mrow", math("mi", name), inBrackets(parts[0]));
+    const notation = notations.get(name);
+    if (notation?.length === parts.length) return notation(...parts);
+    const listed = parts.flatMap((part, i) => (i ? [math("mo", ","), part] : [part]));
+    return math("mrow", math("mi", name), inBrackets(parts.length > 1 ? math("mrow", ...listed) : parts[0]));
   }
 }
 
@@ -116,7 +130,15 @@ function bare(node) {
   return node.nodeName === "mrow" && open?.textContent === "(" && close?.textContent === ")" && node.childNodes.length === 3 ? inner : node;
 }
 
-const formula = (text) => new FormulaSetter(text).sum();
+function formula(text) {
+  if (text.length > mostLetters) return math("mtext", text);
+  try {
+    return new FormulaSetter(text).sum();
+  } catch (error) {
+    if (error instanceof RangeError) return math("mtext", text);
+    throw error;
+  }
+}
 
 function equation({ left, right }) {
   const whole = math("math", math("mrow", formula(left), math("mo", "="), formula(right)));

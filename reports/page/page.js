@@ -14,6 +14,17 @@ function numbersOf(chart, section, kind, lines) {
   return details;
 }
 
+// What is made; where it fails a sentence in its place, so that the rest of the page is drawn.
+const cannotBeDrawn = (what) => element("p", { class: "missing" }, `${what} cannot be drawn.`);
+function apart(what, make) {
+  try {
+    return make();
+  } catch (error) {
+    console.error(error);
+    return [cannotBeDrawn(what)];
+  }
+}
+
 function drawCharts(scene, charts, { lines }, kind, frame) {
   const actions = { export: true, source: false, compiled: false, editor: false };
   for (const made of charts) {
@@ -21,41 +32,56 @@ function drawCharts(scene, charts, { lines }, kind, frame) {
     const place = element("div", { class: "chart" });
     frame.append(element("figure", { "data-chart": id }, element("figcaption", {}, title), place, numbersOf(made, scene, kind, lines)));
     vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: `${scene.id}-${id}`, tooltip: { theme: isDark ? "dark" : "light" } })
-      .then(() => place.querySelector("summary").setAttribute("aria-label", `Save: ${title}`));
+      .then(() => place.querySelector("summary").setAttribute("aria-label", `Save: ${title}`))
+      .catch((error) => {
+        console.error(error);
+        place.replaceChildren(cannotBeDrawn("This chart"));
+      });
   }
+}
+
+// The charts of a section in a frame, which are as wide as it is on the page; nothing where it has none.
+function framedCharts(section, page, kind, charts) {
+  const frame = element("div", { class: "charts" });
+  drawCharts(section, charts, page, kind, frame);
+  return charts.length > 0 ? [frame] : [];
 }
 
 // What a scene is: its equations, parameters and solution.
 function showScene(section, page, place) {
-  if (section.equations) place.append(element("div", { class: "frame equations", role: "region", tabindex: "0", "aria-label": "Equation" }, ...section.equations.map(equation)));
-  if (section.parameters) {
-    place.append(element("details", { class: "numbers" }, element("summary", {}, "Parameters"), tableFrame(parametersTable(section), page.lines)));
-  }
-  const charts = chartsOfSolution(section);
-  if (charts.length === 0) return;
-  place.append(element("div", { class: "charts" }));
-  drawCharts(section, charts, page, {}, place.lastChild);
+  const equations = () => [element("div", { class: "frame equations", role: "region", tabindex: "0", "aria-label": "Equation" }, ...section.equations.map(equation))];
+  const parameters = () => [element("details", { class: "numbers" }, element("summary", {}, "Parameters"), tableFrame(parametersTable(section), page.lines))];
+  if (section.equations) place.append(...apart("The equation", equations));
+  if (section.parameters) place.append(...apart("The parameters", parameters));
+  place.append(...apart("The solution", () => framedCharts(section, page, {}, chartsOfSolution(section))));
+}
+
+function shownTable(section, page, kind) {
+  const table = tableOf(section, kind, page.sections), now = table && viewed(table, viewNow(), page.sections);
+  if (!table) return [];
+  return [table.map ? element("div", { class: "mapped" }, tableFrame(now, page.lines), ...keyOf(now)) : tableFrame(now, page.lines)];
+}
+
+function shownVerdicts(section, page, kind) {
+  const verdicts = verdictsViewed(section, tableOf(section, kind, page.sections), kind, viewNow(), page.sections);
+  const [winners, others] = [true, false].map((wins) => verdicts.filter(({ won }) => won > 0 === wins));
+  return [element("h3", {}, "Each scheme: where it wins, where not to use it"), linesSaid(winners, page.lines, "winners"),
+    ...(others.length > 0 ? [element("h3", {}, "Schemes that are cheapest nowhere"), linesSaid(others, page.lines, "others")] : [])];
+}
+
+function shownCharts(section, page, kind) {
+  const { solution, ...measured } = section;
+  return framedCharts(section, page, kind,
+    chartsOfSection(measured, page.lines, kind, page.kinds, (line, session) => wantsLine(viewNow(), line) && wantsSession(viewNow(), session)));
 }
 
 // What of a section depends on the kind of error: its conclusion, its table and its charts.
 function showKind(section, page, kind, place) {
-  const shown = [];
-  const conclusion = say(statements.conclusion, section.conclusions?.[kind.id]);
-  if (conclusion) shown.push(element("p", { class: "conclusion" }, ...unbroken(conclusion)));
-  const table = tableOf(section, kind, page.sections), now = table && viewed(table, viewNow(), page.sections);
-  if (table) shown.push(table.map ? element("div", { class: "mapped" }, tableFrame(now, page.lines), ...keyOf(now)) : tableFrame(now, page.lines));
-  if (section.schemes) {
-    const verdicts = verdictsViewed(section, table, kind, viewNow(), page.sections);
-    const [winners, others] = [true, false].map((wins) => verdicts.filter(({ won }) => won > 0 === wins));
-    shown.push(element("h3", {}, "Each scheme: where it wins, where not to use it"), linesSaid(winners, page.lines, "winners"));
-    if (others.length > 0) shown.push(element("h3", {}, "Schemes that are cheapest nowhere"), linesSaid(others, page.lines, "others"));
-  }
-  const { solution, ...measured } = section;
-  const charts = chartsOfSection(measured, page.lines, kind, page.kinds, (line, session) => wantsLine(viewNow(), line) && wantsSession(viewNow(), session));
-  const frame = element("div", { class: "charts" });
-  if (charts.length > 0) shown.push(frame);
-  place.replaceChildren(...shown);
-  drawCharts(section, charts, page, kind, frame);
+  const conclusion = () => [say(statements.conclusion, section.conclusions?.[kind.id])].filter(Boolean).map((text) => element("p", { class: "conclusion" }, ...unbroken(text)));
+  place.replaceChildren(...apart("The conclusion", conclusion),
+    ...apart("The table", () => shownTable(section, page, kind)),
+    ...(section.schemes ? apart("What is said of each scheme", () => shownVerdicts(section, page, kind)) : []),
+    ...apart("The charts", () => shownCharts(section, page, kind)));
 }
 
 // The frame of a section, which waits to be drawn.
@@ -107,8 +133,7 @@ function draw(frame) {
   frame.place.classList.remove("waiting");
   frame.drawn = true;
   if (textsOf(frame.section).folded) {
-    const table = tableOf(frame.section, chosenKind(data.kinds), data.sections);
-    frame.place.replaceChildren(element("summary", {}, "Show"), tableFrame(viewed(table, viewNow(), data.sections), data.lines));
+    frame.place.replaceChildren(element("summary", {}, "Show"), ...apart("The table", () => shownTable(frame.section, data, chosenKind(data.kinds))));
   } else {
     if (!frame.scene.hasChildNodes()) showScene(frame.section, data, frame.scene);
     showKind(frame.section, data, chosenKind(data.kinds), frame.place);

@@ -11,16 +11,17 @@ function portraitOf(columns) {
 }
 
 // Names of columns as symbols: phi, dphi, Dbeta_phi are φ, φ′, Dᵝφ.
-const letters = { alpha: "α", beta: "β", gamma: "γ", lambda: "λ", mu: "μ", nu: "ν", omega: "ω", phi: "φ", psi: "ψ", theta: "θ", xi: "ξ" };
+const letters = new Map(Object.entries({ alpha: "α", beta: "β", gamma: "γ", lambda: "λ", mu: "μ", nu: "ν", omega: "ω", phi: "φ", psi: "ψ", theta: "θ", xi: "ξ" }));
 const raised = { alpha: "ᵅ", beta: "ᵝ" };
 function symbolOf(name, columns = []) {
   const [, order, of] = /^D(alpha|beta)_(\w+)$/.exec(name) ?? [];
   if (order) return `D${raised[order]}${symbolOf(of)}`;
   if (name.length > 1 && name.startsWith("d") && columns.includes(name.slice(1))) return `${symbolOf(name.slice(1))}′`;
-  const [, word, index] = /^(.*?)(\d?)$/.exec(name);
-  return (letters[word] ?? word) + (index && String.fromCharCode(0x2080 + Number(index)));
+  const [, word, index] = /^(.*?)(\d?)$/s.exec(name);
+  return (letters.get(word) ?? word) + (index && String.fromCharCode(0x2080 + Number(index)));
 }
-const symbolLabels = (columns) => `(${JSON.stringify(Object.fromEntries(columns.map((name) => [name, symbolOf(name, columns)])))})[datum.label]`;
+const listInExpression = (texts) => JSON.stringify(texts).replace(/[\u2028\u2029]/g, (mark) => `\\u${mark.charCodeAt(0).toString(16)}`);
+const symbolLabels = (columns) => `${listInExpression(columns.map((name) => labelOf(symbolOf(name, columns))))}[indexof(${listInExpression(columns.map(labelOf))}, datum.label)]`;
 
 const linear = (field, title) => ({ field, title, type: "quantitative", scale: { zero: false, nice: false, padding: 6 }, axis: { tickCount: 7, labelOverlap: true } });
 
@@ -74,13 +75,14 @@ const energyOverTime = (section) => section.solution.energy && varies(section.so
 const reactionsOverTime = (section) => section.solution.reactions &&
   againstTime(section, section.solution.reactions, "multipliers", "The multipliers of the constraints", "the multipliers of its constraints against t");
 
-// One curve in the plane, a dot at its start.
+// One curve in the plane, a dot at its start if that is known.
 function curve(points, x, y) {
+  const start = points.slice(0, 1).filter((point) => point.x !== null && point.y !== null);
   return {
     encoding: { x, y },
     layer: [
       { mark: { type: "line", strokeWidth: 1.2, color: colours[0] }, encoding: { order: { field: "t" } } },
-      { data: { values: points.slice(0, 1) }, mark: { type: "point", filled: true, size: 60, color: colours[1] } },
+      ...(start.length > 0 ? [{ data: { values: start }, mark: { type: "point", filled: true, size: 60, color: colours[1] } }] : []),
     ],
   };
 }

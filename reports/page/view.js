@@ -91,7 +91,7 @@ function viewed(table, view, sections) {
   return { ...table, columns: kept.map((i) => table.columns[i]), groups: groups.filter(({ rows }) => rows.length > 0) };
 }
 
-// Where each line is cheapest among the cells of the map that the view shows, as { line: facts }.
+// Where each line is cheapest among the cells of the map that the view shows, as a map of its facts.
 function winsIn({ groups }) {
   const cells = groups.flatMap(({ rows }) => rows.flatMap(([{ facts: { name } }, ...row]) => row.filter(({ line }) => line).map((cell) => ({ ...cell, scene: name.split(":")[0] }))));
   const factsOf = (won) => {
@@ -101,15 +101,15 @@ function winsIn({ groups }) {
     return { won: won.length, cells: cells.length, scenes, next, as_quick: next < 1.05 };
   };
   const shown = cells.filter(({ faint }) => !faint);
-  return Object.fromEntries([...new Set(shown.map(({ line }) => line))].map((line) => [line, factsOf(shown.filter((cell) => cell.line === line))]));
+  return new Map([...new Set(shown.map(({ line }) => line))].map((line) => [line, factsOf(shown.filter((cell) => cell.line === line))]));
 }
 
 // What is said of each line, of the cells of the map that the view shows: { line, won, texts }, the first with the most cells there, then in
 // the whole map. Where a line is nearest is known of the whole map only.
 function verdictsViewed({ schemes }, map, kind, view, sections) {
   const [wins, all] = [viewed(map, view, sections), map].map(winsIn), is_part = Boolean(view.scene.trim() || view.accuracy || view.machine);
-  const wonIn = (of, { line }) => of[line]?.won ?? 0;
+  const wonIn = (of, { line }) => of.get(line)?.won ?? 0;
   return schemes.filter(({ line }) => wantsLine(view, line)).map(({ line, nearest, ...facts }) => ({
-    line, won: wonIn(wins, { line }), texts: [say(statements.wins, { ...wins[line], is_part, nearest: nearest?.[kind.id] }), say(statements.faults, facts)],
+    line, won: wonIn(wins, { line }), texts: [say(statements.wins, { ...wins.get(line), is_part, nearest: nearest?.[kind.id] }), say(statements.faults, facts)],
   })).sort((a, b) => b.won - a.won || wonIn(all, b) - wonIn(all, a));
 }

@@ -116,7 +116,10 @@ class Results(unittest.TestCase):
                 self.assertIn(f": line {number + 1}", said)
         scene = next(i for i, line in enumerate(self.lines) if isinstance(line.get("scene"), dict))
         for change in ({"title": None}, {"title": "a\nb"}, {"settings": 1}, {"scene": ""}, {"reference_seconds": -1.0}, {"evidence": 1},
-                       {"trial": {}}, {"solution": {}}, {"equations": [{"left": "y"}]}, {"parameters": [{"name": ""}]}):  # fmt: skip
+                       {"trial": {}}, {"solution": {}}, {"equations": [{"left": "y"}]}, {"parameters": [{"name": ""}]},
+                       {"solution": {"t": [], "columns": ["y"], "values": [[]], "bound": 0.0}},
+                       {"solution": {"t": [0.0], "columns": [], "values": [], "bound": 0.0}},
+                       {"solution": {"t": [0.0], "columns": ["y"], "values": [[1.0]], "bound": 0.0, "motion": {"columns": ["y"]}}}):  # fmt: skip
             with self.subTest(change=change):
                 lines = self.changed(scene, lambda line, change=change: line["scene"].update(change))
                 self.assertFalse(VALIDATOR.is_valid(lines[scene]))

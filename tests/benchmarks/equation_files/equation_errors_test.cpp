@@ -97,6 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
         InvalidFile{with("[parameters]\na = nan\n" + x), "line 3, column 5",
                     "a = nan: must be a finite number"},
         InvalidFile{with("[constraint]\nf = []\n" + x), "line 3, column 5", "f: has 0 formulas"},
+        InvalidFile{with("[path]\nx = \"x\"\n" + x), "line 2, column 1",
+                    "path has 1 formulas: must be 2 or 3"},
         InvalidFile{with("[energy]\npower = 1\n" + x), "line 2, column 1", "energy: has no value"},
         InvalidFile{with("[[jump]]\n" + x), "line 2, column 1", "jump: has no at"}));
 

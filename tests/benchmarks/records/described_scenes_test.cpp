@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "fdebench/benchmarks/records/lines.hpp"
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -26,10 +28,10 @@ SceneDescription description() {
           .reference_seconds = 0.5,
           .trial = TrialRuns{3, "Stiff", 4096, {1e-6, 1e-9}},
           .solution = SampledSolution{.t = {0.0, 1.0},
-                                      .columns = {{"y"}, {{1.0, std::nullopt}}},
+                                      .columns = {{"y", "z"}, {{1.0, std::nullopt}, {1.0, 2.0}}},
                                       .bound = 1e-15,
                                       .energy = {{"energy"}, {{2.0, 1.0}}},
-                                      .motion = {.names = {"y"}}}};
+                                      .motion = {.names = {"y", "z"}}}};
 }
 
 Record ending() {
@@ -78,6 +80,41 @@ TEST_F(DescribedScenes, AreReturnedByTheFile) {
   EXPECT_TRUE(ResultsFile(file_).describes(description().scene));
 }
 
+TEST_F(DescribedScenes, LeaveOutWhatALineHasNoRoomFor) {
+  const std::string half(most_line_bytes / 2, 'x');
+  auto scene = description();
+  scene.parameters[0].meaning = half;
+  const auto returned = [&] {
+    std::filesystem::remove(file_);
+    ResultsFile(file_).append(scene);
+    return read_results(file_).scenes;
+  };
+  EXPECT_EQ(returned(), std::vector{scene});
+  scene.parameters[0].value = half;
+  auto kept = scene;
+  kept.parameters.clear();
+  EXPECT_EQ(returned(), std::vector{kept});
+  scene.equations = {{half, half}};
+  kept.equations.clear();
+  EXPECT_EQ(returned(), std::vector{kept});
+  const int times = 200'000;
+  scene.solution = SampledSolution{.columns = {{"y"}, {{}}}};
+  for (int i = 0; i < times; ++i) {
+    scene.solution->t.push_back(i);
+    scene.solution->columns.values[0].emplace_back(i);
+  }
+  kept.solution.reset();
+  EXPECT_EQ(returned(), std::vector{kept});
+}
+
+TEST_F(DescribedScenes, LeaveOutValuesThatNoChartHasRoomFor) {
+  auto scene = description();
+  scene.solution->columns.values[1][1] = -1e308;
+  ResultsFile(file_).append(scene);
+  scene.solution->columns.values[1][1].reset();
+  EXPECT_EQ(read_results(file_).scenes, std::vector{scene});
+}
+
 TEST_F(DescribedScenes, AreRefusedIfTheyAreMalformed) {
   ResultsFile(file_).append(description());
   const auto whole = text();
@@ -98,6 +135,12 @@ TEST_F(DescribedScenes, AreRefusedIfTheyAreMalformed) {
             ": line 2: solution: has 2 values at 3 times");
   EXPECT_EQ(changed(R"("steps":4096)", R"("steps":0)"),
             ": line 2: trial = 0: must be a finite number of at least 1");
+  EXPECT_EQ(changed(R"("motion":{"columns":["y","z"])", R"("motion":{"columns":["y"])"),
+            ": line 2: motion = 1 columns: must be 2 or 3 columns");
+  EXPECT_EQ(changed(R"("motion":{"columns":["y","z"])", R"("motion":{"columns":["y","x"])"),
+            ": line 2: motion = x: must be a column of the solution, or have values");
+  EXPECT_EQ(changed(R"("columns":["y","z"],"energy")", R"("columns":["y"],"energy")"),
+            ": line 2: solution: has 2 values at 1 times");
   write(whole.substr(whole.find('\n') + 1));
   EXPECT_EQ(message(file_), file_.string() + ": line 1: a scene before the first session");
 }
