@@ -59,6 +59,7 @@ CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const St
     attempt.steps = std::get<int>(resolution);
   }
   attempt.setup_seconds = setup.seconds();
+  attempt.first_run = question_.first_run;
   attempt.ending = outcome_of(scene_.problem, path);
   if (path.status != SolveStatus::finished) return attempt;
   const Rows values = compared_columns(columns_of(scene_.outputs, path));
@@ -87,7 +88,7 @@ void RunEvaluator::time_again(const Configuration& configuration, CandidateRun& 
     least = std::min(least, taken);
     total += taken;
   }
-  run.seconds = least + (question_.first_run ? run.setup_seconds : 0.0);
+  run.seconds = least + run.counted_setup();
 }
 
 void RunEvaluator::solve_for_timing(const Configuration& configuration,

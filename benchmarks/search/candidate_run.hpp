@@ -10,18 +10,10 @@
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
+#include "fdebench/benchmarks/search/configurations.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
-
-// A configuration of a search: a scheme with a grading of its grid, or a scheme with adaptive step size.
-// The number of steps or the tolerance is free.
-struct Configuration {
-  const Scheme* scheme = nullptr;
-  double grading = 1.0;
-
-  [[nodiscard]] bool is_adaptive() const { return scheme->capabilities.is_adaptive(); }
-};
 
 // One run of a configuration, compared with the reference.
 struct CandidateRun {
@@ -36,7 +28,11 @@ struct CandidateRun {
   bool meets_accuracy = false;  // error + bound of the reference <= accuracy, and error < baseline_error
   double seconds = 0.0;         // wall time of one solve, as the question counts it
   double setup_seconds = 0.0;   // by which the first solve of a process takes longer
+  bool first_run = false;       // `seconds` is of the first solve of a process, otherwise of a later one
   RunOutcome ending{};
+
+  // The part of `seconds` that does not grow with the steps.
+  [[nodiscard]] double counted_setup() const { return first_run ? setup_seconds : 0.0; }
 };
 
 // The number of steps or the tolerance of the run.

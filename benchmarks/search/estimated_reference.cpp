@@ -17,6 +17,7 @@
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/search/configurations.hpp"
 #include "fdebench/benchmarks/search/interpolated_run.hpp"
 #include "fdebench/benchmarks/search/search_candidate.hpp"
 #include "fdebench/reference/nonlinear/march/singularity.hpp"

@@ -92,6 +92,7 @@ bool has_stagnated(const Refinement& of, std::size_t kind) {
 double start_seconds(const Refinement& of) {
   double least = 0.0;
   for (const RefinementRun& run : of.runs) {
+    if (run.setup_seconds > 0.0) return of.runs.back().setup_seconds;
     if (!run.is_whole_process || !run.seconds) continue;
     least = least > 0.0 ? std::min(least, *run.seconds) : *run.seconds;
   }
@@ -120,8 +121,9 @@ std::optional<double> seconds_with(const Refinement& of, double steps) {
   if (timed.empty()) return std::nullopt;
   double step = std::numeric_limits<double>::infinity();
   for (const RefinementRun* run : std::span(timed).last(std::min(trusted, timed.size()))) {
-    const bool is_start = start > 0.0 && *run->seconds <= start && timed.size() > 1;
-    if (!is_start) step = std::min(step, (*run->seconds - start) / run->steps);
+    const double own_start = run->setup_seconds > 0.0 ? run->setup_seconds : start;
+    const bool is_start = own_start > 0.0 && *run->seconds <= own_start && timed.size() > 1;
+    if (!is_start) step = std::min(step, (*run->seconds - own_start) / run->steps);
   }
   const int finest = timed.back()->steps;
   if (timed.size() < 2 || start > 0.0 || steps <= finest) return start + step * steps;

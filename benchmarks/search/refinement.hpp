@@ -28,6 +28,7 @@ struct RefinementRun {
   StepsOrTolerance resolution = 1;
   int steps = 0;                       // taken
   std::optional<double> seconds{};     // of one solve; nullopt: not timed
+  double setup_seconds = 0.0;          // the part of `seconds` that does not grow with the steps, if known
   bool fails_with_more_steps = false;  // more steps fail alike: refused, no reference, a singularity, ...
   bool is_whole_process = false;       // `seconds` is the time of a whole process
   std::vector<RunError> errors{};      // one entry for each kind of error of the search
@@ -69,7 +70,8 @@ const RefinementRun* finest_timed(const Refinement& of);
 // is known to be stagnant.
 bool has_stagnated(const Refinement& of, std::size_t kind);
 
-// The seconds to start the program that solves, part of every run of an external program; otherwise 0.
+// The seconds of a run that do not grow with the steps: setup_seconds, or what it takes to start an external
+// program, by its shortest run.
 double start_seconds(const Refinement& of);
 
 // The forecast seconds of a run over a grid with this many steps: the least time per step among the three

@@ -14,9 +14,10 @@
 
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/search/configurations.hpp"
 #include "fdebench/benchmarks/search/interleaved_times.hpp"
 #include "fdebench/benchmarks/search/next_resolution.hpp"
-#include "fdebench/schemes/stepping/rates.hpp"
+#include "fdebench/benchmarks/search/search_outcome.hpp"
 
 namespace fde::bench {
 namespace {
@@ -31,21 +32,19 @@ constexpr double margin = 1.5;
 // The fraction of the time left that one run may take.
 constexpr double most_of_rest = 0.3;
 
-// The smallest number of equal steps whose times contain all jumps of the right-hand side; 1 if there is none
-// up to 1000.
-int meeting_jumps(const Problem& problem) {
-  constexpr int most = 1000;
-  for (int steps = 1; steps <= most; ++steps) {
-    if (has_breaking_points(problem, Grid{problem.end, steps})) return steps;
-  }
-  return 1;
-}
-
 class Search {
  public:
   Search(const Scene& scene, const AccuracyTarget& question, double seconds, const SearchProgress& progress)
       : evaluator_(scene, question), seconds_(seconds), progress_(progress) {
-    for (const Scheme& scheme : schemes()) add_configurations(scheme);
+    for (auto& choice : configurations_of(scene, question.kind.norm)) {
+      refinements_.push_back({.is_adaptive = choice.configuration.is_adaptive(),
+                              .is_closed = choice.refused.has_value(),
+                              .unit = choice.unit});
+      candidates_.push_back({.configuration = choice.configuration,
+                             .outcome = choice.refused ? SearchOutcome::refused : SearchOutcome::out_of_time,
+                             .reason = choice.refused.value_or(""),
+                             .names = {std::string(choice.configuration.scheme->id)}});
+    }
   }
 
   std::vector<SearchCandidate> run() {
@@ -64,41 +63,15 @@ class Search {
       const bool is_confirmed = time_and_verify();
       if (is_confirmed && !has_next_runs()) break;
     }
-    for (std::size_t i = 0; i < candidates_.size(); ++i) conclude(i);
+    const bool has_time = left() > 0.0;
+    const double least = quickest();
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      conclude(candidates_[i], refinements_[i], goal_.targets.front(), least, has_time);
     std::ranges::stable_sort(candidates_, {}, rank);
     return std::move(candidates_);
   }
 
  private:
-  void add_configurations(const Scheme& scheme) {
-    const Scene& scene = evaluator_.scene();
-    const auto why_not = [&](double grading) {
-      Resolution resolution =
-          Grid{.end = scene.problem.end, .steps = goal_.coarsest_steps, .grading = grading};
-      if (scheme.capabilities.is_adaptive()) resolution = Tolerance{accuracy(), accuracy()};
-      return unsupported_reason(scheme, scene.problem, resolution);
-    };
-    const auto refused = why_not(1.0);
-    const int unit = meeting_jumps(scene.problem);
-    for (const double grading :
-         refused ? std::vector{1.0} : gradings_of(scheme, scene, evaluator_.question().kind.norm)) {
-      if (!refused && why_not(grading)) continue;
-      add({&scheme, grading}, 1, refused);
-      // A rule is more accurate where its times contain the jumps, and cheaper where it need not.
-      if (unit > 1 && grading == 1.0 && !refused && !scheme.capabilities.is_adaptive())
-        add({&scheme, grading}, unit, refused);
-    }
-  }
-
-  void add(const Configuration& configuration, int unit, const std::optional<std::string>& refused) {
-    candidates_.push_back({.configuration = configuration,
-                           .outcome = refused ? SearchOutcome::refused : SearchOutcome::out_of_time,
-                           .reason = refused.value_or(""),
-                           .names = {std::string(configuration.scheme->id)}});
-    refinements_.push_back(
-        {.is_adaptive = configuration.is_adaptive(), .is_closed = refused.has_value(), .unit = unit});
-  }
-
   // Sets at how many times runs are compared, from the measured cost of one reference value. All runs with
   // adaptive step size are compared at the same times.
   void set_comparison_times() {
@@ -202,6 +175,7 @@ class Search {
         .resolution = resolution_of(run),
         .steps = run.steps,
         .seconds = run.seconds,
+        .setup_seconds = run.counted_setup(),
         .fails_with_more_steps = run.ending.kind == SolveStatus::out_of_budget,
         .errors = {{.value = run.error, .baseline = run.baseline_error, .signed_value = run.signed_error}}};
   }
@@ -281,7 +255,7 @@ class Search {
   void take_time(std::size_t i, MedianInterval time) {
     const auto best = *best_run(i);
     CandidateRun& run = candidates_[i].runs[best];
-    const double more = evaluator_.question().first_run ? run.setup_seconds : 0.0;
+    const double more = run.counted_setup();
     time = {time.median + more, time.low + more, time.high + more};
     candidates_[i].time = time;
     // What made this run slower than it was before makes the others of the configuration slower too.
@@ -303,46 +277,6 @@ class Search {
     made = std::move(again);
     refinements_[i].runs[run] = seen(made);
     return is_within(refinements_[i].runs[run], goal_.targets.front());
-  }
-
-  void conclude(std::size_t i) {
-    SearchCandidate& of = candidates_[i];
-    const Refinement& runs = refinements_[i];
-    if (of.outcome == SearchOutcome::refused || is_merged(i) || of.runs.empty()) return;
-    of.seconds_per_step = of.finest()->seconds / std::max(1, of.finest()->steps);
-    const auto errors = doubled_errors(runs, 0);
-    of.rate = errors.empty() ? std::nullopt : observed_rate(errors);
-    if (const auto best = best_run(i)) {
-      of.outcome = SearchOutcome::accuracy_reached;
-      of.best = of.runs[*best];
-      const ErrorModel model(doubled_errors(runs, 0, of.best.steps - 1));
-      if (!of.configuration.is_adaptive() && !model.empty()) of.predicted = model.error(of.best.steps);
-      return;
-    }
-    of.outcome = outcome_outside(of, runs);
-    const ErrorModel model(errors);
-    const bool is_asymptotic = !errors.empty() && errors.back().error < 0.1 * of.finest()->baseline_error;
-    if (!model.empty() && is_asymptotic && !of.configuration.is_adaptive())
-      of.steps_needed = steps_beyond(of.finest()->steps, model.steps(goal_.targets.front().error));
-  }
-
-  // More steps than the finest run, which is outside the accuracy.
-  static Prediction steps_beyond(int finest, Prediction steps) {
-    for (double* of : {&steps.value, &steps.low, &steps.high}) *of = std::max(*of, finest + 1.0);
-    return steps;
-  }
-
-  // Why no run of the configuration is within the accuracy.
-  SearchOutcome outcome_outside(SearchCandidate& of, const Refinement& runs) const {
-    const CandidateRun& finest = *of.finest();
-    const bool finished = finest.ending.kind == SolveStatus::finished;
-    if (!finished) of.reason = sentence(finest.ending);
-    if (!finished && finest.ending.kind != SolveStatus::out_of_budget) return SearchOutcome::failed;
-    if (finished && finest.seconds > quickest()) return SearchOutcome::slower;
-    if (!finished) return SearchOutcome::out_of_time;
-    if (has_stagnated(runs, 0) || of.configuration.is_adaptive()) return SearchOutcome::stagnated;
-    return quickest() < infinity && left() > 0.0 ? SearchOutcome::expected_slower
-                                                 : SearchOutcome::out_of_time;
   }
 
   // Sort key: timed configurations first, by time; then by outcome.

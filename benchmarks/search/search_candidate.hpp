@@ -41,9 +41,4 @@ struct SearchCandidate {
   [[nodiscard]] const CandidateRun* finest() const;
 };
 
-// The gradings to try with a scheme: 1 (uniform), 1.5, 2, 3, and the smallest with the best theoretical rate;
-// 1 alone for a scheme that needs a uniform grid or takes no grid. Precondition: the scheme accepts the
-// scene's problem.
-std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm);
-
 }  // namespace fde::bench

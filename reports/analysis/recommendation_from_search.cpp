@@ -28,6 +28,7 @@ RecommendedRun option_of(const SearchCandidate& of) {
       .error = of.best.error,
       .time = of.time.value_or(MedianInterval{of.best.seconds, of.best.seconds, of.best.seconds}),
       .setup_seconds = of.best.setup_seconds,
+      .first_run = of.best.first_run,
       .rate = of.rate};
   if (of.predicted) option.predicted_error = of.predicted->value;
   return option;
@@ -80,6 +81,7 @@ RejectedScheme rejected(const SearchCandidate& of) {
     scheme.finest.error = run->error;
     scheme.finest.time = {run->seconds, run->seconds, run->seconds};
     scheme.finest.setup_seconds = run->setup_seconds;
+    scheme.finest.first_run = run->first_run;
     if (std::isfinite(run->error) && !(run->error < run->baseline_error))
       scheme.reason += scheme.reason.empty() ? "no better than y = 0" : ", no better than y = 0";
   }
@@ -93,12 +95,15 @@ std::optional<RecommendedRun> expected_of(const SearchCandidate& of, double accu
       of.steps_needed->high * of.seconds_per_step > most_seconds_shown)
     return std::nullopt;
   const auto& steps = *of.steps_needed;
+  const CandidateRun& finest = *of.finest();
+  const auto seconds = [&](double n) { return finest.counted_setup() + n * of.seconds_per_step; };
   return RecommendedRun{.schemes = of.names,
                         .setup = setup_of(of.configuration, 1),
                         .steps = static_cast<int>(steps.value),
                         .error = accuracy,
-                        .time = {steps.value * of.seconds_per_step, steps.low * of.seconds_per_step,
-                                 steps.high * of.seconds_per_step},
+                        .time = {seconds(steps.value), seconds(steps.low), seconds(steps.high)},
+                        .setup_seconds = finest.setup_seconds,
+                        .first_run = finest.first_run,
                         .rate = of.rate};
 }
 
@@ -164,12 +169,9 @@ Recommendation recommend(const std::vector<SearchCandidate>& searched, const Sce
   for (const SearchCandidate& of : searched) {
     if (of.outcome != SearchOutcome::accuracy_reached) continue;
     made.options.push_back(option_of(of));
-    made.options.back().first_run = question.first_run;
     made.constant = std::isinf(of.best.baseline_error);
   }
   made.options.empty() ? tell_shortfall(searched, columns, made) : tell_others(searched, made);
-  for (RecommendedRun& option : made.expected) option.first_run = question.first_run;
-  for (RejectedScheme& scheme : made.rejected) scheme.finest.first_run = question.first_run;
   return made;
 }
 

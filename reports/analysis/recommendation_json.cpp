@@ -20,21 +20,19 @@ nlohmann::json json_of(const ErrorEstimate& estimate) {
           {"error", estimate.error()}};
 }
 
+// Sets `asked`, the tolerance of a run with adaptive step size, or `grid`; the other one is null.
+void set_resolution(nlohmann::json& json, const RunSettings& setup) {
+  const auto* accuracy = std::get_if<Tolerance>(&setup.resolution);
+  json["asked"] = accuracy != nullptr ? nlohmann::json(accuracy->rtol) : nlohmann::json();
+  json["grid"] = accuracy != nullptr ? nlohmann::json() : nlohmann::json(grid_text(setup.grading));
+}
+
 // What was run, what it takes and delivers; null where a scheme has no run, or none to its end.
 nlohmann::json json_of(const RecommendedRun& option, const std::string& outcome) {
-  nlohmann::json json{{"scheme", option.schemes.front()},
-                      {"grid", nullptr},
-                      {"asked", nullptr},
-                      {"steps", nullptr},
-                      {"error", nullptr},
-                      {"seconds", nullptr},
-                      {"first_run_seconds", nullptr},
-                      {"outcome", outcome}};
-  if (const auto* accuracy = std::get_if<Tolerance>(&option.setup.resolution)) {
-    json["asked"] = accuracy->rtol;
-  } else {
-    json["grid"] = grid_text(option.setup.grading);
-  }
+  nlohmann::json json{
+      {"scheme", option.schemes.front()}, {"steps", nullptr},  {"error", nullptr}, {"seconds", nullptr},
+      {"first_run_seconds", nullptr},     {"outcome", outcome}};
+  set_resolution(json, option.setup);
   if (option.steps == 0) return json;
   json["steps"] = option.steps;
   if (std::isfinite(option.error)) json["error"] = option.error;
@@ -60,8 +58,6 @@ std::string json_of(const Recommendation& made) {
   Json json{{"scene", label_of(made.scene)},
             {"scheme", first.schemes.front()},
             {"same_as", std::vector(first.schemes.begin() + 1, first.schemes.end())},
-            {"grid", nullptr},
-            {"asked", nullptr},
             {"steps", first.steps},
             {"norm", name(made.kind.norm)},
             {"scale", name(made.kind.scale)},
@@ -75,11 +71,7 @@ std::string json_of(const Recommendation& made) {
             {"runner_up", nullptr},
             {"factor", nullptr},
             {"command", nullptr}};
-  if (const auto* accuracy = std::get_if<Tolerance>(&first.setup.resolution)) {
-    json["asked"] = accuracy->rtol;
-  } else {
-    json["grid"] = grid_text(first.setup.grading);
-  }
+  set_resolution(json, first.setup);
   if (!first.external) json["command"] = command_of(made.scene, first);
   if (made.estimate) {
     json["estimated"] = true;

@@ -10,9 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "benchmarks/records/results_file_test.hpp"
 #include "fdebench/benchmarks/records/lines.hpp"
-#include "fdebench/benchmarks/records/results_file.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace fde::bench {
 namespace {
@@ -44,27 +43,7 @@ Record ending() {
           .ending = RunOutcome{}};
 }
 
-class DescribedScenes : public testing::Test {
- protected:
-  [[nodiscard]] std::string text() const {
-    std::ostringstream all;
-    all << std::ifstream(file_).rdbuf();
-    return all.str();
-  }
-  void write(const std::string& content) const { std::ofstream(file_) << content; }
-
-  static std::string message(const std::filesystem::path& file) {
-    try {
-      const ResultsFile opened(file);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "opened";
-  }
-
-  const TemporaryFolder folder_;
-  const std::filesystem::path file_ = folder_.path() / "results.jsonl";
-};
+class DescribedScenes : public ResultsFileTest {};
 
 TEST_F(DescribedScenes, AreReturnedByTheFile) {
   {
@@ -119,11 +98,7 @@ TEST_F(DescribedScenes, AreRefusedIfTheyAreMalformed) {
   ResultsFile(file_).append(description());
   const auto whole = text();
   const auto changed = [&](const std::string& from, const std::string& to) {
-    auto other = whole;
-    const auto at = other.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    write(other.replace(at, from.size(), to));
-    return message(file_).substr(file_.string().size());
+    return message_of_change(whole, from, to);
   };
   EXPECT_EQ(changed(R"("title":"Relaxation")", R"("title":"a\u0007")"),
             ": line 2: title = a\a: must be UTF-8 that prints");

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,31 +9,20 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
 
+#include "benchmarks/records/results_file_test.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
-#include "fdebench/benchmarks/records/results_file.hpp"
 
 namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ResultsFiles : public testing::Test {
+class ResultsFiles : public ResultsFileTest {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string text() const {
-    std::ostringstream all;
-    all << std::ifstream(file_).rdbuf();
-    return all.str();
-  }
-  void write(const std::string& content) const { std::ofstream(file_) << content; }
-
   static std::vector<Record> rows(const std::string& scheme, int steps) {
     const Record row{.key = key(scheme, steps), .steps = steps, .h = 1.0 / steps};
     Record error = row, ending = row;
@@ -49,18 +37,6 @@ class ResultsFiles : public testing::Test {
   static RunKey key(const std::string& scheme, int steps) {
     return {.scene = {"relaxation"}, .scheme = scheme, .setup = {.resolution = steps}};
   }
-
-  static std::string message(const fs::path& file) {
-    try {
-      const ResultsFile opened(file);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "opened";
-  }
-
-  const fs::path folder_ = fs::temp_directory_path() / ("fdebench_results_" + std::to_string(getpid()));
-  const fs::path file_ = folder_ / "results.jsonl";
 };
 
 TEST_F(ResultsFiles, ReturnWhatWasAppended) {
@@ -226,11 +202,7 @@ TEST_F(ResultsFiles, WithImpossibleRowsAreRefused) {
   }
   const auto whole = text();
   const auto changed = [&](const std::string& from, const std::string& to) {
-    auto other = whole;
-    const auto at = other.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    write(other.replace(at, from.size(), to));
-    return message(file_).substr(file_.string().size());
+    return message_of_change(whole, from, to);
   };
   EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":-1.0)"),
             ": line 2: error_end = -1: must be a finite number of at least 0");

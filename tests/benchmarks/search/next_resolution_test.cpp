@@ -149,6 +149,18 @@ TEST(NextResolutions, DoNotCountTheStartOfAProcess) {
   }
 }
 
+// A first run with 60 ms for start weights and 1 us a step: twice the steps take little longer.
+TEST(Refinements, ForecastStartWeightsOnce) {
+  Refinement of;
+  for (const int steps : {64, 128, 256, 512}) {
+    of.runs.push_back(run_of(power(1.0, 2.0), steps));
+    of.runs.back().setup_seconds = 0.06;
+    of.runs.back().seconds = 0.06 + 1e-6 * steps;
+  }
+  EXPECT_NEAR(*seconds_with(of, 4096.0), 0.06 + 4096e-6, 1e-9);
+  EXPECT_NEAR(forecast_seconds(of, {0, accuracy})->value, 0.061, 1e-4);
+}
+
 TEST(NextResolutions, EndWhereMoreStepsEndInTheSameWay) {
   Refinement of{.runs = {{.resolution = 64, .steps = 64, .errors = {{}}}}};
   EXPECT_EQ(next_resolutions(goal_for(), {&of, 1}).front(), StepsOrTolerance(128)) << "more may succeed";

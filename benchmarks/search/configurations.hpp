@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
+
+namespace fde::bench {
+
+// A configuration of a search: a scheme with a grading of its grid, or a scheme with adaptive step size.
+// The number of steps or the tolerance is free.
+struct Configuration {
+  const Scheme* scheme = nullptr;
+  double grading = 1.0;
+
+  [[nodiscard]] bool is_adaptive() const { return scheme->capabilities.is_adaptive(); }
+};
+
+// The gradings to try with a scheme: 1 (uniform), 1.5, 2, 3, and the smallest with the best theoretical rate;
+// 1 alone for a scheme that needs a uniform grid or takes no grid. Precondition: the scheme accepts the
+// scene's problem.
+std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm);
+
+// A configuration to try on a scene.
+struct ConfigurationChoice {
+  Configuration configuration{};
+  int unit = 1;                          // its numbers of steps are multiples of it
+  std::optional<std::string> refused{};  // why the scheme does not accept the problem; nullopt: it does
+};
+
+// Every scheme with each of its gradings; once, uniform, where it refuses the problem. Where the right-hand
+// side jumps, a scheme over uniform grids is there twice: a rule is more accurate where its times contain the
+// jumps, and may be cheaper where they need not.
+std::vector<ConfigurationChoice> configurations_of(const Scene& scene, Norm norm);
+
+}  // namespace fde::bench

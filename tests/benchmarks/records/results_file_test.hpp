@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "fdebench/benchmarks/records/results_file.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace fde::bench {
+
+// A results file in a folder of its own, as text and as it is opened.
+class ResultsFileTest : public testing::Test {
+ protected:
+  [[nodiscard]] std::string text() const {
+    std::ostringstream all;
+    all << std::ifstream(file_).rdbuf();
+    return all.str();
+  }
+  void write(const std::string& content) const { std::ofstream(file_) << content; }
+
+  // Why the file cannot be opened; "opened" if it can.
+  static std::string message(const std::filesystem::path& file) {
+    try {
+      const ResultsFile opened(file);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "opened";
+  }
+
+  // The message, without the name of the file, once `from` is replaced by `to` in its text `whole`.
+  [[nodiscard]] std::string message_of_change(std::string whole, const std::string& from,
+                                              const std::string& to) const {
+    const auto at = whole.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    write(whole.replace(at, from.size(), to));
+    return message(file_).substr(file_.string().size());
+  }
+
+  const TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path(), file_ = folder_ / "results.jsonl";
+};
+
+}  // namespace fde::bench
