@@ -72,9 +72,30 @@ CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const St
     attempt.error =
         std::max(attempt.error, variation().unresolved_variation(grid, smallest_order(scene_.problem)));
   }
-  attempt.meets_accuracy =
-      attempt.error + reference_bound() <= question_.accuracy && attempt.error < attempt.baseline_error;
+  attempt.meets_accuracy = is_accurate(attempt);
   return attempt;
+}
+
+bool RunEvaluator::is_accurate(const CandidateRun& attempt) {
+  return attempt.error + reference_bound() <= question_.accuracy && attempt.error < attempt.baseline_error;
+}
+
+void RunEvaluator::compare_at_own_steps(const Configuration& configuration, CandidateRun& run) {
+  const auto path = solve(configuration, resolution_of(run), {}, std::numeric_limits<double>::infinity());
+  if (path.status != SolveStatus::finished || path.y.cols() < 2) return;
+  const auto steps = comparison_steps(static_cast<int>(path.y.cols()) - 1, evenly_spaced_comparisons);
+  std::vector<double> times;
+  for (const int step : steps) times.push_back(path.time(step));
+  const Rows values = compared_columns(columns_of(scene_.outputs, path));
+  CandidateRun at_steps;
+  measure_maximum_error(values(Eigen::all, steps), times, at_steps);
+  run.baseline_error = std::max(run.baseline_error, at_steps.baseline_error);
+  if (at_steps.error > run.error) {
+    run.error = at_steps.error;
+    run.column = at_steps.column;
+    run.time = at_steps.time;
+  }
+  run.meets_accuracy = is_accurate(run);
 }
 
 void RunEvaluator::time_again(const Configuration& configuration, CandidateRun& run) const {

@@ -49,6 +49,10 @@ class RunEvaluator {
   CandidateRun evaluate(const Configuration& configuration, const StepsOrTolerance& resolution, int compared,
                         double budget);
 
+  // For Norm::maximum and adaptive step size: solves again and compares the run at its own steps too, at the
+  // first 16 and at 2048 of them spread evenly, which are dense where the comparison times need not be.
+  void compare_at_own_steps(const Configuration& configuration, CandidateRun& run);
+
   // Solves again, once or, where that takes less than 5 ms, twice and for at least 0.2 ms, and sets
   // `run.seconds` to the least time of a solve; with AccuracyTarget::first_run plus its setup_seconds.
   void time_again(const Configuration& configuration, CandidateRun& run) const;
@@ -73,6 +77,7 @@ class RunEvaluator {
   Rows finite_reference(const std::vector<double>& times);
   void measure_maximum_error(const Rows& values, const std::vector<double>& times, CandidateRun& attempt);
   void measure_end_error(const Rows& values, CandidateRun& attempt);
+  [[nodiscard]] bool is_accurate(const CandidateRun& attempt);
   [[nodiscard]] Rows compared_columns(const Rows& columns) const;
   [[nodiscard]] std::vector<double> compared_times(const Configuration& configuration,
                                                    const StepsOrTolerance& resolution, int compared) const;

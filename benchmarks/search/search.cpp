@@ -55,14 +55,14 @@ class Search {
     }
     set_comparison_times();
     goal_.targets = {{0, accuracy() - evaluator_.reference_bound(), at_end()}};
-    constexpr int most_rounds = 20;  // each makes runs, or confirms the quickest one
-    for (int round = 0; round < most_rounds; ++round) {
+    bool is_confirmed = false;
+    do {  // each turn makes runs, or confirms the quickest one
       while (make_next_runs()) {
       }
       merge_repeats();
-      const bool is_confirmed = time_and_verify();
-      if (is_confirmed && !has_next_runs()) break;
-    }
+      is_confirmed = time_and_verify();
+    } while (left() > 0.0 && (!is_confirmed || has_next_runs()));
+    while (!is_confirmed) is_confirmed = time_and_verify();  // ends: a run is verified once
     const bool has_time = left() > 0.0;
     const double least = quickest();
     for (std::size_t i = 0; i < candidates_.size(); ++i)
@@ -272,6 +272,9 @@ class Search {
     CandidateRun& made = candidates_[i].runs[run];
     if (!verified_.insert({i, run}).second) return true;
     CandidateRun again = evaluated(candidates_[i], resolution_of(made), final_comparison_times_);
+    const bool has_own_steps = candidates_[i].configuration.is_adaptive() && !at_end();
+    if (has_own_steps && again.ending.kind == SolveStatus::finished)
+      evaluator_.compare_at_own_steps(candidates_[i].configuration, again);
     again.seconds = made.seconds;
     again.setup_seconds = made.setup_seconds;
     made = std::move(again);

@@ -144,9 +144,10 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
     return;
   }
   const CandidateRun& last = *finest(*best);
-  made.missing.push_back(fmt::format("best: {}: {} {} with N = {}, in {} at t = {:.6g}", name_of(*best),
+  const auto* useless = last.error < last.baseline_error ? "" : ", no better than y = 0";
+  made.missing.push_back(fmt::format("best: {}: {} {} with N = {}{}, in {} at t = {:.6g}", name_of(*best),
                                      error_word(made), error_text(last.error), count_text(last.steps),
-                                     columns[static_cast<std::size_t>(last.column)], last.time));
+                                     useless, columns[static_cast<std::size_t>(last.column)], last.time));
   const auto is_late = [](const SearchCandidate& of) { return of.outcome == SearchOutcome::out_of_time; };
   if (std::ranges::any_of(searched, is_late)) made.missing.emplace_back("the time of the search ran out");
   const SearchCandidate* least = nullptr;

@@ -19,8 +19,6 @@
 namespace fde::bench {
 namespace {
 
-namespace fs = std::filesystem;
-
 class ResultsFiles : public ResultsFileTest {
  protected:
   static std::vector<Record> rows(const std::string& scheme, int steps) {
