@@ -30,17 +30,21 @@ Vec compensation_at_start(const Dynamics& dynamics, const Vec& defect) {
 
 // The constraints as they are given, w = 0 and the reaction directions, at t = 0 and the velocity v.
 struct ConstraintsAtStart {
-  Vec value;
-  Matrix directions, raised;
+  Vec columns, value;
+  Matrix directions;
 
-  ConstraintsAtStart(const Dynamics& dynamics, const Vec& velocity) {
+  ConstraintsAtStart(const Dynamics& dynamics, const Vec& velocity)
+      : columns(Vec::Zero(static_cast<Eigen::Index>(dynamics.system().column_count()))) {
     const auto& system = dynamics.system();
     const auto& algebra = dynamics.algebra();
-    Vec columns = Vec::Zero(static_cast<Eigen::Index>(system.column_count()));
     columns << system.position, velocity, Vec::Zero(std::ssize(system.memory));
     value = values_at(algebra.pool(), system.constraints, 0.0, columns);
     directions = matrix_at(dynamics, algebra.jacobian(system.constraints, system.v()), columns);
-    raised = matrix_at(dynamics, dynamics.metric(), columns).lu().solve(directions.transpose());
+  }
+
+  // The directions as velocities. Precondition: there is a constraint.
+  [[nodiscard]] Matrix raised(const Dynamics& dynamics) const {
+    return matrix_at(dynamics, dynamics.metric(), columns).lu().solve(directions.transpose());
   }
 };
 
@@ -48,7 +52,8 @@ struct ConstraintsAtStart {
 Vec nearest_velocity(const Dynamics& dynamics) {
   return velocity_on_constraints(dynamics.system().velocity, [&](const Vec& velocity) -> Vec {
     const ConstraintsAtStart now(dynamics, velocity);
-    return -now.raised * (now.directions * now.raised).lu().solve(now.value);
+    const Matrix raised = now.raised(dynamics);
+    return -raised * (now.directions * raised).lu().solve(now.value);
   });
 }
 
