@@ -26,7 +26,7 @@ configure_package_config_file(cmake/fdebench-config.cmake.in ${PROJECT_BINARY_DI
   INSTALL_DESTINATION ${cmake_files})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/fdebench-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/fdebench-config.cmake ${PROJECT_BINARY_DIR}/fdebench-config-version.cmake
-  cmake/FindHWY.cmake cmake/FindMPC.cmake cmake/FindMPFR.cmake cmake/FindTOML.cmake DESTINATION ${cmake_files} COMPONENT library)
+  cmake/FindMPC.cmake cmake/FindMPFR.cmake cmake/FindTOML.cmake DESTINATION ${cmake_files} COMPONENT library)
 
 # The libraries are static, so what they link is named with them. The alignment is part of how objects are laid out.
 get_target_property(alignment fde_base INTERFACE_COMPILE_DEFINITIONS)
@@ -35,10 +35,10 @@ function(install_pkg_config name what needs libraries)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/fdebench.pc.in ${file} @ONLY)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
 endfunction()
-install_pkg_config(schemes "Schemes for fractional differential equations" "eigen3 fmt libhwy mpfr"
+install_pkg_config(schemes "Schemes for fractional differential equations" "eigen3 fmt mpfr"
   "-lfde_schemes -lfde_problem -lfde_base")
 install_pkg_config(special_functions "Mittag-Leffler functions, of matrices too, and Prabhakar's function"
-  "eigen3 fmt libhwy mpfr" "-lfde_special_functions -lfde_base -lmpc")
+  "eigen3 fmt mpfr" "-lfde_special_functions -lfde_base -lmpc")
 install_pkg_config(reference "References for fractional differential equations"
   fdebench-special_functions "-lfde_reference -lfde_problem -lfde_special_functions -lfde_base")
 if(TARGET asmjit::asmjit)

@@ -24,6 +24,7 @@
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
 #include "fdebench/benchmarks/equation_files/time_jumps.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
+#include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/equation_file_name.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
@@ -171,7 +172,7 @@ SceneFactory factory_of(EquationText text, bool is_built_in) {
       .source = kept->source.empty() ? kept->file : kept->source,
       .parameters = {},
       .make = [=](const Parameters& parameters) { return scene_of(*kept, parameters, is_built_in); },
-      .checksum = is_built_in ? "" : kept->checksum,
+      .checksum = is_built_in ? "" : sha256(kept->meaning),
       .toml = kept->contents};
   for (const auto& parameter : kept->parameters) maker.parameters.push_back(parameter.declared);
   if (kept->mechanics) {
@@ -214,10 +215,10 @@ SceneFactory built_in_scene(const std::string& id, std::string_view toml) {
 }
 
 SceneRegistry with_equation_files(const SceneRegistry& scenes) {
-  for (const auto& scene : scenes) {
-    if (const auto file = file_in_folder(scene.id)) {
+  for (const auto id : scenes.ids()) {
+    if (const auto file = file_in_folder(id)) {
       throw std::invalid_argument(
-          fmt::format("{}: must have another name, the scene {} is built in", file->string(), scene.id));
+          fmt::format("{}: must have another name, the scene {} is built in", file->string(), id));
     }
   }
   return {scenes, scene_of_file};

@@ -121,7 +121,7 @@ struct EquationText {
   std::vector<FormulaText> constraints{};
   std::vector<FormulaText> jumps{};
   std::vector<EventText> events{};
-  std::string checksum{};  // SHA-256 of all fields except title and source
+  std::string meaning{};   // all fields except title and source, normalised
   std::string contents{};  // as read
 };
 

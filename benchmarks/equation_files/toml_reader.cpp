@@ -13,7 +13,6 @@
 #include "fdebench/benchmarks/equation_files/deep_keys.hpp"
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
 #include "fdebench/benchmarks/equation_files/mechanics_reader.hpp"
-#include "fdebench/benchmarks/references/checksum.hpp"
 
 namespace fde::bench {
 namespace {
@@ -239,15 +238,14 @@ class EquationReader : DeclarationReader {
   }
 };
 
-// SHA-256 of the table with sorted keys and normalised values, followed by the names of the unknowns in
-// order.
-std::string checksum_of(toml::table all, const EquationText& text) {
+// The table with sorted keys and normalised values, followed by the names of the unknowns in order.
+std::string meaning_of(toml::table all, const EquationText& text) {
   all.erase("title");
   all.erase("source");
   std::ostringstream meaning;
   meaning << toml::toml_formatter(all);
   for (const auto& unknown : text.unknowns) meaning << "\nunknown " << unknown.name;
-  return sha256(meaning.str());
+  return meaning.str();
 }
 
 }  // namespace
@@ -260,7 +258,7 @@ EquationText parse_equation_text(const std::string& file, std::string_view text)
   try {
     toml::table all = toml::parse(text);
     EquationText read = EquationReader(file, text).read(all);
-    read.checksum = checksum_of(std::move(all), read);
+    read.meaning = meaning_of(std::move(all), read);
     read.contents = text;
     return read;
   } catch (const toml::parse_error& fault) {

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
+#include "fdebench/benchmarks/expressions/increments.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 
 namespace fde::bench {
@@ -88,6 +90,13 @@ std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index 
   return matrix;
 }
 
+std::function<void(double t, In y, Out f)> rhs_of(const std::vector<Expression>& rows, Eigen::Index size,
+                                                  const ExpressionPool& pool) {
+  return [program = Program(pool, rows, size)](double t, In y, Out f) {
+    program.evaluate(t, y, {f.data(), static_cast<std::size_t>(f.size())});
+  };
+}
+
 // The program writes to the places of a matrix without gaps between its columns.
 DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, const ExpressionPool& pool) {
   std::vector<Expression> values;
@@ -110,15 +119,29 @@ DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, 
   }};
 }
 
+// Where a derivative is infinite at the initial values, y says too little of f next to t = 0.
+IncrementForm increments_of(const Problem& problem, const std::vector<Expression>& rows,
+                            ExpressionPool& pool) {
+  Vec origin = taylor_part(problem, 0.0);
+  Matrix jacobian(problem.size(), problem.size());
+  evaluate_jacobian(problem, 0.0, origin, jacobian);
+  if (jacobian.allFinite() || is_two_sided(problem)) return {};
+  for (Eigen::Index i = 0; i < origin.size(); ++i)
+    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) origin[i] = 0.0;
+  const auto shifted = in_increments(rows, origin, pool);
+  if (!shifted) return {};
+  const auto size = problem.size();
+  return {std::move(origin), rhs_of(*shifted, size, pool),
+          jacobian_of(derivatives_of(*shifted, pool), size, pool).at};
+}
+
 }  // namespace
 
 Problem expression_problem(std::vector<Component> components, const std::vector<Expression>& rows, double end,
                            ExpressionPool& pool) {
   const auto size = std::ssize(rows);
   Problem problem{.components = std::move(components), .end = end};
-  problem.rhs = [program = Program(pool, rows, size)](double t, In y, Out f) {
-    program.evaluate(t, y, {f.data(), static_cast<std::size_t>(f.size())});
-  };
+  problem.rhs = rhs_of(rows, size, pool);
   for (const auto value : switches_of(rows, pool))
     problem.switching_functions.emplace_back(Program(pool, {value}, size));
   const auto entries = derivatives_of(rows, pool);
@@ -127,6 +150,7 @@ Problem expression_problem(std::vector<Component> components, const std::vector<
     problem.derivatives = DenseLinearPart{std::move(*matrix)};
   } else {
     problem.derivatives = jacobian_of(entries, size, pool);
+    problem.increments = increments_of(problem, rows, pool);
   }
   return problem;
 }

@@ -18,6 +18,17 @@ Derivatives derivatives_in_units_of(double unit, const SparseJacobian& given) {
       [unit, given](double t, In u, SparseMatrix& jacobian) { given.at(t, unit * u, jacobian); }};
 }
 
+IncrementForm increments_in_units_of(double unit, const IncrementForm& given) {
+  if (!given.is_given()) return {};
+  return {
+      given.origin / unit,
+      [unit, rhs = given.rhs](double t, In z, Out f) {
+        rhs(t, unit * z, f);
+        f /= unit;
+      },
+      [unit, jacobian = given.jacobian](double t, In z, OutMatrix values) { jacobian(t, unit * z, values); }};
+}
+
 Equation equation_in_units_of(double unit, Equation equation) {
   equation.force = [unit, force = equation.force](double t, In u) { return force(t, unit * u) / unit; };
   equation.factor = [unit, factor = equation.factor](double t, In u) { return factor(t, unit * u); };
@@ -37,6 +48,7 @@ Problem rescaled_problem(double unit, const Problem& problem) {
   };
   other.derivatives = std::visit([&](const auto& given) { return derivatives_in_units_of(unit, given); },
                                  problem.derivatives);
+  other.increments = increments_in_units_of(unit, problem.increments);
   for (auto& equation : other.equations) equation = equation_in_units_of(unit, equation);
   if (problem.conditions) {
     other.conditions = [unit, conditions = problem.conditions](In start, In end, Out residual) {

@@ -2,8 +2,12 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <mutex>
+#include <string>
 #include <utility>
+
+#include "fdebench/benchmarks/text/entry_named.hpp"
 
 namespace fde::bench {
 
@@ -13,6 +17,14 @@ namespace fde::bench {
 #include "fdebench/benchmarks/scenes/list.def"
 #undef FDE_SCENE
 
+struct SceneRegistry::Entry {
+  Entry(std::string of, std::function<SceneFactory()> how) : id(std::move(of)), make(std::move(how)) {}
+  const std::string id;
+  const std::function<SceneFactory()> make;
+  std::once_flag is_made{};
+  std::optional<SceneFactory> scene{};
+};
+
 // Cache of the scenes made by the loader.
 struct SceneRegistry::LoadedScenes {
   std::mutex mutex;
@@ -20,8 +32,8 @@ struct SceneRegistry::LoadedScenes {
 };
 
 SceneRegistry::SceneRegistry()
-    : factories_{
-#define FDE_SCENE(id) id(),
+    : entries_{
+#define FDE_SCENE(id) std::make_shared<Entry>(#id, id),
 #include "fdebench/benchmarks/scenes/list.def"
 #undef FDE_SCENE
       },
@@ -29,23 +41,41 @@ SceneRegistry::SceneRegistry()
 }
 
 SceneRegistry::SceneRegistry(const SceneRegistry& others, SceneLoader finder)
-    : factories_(others.factories_), loader_(std::move(finder)), loaded_(std::make_shared<LoadedScenes>()) {}
+    : entries_(others.entries_), loader_(std::move(finder)), loaded_(std::make_shared<LoadedScenes>()) {}
+
+const SceneFactory& SceneRegistry::scene_of(Entry& entry) {
+  std::call_once(entry.is_made, [&] { entry.scene = entry.make(); });
+  return *entry.scene;
+}
+
+const std::shared_ptr<SceneRegistry::Entry>* SceneRegistry::find(std::string_view id) const {
+  const auto found = std::ranges::find(entries_, id, [](const auto& entry) { return entry->id; });
+  return found == entries_.end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> SceneRegistry::ids() const {
+  std::vector<std::string_view> ids;
+  for (const auto& entry : entries_) ids.emplace_back(entry->id);
+  return ids;
+}
 
 const SceneFactory& SceneRegistry::add(SceneFactory maker) {
   if (maker.id.empty() || maker.id.find(':') != std::string::npos)
     reject("id", maker.id, "a name without ':'");
-  if (find_scene(maker.id, *this) != nullptr) reject("id", maker.id, "that of no other scene");
-  return factories_.emplace_back(std::move(maker));
+  if (find(maker.id) != nullptr) reject("id", maker.id, "that of no other scene");
+  const std::string id = maker.id;
+  entries_.push_back(std::make_shared<Entry>(id, [maker = std::move(maker)] { return maker; }));
+  return scene_of(*entries_.back());
 }
 
 const SceneFactory& SceneRegistry::named(std::string_view id) const {
-  const bool listed = find_scene(id, *this) != nullptr;
-  if (listed || !loader_) return entry_by_id(factories_, "scene", id);
+  if (const auto* const listed = find(id)) return scene_of(**listed);
+  if (!loader_) throw_unknown_id("scene", id, ids());
   const std::scoped_lock lock(loaded_->mutex);
   const auto before = std::ranges::find(loaded_->makers, id, &SceneFactory::id);
   if (before != loaded_->makers.end()) return *before;
   if (auto made = loader_(id)) return loaded_->makers.emplace_back(std::move(*made));
-  return entry_by_id(factories_, "scene", id);
+  throw_unknown_id("scene", id, ids());
 }
 
 const SceneRegistry& built_in_scenes() {
@@ -54,8 +84,8 @@ const SceneRegistry& built_in_scenes() {
 }
 
 const SceneFactory* find_scene(std::string_view id, const SceneRegistry& among) {
-  const auto found = std::ranges::find(among, id, &SceneFactory::id);
-  return found == among.end() ? nullptr : &*found;
+  const auto* const found = among.find(id);
+  return found == nullptr ? nullptr : &SceneRegistry::scene_of(**found);
 }
 
 }  // namespace fde::bench

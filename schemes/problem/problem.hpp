@@ -7,6 +7,7 @@
 
 #include "fdebench/schemes/problem/derivatives.hpp"
 #include "fdebench/schemes/problem/equation.hpp"
+#include "fdebench/schemes/problem/increment_form.hpp"
 
 namespace fde {
 
@@ -49,6 +50,7 @@ struct Problem {
   std::vector<Component> components{};
   std::function<void(double t, In y, Out f)> rhs{};
   Derivatives derivatives{};
+  IncrementForm increments{};  // agrees with rhs and derivatives; for schemes that compute y - y(0)
   // The multi-term equations that the rows come from, for schemes that discretise these; rhs agrees with
   // them. Empty: the problem is not given in multi-term form.
   std::vector<Equation> equations{};

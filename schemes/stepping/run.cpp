@@ -40,6 +40,12 @@ const Vec& Run::rhs(double t, In y) {
   return f_;
 }
 
+const Vec& Run::rhs_of_increments(double t, In z) {
+  ++*path_.cost.rhs_calls;
+  problem_.increments.rhs(t, z, f_);
+  return f_;
+}
+
 bool Run::accept(double t, In y) {
   if (events_)
     throw std::invalid_argument("events: are located by schemes that take an accuracy, not over a grid");

@@ -19,6 +19,8 @@ class Run {
 
   // f(t, y), counted in Cost::rhs_calls. The reference is valid until the next call.
   const Vec& rhs(double t, In y);
+  // The same as a function of the increments. Precondition: the problem has them (IncrementForm).
+  const Vec& rhs_of_increments(double t, In z);
 
   // y(0), which is recorded at t = 0; in a two-sided problem only a guess of it, which is not recorded.
   [[nodiscard]] const Vec& start() const { return start_; }

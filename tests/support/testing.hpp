@@ -15,7 +15,7 @@
 namespace fde::bench {
 
 inline const SceneFactory& scene_maker(std::string_view id) {
-  return *std::ranges::find(built_in_scenes(), id, &SceneFactory::id);
+  return *find_scene(id);
 }
 
 inline Scene scene_of(std::string_view id, const ParameterValues& values = {}) {

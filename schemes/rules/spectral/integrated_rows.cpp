@@ -21,7 +21,8 @@ std::vector<IntegratedRow::Power> derivative_of_start(const std::vector<double>&
 
 }  // namespace
 
-IntegratedRows::IntegratedRows(const Problem& problem) : rows(problem.components.size()) {
+IntegratedRows::IntegratedRows(const Problem& problem)
+    : rows(problem.components.size()), origin(Vec::Zero(problem.size())) {
   std::vector<bool> chained(rows.size(), false);
   for (const auto& equation : problem.equations) {
     const Chain chain = chain_of(problem, equation);
@@ -40,6 +41,9 @@ IntegratedRows::IntegratedRows(const Problem& problem) : rows(problem.components
     if (!is_algebraic(component)) rows[i].taylor_terms = derivative_of_start(component.initial, 0.0);
     rhs_indices.push_back(static_cast<Eigen::Index>(i));
   }
+  if (!problem.increments.is_given()) return;
+  origin = problem.increments.origin;
+  for (auto& row : rows) std::erase_if(row.taylor_terms, [](const auto& term) { return term.power == 0.0; });
 }
 
 Vec IntegratedRows::taylor_part(double t) const {

@@ -7,7 +7,9 @@
 
 namespace fde {
 
-Vec PanelSolution::at(double t) const {
+Vec PanelSolution::at(double t) const { return integrated_rows.origin + rows_at(t); }
+
+Vec PanelSolution::rows_at(double t) const {
   const auto found = std::ranges::lower_bound(
       panels, t, {}, [](const MemoryBlock* panel) { return panel->block.time(1.0); });
   const MemoryBlock& panel = found == panels.end() ? *panels.back() : **found;

@@ -23,13 +23,14 @@ class PanelSolution {
   std::vector<std::unique_ptr<MemoryBlock>> trees{};
   std::vector<const MemoryBlock*> panels{};  // in the order of time
 
-  // The rows at t. Precondition: the panels cover t. On the first panel of a segment, where the rows are not
+  // y at t. Precondition: the panels cover t. On the first panel of a segment, where the rows are not
   // smooth, they are computed from the integrals; on the others from the values at the points.
   [[nodiscard]] Vec at(double t) const;
 
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  [[nodiscard]] Vec rows_at(double t) const;
   [[nodiscard]] Vec from_integrals(const MemoryBlock& panel, double t) const;
 };
 

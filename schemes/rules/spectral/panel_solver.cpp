@@ -24,7 +24,7 @@ PanelSolver::PanelSolver(const Problem& problem, const IntegratedRows& integrate
       kernels_(kernels),
       allowed_(accuracy),
       mass_(Vec::Ones(integrated_rows.unknown_count())),
-      last_end_values_(taylor_part(problem, 0.0)),
+      last_end_values_(taylor_part(problem, 0.0) - integrated_rows.origin),
       sensitivities_(Matrix::Zero(integrated_rows.unknown_count(), integrated_rows.row_count())),
       jacobian_(problem.size(), problem.size()),
       y_(problem.size()) {
@@ -53,15 +53,20 @@ Vec PanelSolver::with_multiplier_limits(const PanelSystem& task, Vec limits) con
   return limits;
 }
 
+// |y| at the points.
+Matrix PanelSolver::sizes_of(const Matrix& rows) const {
+  return (rows.rowwise() + integrated_rows_.origin.transpose()).cwiseAbs();
+}
+
 Vec PanelSolver::error_limits(const PanelSystem& task, const Matrix& rows) const {
-  const Matrix sizes = rows.cwiseAbs();
+  const Matrix sizes = sizes_of(rows);
   return with_multiplier_limits(
       task, allowed_.on_step(sizes.colwise().minCoeff().transpose(), sizes.colwise().maxCoeff().transpose(),
                              task.term_sizes));
 }
 
 void PanelSolver::accept_panel(const PanelValues& solved) {
-  allowed_.accept_step(solved.rows.cwiseAbs().colwise().maxCoeff().transpose());
+  allowed_.accept_step(sizes_of(solved.rows).colwise().maxCoeff().transpose());
   last_end_values_ = solved.rows.bottomRows<1>().transpose();
 }
 
@@ -136,8 +141,12 @@ bool PanelSolver::loses_digits(const Vec& limit) const {
   return (lost.array() > limit.array()).any();
 }
 
+const Vec& PanelSolver::rhs(Run& run, double t) {
+  return problem_.increments.is_given() ? run.rhs_of_increments(t, y_) : run.rhs(t, y_);
+}
+
 Vec PanelSolver::unknowns_from_rhs(Run& run, double t) {
-  const Vec& f = run.rhs(t, y_);
+  const Vec& f = rhs(run, t);
   return Vec::NullaryExpr(integrated_rows_.unknown_count(), [&](Eigen::Index k) {
     const auto row = integrated_rows_.rhs_indices[static_cast<std::size_t>(k)];
     return mass_[k] == 0.0 ? y_[row] : f[row];
@@ -145,7 +154,7 @@ Vec PanelSolver::unknowns_from_rhs(Run& run, double t) {
 }
 
 Vec PanelSolver::initial_unknowns(Run& run) {
-  y_ = run.start();
+  y_ = run.start() - integrated_rows_.origin;
   const Vec unknowns = unknowns_from_rhs(run, 0.0);
   return unknowns.allFinite() ? unknowns : Vec();
 }
@@ -161,6 +170,7 @@ Vec PanelSolver::unknowns_at_first_point(Run& run, const PanelSystem& task) {
 
 // Computes jacobian_ at y_.
 void PanelSolver::differentiate(Run& run, double t, In sizes) {
+  if (problem_.increments.is_given()) return problem_.increments.jacobian(t, y_, jacobian_);
   if (evaluate_jacobian(problem_, t, y_, jacobian_)) return;
   f_ = run.rhs(t, y_);
   difference_jacobian_of_rhs(run, problem_, t, y_, f_, sizes, jacobian_);
@@ -184,9 +194,9 @@ bool PanelSolver::evaluate(Run& run, const PanelSystem& task, const Matrix& rows
   residual_.resize(rows.rows(), integrated_rows_.unknown_count());
   for (Eigen::Index j = 0; j < rows.rows(); ++j) {
     y_ = rows.row(j);
-    left_domain_ = !problem_.domain.contains(task.times[j], y_);
+    left_domain_ = problem_.domain.margin && !problem_.domain.contains(task.times[j], values_at(rows, j));
     if (left_domain_) return false;
-    const Vec& f = run.rhs(task.times[j], y_);
+    const Vec& f = rhs(run, task.times[j]);
     for (Eigen::Index k = 0; k < residual_.cols(); ++k)
       residual_(j, k) = f[integrated_rows_.rhs_indices[static_cast<std::size_t>(k)]];
   }

@@ -13,7 +13,7 @@ namespace fde {
 
 // The equations of a panel: at every point x_k = f, or 0 = f for an algebraic row (see IntegratedRows), with
 // the rows
-//   y_i = known_i + I^(order_i) x_k,   k the unknown of row i.
+//   y_i - origin_i = known_i + I^(order_i) x_k,   k the unknown of row i.
 struct PanelSystem {
   Vec times;       // of the points
   Vec units;       // PanelKernels::units of its length
@@ -65,6 +65,11 @@ class PanelSolver {
   // more than its limit: at an early time t a multiplier can be found up to 1/t of that only.
   [[nodiscard]] Vec error_limits(const PanelSystem& task, const Matrix& rows) const;
 
+  // y at a point of a panel.
+  [[nodiscard]] Vec values_at(const Matrix& rows, Eigen::Index point) const {
+    return integrated_rows_.origin + rows.row(point).transpose();
+  }
+
   // The rows at the end of the last accepted panel.
   [[nodiscard]] const Vec& last_end_values() const { return last_end_values_; }
 
@@ -72,6 +77,8 @@ class PanelSolver {
   void accept_panel(const PanelValues& solved);
 
  private:
+  const Vec& rhs(Run& run, double t);  // at y_
+  [[nodiscard]] Matrix sizes_of(const Matrix& rows) const;
   [[nodiscard]] Vec with_multiplier_limits(const PanelSystem& task, Vec limits) const;
   [[nodiscard]] Vec newton_limits(const PanelSystem& task, const Matrix& rows) const;
   Vec unknowns_from_rhs(Run& run, double t);  // at y_
@@ -96,7 +103,7 @@ class PanelSolver {
   // Of a linear problem: no mode grows faster than e^(growth_rate_bound_ t).
   double growth_rate_bound_ = std::numeric_limits<double>::infinity();
   Matrix residual_, row_increments_, jacobian_, matrix_;
-  Vec y_, f_;
+  Vec y_, f_;  // y - origin, and f there
   bool left_domain_ = false;
 };
 
