@@ -53,7 +53,7 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
   constexpr int most_iterations = 20, few_setbacks = 3;
   const SparseMatrix middle = sparse_jacobian(y, (steps() + 1) / 2);
   SylvesterFactors factors;
-  if (!factors.factorise(middle, equations_.weights.front().rightCols(steps()))) return std::nullopt;
+  if (!factors.factorise(middle, weights_of_steps())) return std::nullopt;
   double last = std::numeric_limits<double>::infinity();
   int setbacks = 0;
   for (int iteration = 1; iteration <= most_iterations && setbacks < few_setbacks; ++iteration) {
@@ -65,6 +65,7 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
     *run.cost().newton_iterations += steps();
     if (is_linear(problem_) && iteration == 2) return SolveStatus::finished;
     const double now = increment.lpNorm<Eigen::Infinity>() / y.lpNorm<Eigen::Infinity>();
+    if (getenv("DBG")) fprintf(stderr, "it %d %.2e\n", iteration, now);
     if (now <= tolerance || (now <= stagnation && now > last / 2))
       return factors.determinant_sign() < 0 ? SolveStatus::step_too_large : SolveStatus::finished;
     if (!(now < last)) ++setbacks;
@@ -75,18 +76,17 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
 
 Vec StartingProcedure::with_all_jacobians(const SylvesterFactors& factors, const Vec& y, const Vec& b) const {
   constexpr double accuracy = 1e-3;
-  std::vector<SparseMatrix> jacobians;
-  for (Eigen::Index j = 1; j <= steps(); ++j) jacobians.push_back(sparse_jacobian(y, j));
+  constexpr Eigen::Index most_vectors = 6;  // each has as many entries as there are unknowns of all steps
+  const Matrix coupling = weights_of_steps().transpose();
+  Matrix f(size_, steps());
   const auto apply = [&](const Vec& x) {
+    for (Eigen::Index j = 1; j <= steps(); ++j) f.col(j - 1) = sparse_jacobian(y, j) * step(x, j);
     Vec rest = x;
-    for (Eigen::Index j = 1; j <= steps(); ++j) {
-      const Vec of_step = jacobians[static_cast<std::size_t>(j - 1)] * step(x, j);
-      for (Eigen::Index n = 1; n <= steps(); ++n) step(rest, n) -= weights(n, j).cwiseProduct(of_step);
-    }
+    rest.reshaped(size_, steps()).noalias() -= f * coupling;
     factors.solve(rest);
     return rest;
   };
-  return gmres(apply, b, accuracy, max_krylov_vectors(b.size()));
+  return gmres(apply, b, accuracy, most_vectors);
 }
 
 bool StartingProcedure::is_near_guess(In y, In guess, In start) const {
