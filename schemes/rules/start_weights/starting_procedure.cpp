@@ -76,7 +76,8 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
 
 Vec StartingProcedure::with_all_jacobians(const SylvesterFactors& factors, const Vec& y, const Vec& b) const {
   constexpr double accuracy = 1e-3;
-  constexpr Eigen::Index most_vectors = 6;  // each has as many entries as there are unknowns of all steps
+  constexpr Eigen::Index most_values = 1 << 23;  // of all vectors that are stored
+  const auto most_vectors = std::clamp<Eigen::Index>(most_values / b.size(), 6, 30);
   const Matrix coupling = weights_of_steps().transpose();
   Matrix f(size_, steps());
   const auto apply = [&](const Vec& x) {
