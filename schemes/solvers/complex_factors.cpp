@@ -84,7 +84,7 @@ class ComplexConjugateGradients final : public ComplexFactors {
     lu_.reset();
     iterations_ = 0;
     // Nanoseconds an unknown of LU, and of an iteration, as in ConjugateGradients.
-    const double lines = static_cast<double>(std::min(matrix_.n, matrix_.m));
+    const auto lines = static_cast<double>(std::min(matrix_.n, matrix_.m));
     most_iterations_ =
         static_cast<int>(72.0 * std::sqrt(static_cast<double>(matrix.rows())) / (32.0 + 0.16 * lines));
     const auto mean = matrix_.mean_stencil();

@@ -65,7 +65,6 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
     *run.cost().newton_iterations += steps();
     if (is_linear(problem_) && iteration == 2) return SolveStatus::finished;
     const double now = increment.lpNorm<Eigen::Infinity>() / y.lpNorm<Eigen::Infinity>();
-    if (getenv("DBG")) fprintf(stderr, "it %d %.2e\n", iteration, now);
     if (now <= tolerance || (now <= stagnation && now > last / 2))
       return factors.determinant_sign() < 0 ? SolveStatus::step_too_large : SolveStatus::finished;
     if (!(now < last)) ++setbacks;
