@@ -10,7 +10,7 @@
 namespace fde {
 
 // 1 - factor A for a real A, factorised by the fastest applicable method, in the same order as
-// sparse_factors: tridiagonal, fast_sine, lu. Conjugate gradients and Cholesky's factors have no complex
+// sparse_factors: tridiagonal, fast_sine, conjugate_gradients, lu. Cholesky's factors have no complex
 // counterpart here.
 class ComplexFactors {
  public:

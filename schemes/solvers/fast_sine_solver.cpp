@@ -17,14 +17,26 @@ constexpr Eigen::Index together = 32;  // modes whose lines and pivots are in th
 template <class Scalar>
 using Panel = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
+// 1 / values. The division of the standard library would take several times as long: it avoids overflow.
+template <class Values>
+auto reciprocals(const Values& values) {
+  if constexpr (Eigen::NumTraits<typename Values::Scalar>::IsComplex) {
+    return (values.conjugate() * values.abs2().inverse()).eval();
+  } else {
+    return values.inverse();
+  }
+}
+
 // Solves with Toeplitz matrices tridiag(beside, diagonal, beside), a diagonal for each row.
 template <class Scalar>
 void solve_lines(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& diagonal, Scalar beside,
                  Panel<Scalar>& pivots, Panel<Scalar>& x) {
-  pivots.col(0) = diagonal.inverse();
+  pivots.col(0) = reciprocals(diagonal);
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     if (j > 0) {
-      pivots.col(j).array() = (diagonal - beside * beside * pivots.col(j - 1).array()).inverse();
+      const Eigen::Array<Scalar, Eigen::Dynamic, 1> pivot =
+          diagonal - beside * beside * pivots.col(j - 1).array();
+      pivots.col(j) = reciprocals(pivot);
       x.col(j) -= beside * x.col(j - 1);
     }
     x.col(j).array() *= pivots.col(j).array();
@@ -70,7 +82,7 @@ bool FastSineSolver::is_stable_for(const Stencil<std::complex<double>>& stencil)
   const Eigen::ArrayXd largest = diagonals.abs().max(std::abs(beside));
   Eigen::ArrayXcd pivots = diagonals;
   for (Eigen::Index j = 1; j < std::max(n_, m_); ++j) {
-    const Eigen::ArrayXcd eliminated = beside * beside * pivots.inverse();
+    const Eigen::ArrayXcd eliminated = beside * beside * reciprocals(pivots);
     if (!(eliminated.abs() <= most_growth * largest).all()) return false;
     pivots = diagonals - eliminated;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // solve/<scene>/<scheme>/<N> for every scene and every scheme that accepts it: time, error of the solution
 // and Newton iterations. history/<scene>/<scheme>/<engine>/<N> compares the history engines on whole solves.
+// large/<variant>/<scheme>/<N> compares L1 with the schemes with start weights on 10^4 unknowns.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <list>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 
 namespace {
@@ -43,6 +45,22 @@ void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int 
       benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+// A whole run, first steps included: time and memory of the history an unknown.
+void solve_large(benchmark::State& state, const std::string& variant, const Scheme& scheme, int steps) {
+  const Scene scene = make_scene(parse_variant(variant));
+  const Grid grid{.end = scene.problem.end, .steps = steps};
+  Trajectory path;
+  for (auto _ : state) path = scheme.solve(scene.problem, grid, {.output_times = {grid.end}});
+  if (path.status != SolveStatus::finished) {
+    state.SkipWithError(describe(scene.problem, path).c_str());
+    return;
+  }
+  const auto unknowns = static_cast<double>(scene.problem.size());
+  state.counters["history_bytes_per_unknown"] = static_cast<double>(*path.cost.history_bytes) / unknowns;
+  state.counters["per_unknown_and_step"] = benchmark::Counter(
+      unknowns * steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -73,6 +91,21 @@ int main(int count, char** arguments) {
               })
               ->Unit(benchmark::kMillisecond);
         }
+      }
+    }
+  }
+  for (const std::string& variant :
+       std::vector<std::string>{"fractional_diffusion_2d:n=100", "fractional_diffusion:components=10000",
+                                "fractional_allen_cahn:n=10000"}) {
+    for (const auto& scheme : schemes()) {
+      const bool has_start_weights = scheme.starting_powers && !scheme.capabilities.discretises_equations;
+      if (scheme.id != "l1" && !has_start_weights) continue;
+      for (const int steps : {200, 1000}) {
+        benchmark::RegisterBenchmark(fmt::format("large/{}/{}/{}", variant, scheme.id, steps).c_str(),
+                                     [variant, &scheme, steps](benchmark::State& state) {
+                                       solve_large(state, variant, scheme, steps);
+                                     })
+            ->Unit(benchmark::kMillisecond);
       }
     }
   }

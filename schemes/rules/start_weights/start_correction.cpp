@@ -77,7 +77,8 @@ Matrix StartingCorrection::tabulated(const StartingWeights& weights, int n) {
 
 Matrix StartingCorrection::values(const ChebyshevPiece& coefficients, int n) const {
   const Eigen::Index degrees = coefficients.smooth.rows(), columns = coefficients.smooth.cols();
-  const Vec x = 2.0 * (Vec::LinSpaced(block, n, n + block - 1).array() - begin_) / begin_ - 1.0;
+  const Vec x =
+      2.0 * (Vec::LinSpaced(block, n, n + static_cast<double>(block - 1)).array() - begin_) / begin_ - 1.0;
   Matrix polynomials(block, degrees);
   polynomials.col(0).setOnes();
   polynomials.col(1) = x;

@@ -53,7 +53,7 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
   constexpr int most_iterations = 20, few_setbacks = 3;
   const SparseMatrix middle = sparse_jacobian(y, (steps() + 1) / 2);
   SylvesterFactors factors;
-  if (!factors.factorise(middle, equations_.weights.front().rightCols(steps()))) return std::nullopt;
+  if (!factors.factorise(middle, weights_of_steps())) return std::nullopt;
   double last = std::numeric_limits<double>::infinity();
   int setbacks = 0;
   for (int iteration = 1; iteration <= most_iterations && setbacks < few_setbacks; ++iteration) {
@@ -75,18 +75,18 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
 
 Vec StartingProcedure::with_all_jacobians(const SylvesterFactors& factors, const Vec& y, const Vec& b) const {
   constexpr double accuracy = 1e-3;
-  std::vector<SparseMatrix> jacobians;
-  for (Eigen::Index j = 1; j <= steps(); ++j) jacobians.push_back(sparse_jacobian(y, j));
+  constexpr Eigen::Index most_values = 1 << 23;  // of all vectors that are stored
+  const auto most_vectors = std::clamp<Eigen::Index>(most_values / b.size(), 6, 30);
+  const Matrix coupling = weights_of_steps().transpose();
+  Matrix f(size_, steps());
   const auto apply = [&](const Vec& x) {
+    for (Eigen::Index j = 1; j <= steps(); ++j) f.col(j - 1) = sparse_jacobian(y, j) * step(x, j);
     Vec rest = x;
-    for (Eigen::Index j = 1; j <= steps(); ++j) {
-      const Vec of_step = jacobians[static_cast<std::size_t>(j - 1)] * step(x, j);
-      for (Eigen::Index n = 1; n <= steps(); ++n) step(rest, n) -= weights(n, j).cwiseProduct(of_step);
-    }
+    rest.reshaped(size_, steps()).noalias() -= f * coupling;
     factors.solve(rest);
     return rest;
   };
-  return gmres(apply, b, accuracy, max_krylov_vectors(b.size()));
+  return gmres(apply, b, accuracy, most_vectors);
 }
 
 bool StartingProcedure::is_near_guess(In y, In guess, In start) const {

@@ -62,6 +62,8 @@ class StartingProcedure {
   [[nodiscard]] bool is_near_guess(In y, In guess, In start) const;
   // Whether the weights are the same in all rows and df/dy is sparse.
   [[nodiscard]] bool has_sylvester_form() const;
+  // Of f_1 ... f_(s-1), one row a step. Precondition: they are the same in all rows.
+  [[nodiscard]] Matrix weights_of_steps() const { return equations_.weights.front().rightCols(steps()); }
   // Newton iterations from y with decoupled steps, two for a linear problem: its second one corrects the
   // rounding of the first, which the weights amplify. nullopt: they do not converge, or a matrix is singular.
   std::optional<SolveStatus> iterate_decoupled(Run& run, double tolerance, const Vec& known, Vec& y) const;

@@ -174,5 +174,33 @@ TEST_P(ComplexMatrixOf, IsSolvedAsByDenseElimination) {
   }
 }
 
+// A smooth and a jumping diffusivity, and a reaction that varies in space. One step of refinement estimates
+// the error.
+TEST(ComplexConjugateGradients, SolveWithVariableCoefficients) {
+  const auto none = [](double, double) { return 0.0; };
+  const std::vector<SparseMatrix> matrices{
+      step_matrix(
+          120, 110, 1.0, [](double x, double y) { return 1.0 + 0.9 * std::sin(6.0 * x) * std::cos(5.0 * y); },
+          none),
+      step_matrix(
+          120, 110, 1.0, [](double x, double) { return x < 0.5 ? 1.0 : 10.0; }, none),
+      step_matrix(
+          110, 120, 1.0, [](double, double) { return 0.01; },
+          [](double x, double y) { return 50.0 * x * y; })};
+  for (const auto& matrix : matrices) {
+    for (const Complex factor : {Complex(-0.05, -0.024), Complex(-0.01, 0.07), Complex(0.02, -0.05)}) {
+      const auto factors = complex_factors(matrix, factor);
+      const ComplexVec b = rough(matrix.rows()).cast<Complex>() * Complex(1.0, 0.5);
+      ComplexVec x = b;
+      factors->solve(x);
+      EXPECT_EQ(factors->name(), "conjugate_gradients") << factor;
+      const ComplexVec rest = b - (x - factor * (matrix.cast<Complex>() * x).eval());
+      ComplexVec correction = rest;
+      factors->solve(correction);
+      EXPECT_LT(correction.cwiseAbs().maxCoeff(), 1e-12 * x.cwiseAbs().maxCoeff()) << factor;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fde::bench
