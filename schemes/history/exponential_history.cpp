@@ -37,23 +37,19 @@ bool ExponentialHistory::Columns::are_all(Eigen::Index size) const {
   return true;
 }
 
-ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, double tolerance, int threads)
+ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, double tolerance)
     : size_(std::ssize(tables.front())) {
   for (const auto& of_sum : tables) {
     auto& sum = sums_.emplace_back();
     for (std::size_t i = 0; i < of_sum.size(); ++i) add(sum, of_sum[i], static_cast<Eigen::Index>(i));
   }
-  // A run shorter than a block never evaluates the exponentials.
-  const double longest = std::max<double>(steps, ExponentialMemory::block) + 2.0;
   for (auto& group : groups_) {
     const auto columns = std::ssize(group.columns.components());
-    memories_.emplace_back(
-        group.tables, columns,
-        exponential_sum(group.exponent, ExponentialMemory::shortest_lag, longest, tolerance), threads);
+    memories_.emplace_back(group.tables, columns, steps, tolerance);
   }
   for (auto& filter : filters_) {
     filter.sample.resize(std::ssize(filter.columns.components()));
-    filtered_.emplace_back(filter.table, filter.sample.size(), longest, tolerance);
+    filtered_.emplace_back(filter.table, filter.sample.size(), steps, tolerance);
   }
   if (needs_totals_) totals_ = RunningSums(size_);
   drop_identity_lists();
@@ -159,6 +155,10 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
   }
   for (const auto& [i, filter, column] : sums_[sum].filtered) result[i] = filtered_[filter].convolved(column);
   for (const auto& [group, table, components, all] : sums_[sum].uses) {
+    if (all && !groups_[group].alternates) {
+      memories_[group].convolve(table, result);
+      continue;
+    }
     const auto convolved = memories_[group].convolved(table);
     const double* const values = convolved.data();
     const Eigen::Index stride = convolved.innerStride();
@@ -166,7 +166,6 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
       if (all) for_each_component(size_, [&](Eigen::Index i) { result[i] += sign_ * values[i * stride]; });
       for (const auto& [i, column] : components) result[i] += sign_ * values[column * stride];
     } else {
-      if (all) for_each_component(size_, [&](Eigen::Index i) { result[i] = values[i * stride]; });
       for (const auto& [i, column] : components) result[i] = values[column * stride];
     }
   }

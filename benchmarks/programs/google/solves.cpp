@@ -5,9 +5,11 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <list>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 
 namespace {
@@ -43,6 +45,21 @@ void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int 
       benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+// A run of diffusion on a line of a million points: time for each unknown and step.
+void many_unknowns(benchmark::State& state, int threads) {
+  const auto& makers = built_in_scenes();
+  const auto maker = std::ranges::find(makers, "fractional_diffusion", &SceneFactory::id);
+  constexpr int unknowns = 1'000'000, steps = 200;
+  const Scene scene = make_scene(*maker, {{"components", unknowns}});
+  const Options options{.threads = threads, .output_times = {1.0}};
+  Trajectory path;
+  for (auto _ : state) path = find_scheme("l1")->solve(scene.problem, Grid{1.0, steps}, options);
+  if (path.status != SolveStatus::finished) state.SkipWithError("not finished");
+  state.counters["per_unknown_and_step"] =
+      benchmark::Counter(static_cast<double>(unknowns) * steps,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -75,6 +92,13 @@ int main(int count, char** arguments) {
         }
       }
     }
+  }
+  for (const int threads : {1, 2}) {
+    benchmark::RegisterBenchmark(fmt::format("many_unknowns/threads/{}", threads).c_str(), many_unknowns,
+                                 threads)
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
   }
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;

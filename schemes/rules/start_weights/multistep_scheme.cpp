@@ -40,6 +40,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   NewtonSolver newton(problem, options.tolerance);
   Run run(problem, options, grid.steps);
   run.cost().history_bytes = history->bytes() + correction.bytes();
+  run.cost().history = name(history->kind());
   run.cost().starting_weights = first_steps + 1;
 
   Matrix first;
