@@ -43,9 +43,10 @@ class Program {
   }
 
   // The number of evaluations after which a list is translated. Translating takes about as long as these: up
-  // to 1 us for each instruction of a list of hundreds, more of a longer one.
+  // to 1 us for each instruction of a list of hundreds, more of a longer one, and 0.1 ms for the first list of
+  // a process, however short.
   static constexpr int interpreted_evaluations(std::size_t instructions) {
-    return 256 + static_cast<int>(instructions / 4);
+    return 256 + static_cast<int>(instructions / 4 + 16384 / (instructions + 1));
   }
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "fdebench/benchmarks/mechanics/posed_formulations.hpp"
 
@@ -93,6 +94,17 @@ class RateChains {
     for (const auto& orders : orders_)
       if (!orders.empty()) highest = std::max(highest, orders.back());
     return std::ranges::all_of(singular_, [&](const auto& one) { return one.first + highest < 1.0; });
+  }
+
+  // The order of a memory term above 1 whose row D^(2 - order) w = v' has an unbounded right-hand side.
+  [[nodiscard]] std::optional<double> unbounded_memory() const {
+    for (const auto& [coordinate, order] : dynamics_.system().memory) {
+      const auto is_unbounded = [&, i = static_cast<Eigen::Index>(coordinate)](const auto& one) {
+        return one.second[i] != 0.0;
+      };
+      if (order > 1.0 && std::ranges::any_of(singular_, is_unbounded)) return order;
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] Expressions velocity() const {
@@ -208,8 +220,10 @@ PosedEquations with_memory(const Dynamics& dynamics, double kappa) {
   PosedEquations equations;
   const auto position = add_positions(equations, dynamics);
   const RateChains chains(dynamics, equations);
+  const auto formulation = kappa == 0.0 ? Formulation::acceleration : Formulation::stabilised;
+  if (const auto order = chains.unbounded_memory())
+    return {.ill_posed_reason = refused_as_unbounded_force(formulation, *order)};
   if (!chains.is_well_posed()) {
-    const auto formulation = kappa == 0.0 ? Formulation::acceleration : Formulation::stabilised;
     return {.ill_posed_reason = refused_as_singular(formulation, *dynamics.constraint_orders().rbegin())};
   }
   const auto memory = add_memory_rows(equations, system);

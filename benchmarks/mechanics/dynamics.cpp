@@ -99,7 +99,11 @@ std::set<double> Dynamics::constraint_orders() const {
   return orders;
 }
 
-bool Dynamics::is_affine() const {
+bool Dynamics::has_integrated_form() const {
+  const auto orders = constraint_orders();
+  const bool needs_rates = !orders.empty() && *orders.rbegin() < 1.0;
+  if (needs_rates && std::ranges::any_of(system_.memory, [](const auto& term) { return term.order > 1.0; }))
+    return false;
   auto others = system_.v();
   const auto memory = system_.w();
   others.insert(others.end(), memory.begin(), memory.end());

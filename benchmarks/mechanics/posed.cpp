@@ -37,7 +37,7 @@ PosedEquations posed(const Dynamics& dynamics, const FormulationChoice& choice) 
 }
 
 Formulation reference_formulation(const Dynamics& dynamics) {
-  if (dynamics.is_affine()) {
+  if (dynamics.has_integrated_form()) {
     const bool exists = !is_above_one(dynamics) || integrated_above_one(dynamics).ill_posed_reason.empty();
     return exists ? Formulation::integrated : Formulation::multiplier;
   }
@@ -49,6 +49,13 @@ std::string refused_as_singular(Formulation formulation, double order) {
   return fmt::format(
       "formulation = {}: must be neither acceleration nor stabilised for alpha = {}: "
       "v' starts like t^-alpha unless (df/dw) v(0) = 0, which they take for alpha < 1/2 only",
+      name_of(formulation), order);
+}
+
+std::string refused_as_unbounded_force(Formulation formulation, double order) {
+  return fmt::format(
+      "formulation = {}: must be multiplier: v' is unbounded at t = 0, and a force contains a derivative of "
+      "order {}",
       name_of(formulation), order);
 }
 

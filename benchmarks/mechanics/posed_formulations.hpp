@@ -10,7 +10,8 @@
 // not for these.
 namespace fde::bench::mechanics {
 
-// For constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w) (Tarasov & Zaslavsky 38):
+// For constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w) (Tarasov & Zaslavsky 38;
+// precondition: has_integrated_form):
 //   q' = v = P z - a^# beta,  z' = P (free acceleration) + P' v,  and the rows of w,
 // with the projector P = I - a^# a, a^# = G^-1 a^T (a G^-1 a^T)^-1. z(0) = P v(0). For constant a and f = a.v
 // + b.w - C0 this is q' = z - A w, z' = -P grad u with A = a b^T/|a|^2, and no term is singular.
@@ -21,7 +22,8 @@ PosedEquations integrated_equations(const Dynamics& dynamics);
 // rows of a coordinate are D^a_1 v = s_1, D^(a_2 - a_1) s_1 = s_2, ..., D^(1 - a_m) s_m = v'. The terms c_k
 // t^(1 - a_k - a_j) / Gamma(2 - a_k - a_j) of s_j, with c_k from singular_directions, are subtracted from the
 // state. The right-hand side of the last row, v' without its unbounded part, starts like t^(1 - a_k - a_m):
-// the form is well posed if all these are above 0.
+// the form is well posed if all these are above 0, and no D^b q of a force with b above 1 contains an
+// unbounded v'.
 PosedEquations acceleration_equations(const Dynamics& dynamics, double kappa);
 
 // q' = v, v' = free acceleration + G^-1 (df/dv)^T lambda, 0 = f, and the rows of w.
@@ -48,6 +50,7 @@ PosedEquations posed(const Dynamics& dynamics, const FormulationChoice& choice);
 // of this order along a^#.
 std::string refused_as_singular(Formulation formulation, double order);
 std::string refused_as_unaligned(double order);
+std::string refused_as_unbounded_force(Formulation formulation, double order);
 
 // The formulation in which a reference is computed: integrated if it exists, otherwise acceleration where it
 // is well posed, otherwise multiplier.

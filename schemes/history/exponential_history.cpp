@@ -48,8 +48,12 @@ ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, do
     memories_.emplace_back(group.tables, columns, steps, tolerance);
   }
   for (auto& filter : filters_) {
-    filter.sample.resize(std::ssize(filter.columns.components()));
-    filtered_.emplace_back(filter.table, filter.sample.size(), steps, tolerance);
+    const auto columns = std::ssize(filter.columns.components());
+    if (columns < ExponentialMemory::fewest_wide) {
+      filtered_.emplace_back(FilteredMemory(filter.table, columns, steps, tolerance));
+    } else {
+      filtered_.emplace_back(WideFilteredMemory(filter.table, columns, steps, tolerance));
+    }
   }
   if (needs_totals_) totals_ = RunningSums(size_);
   drop_identity_lists();
@@ -57,20 +61,24 @@ ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, do
 
 // Lists of columns are as large as a sample; they are dropped where they are the identity.
 void ExponentialHistory::drop_identity_lists() {
+  const auto drop_list = [&](TableUse& use, const Columns& columns) {
+    use.all = std::ssize(use.components) == size_ && columns.are_all(size_);
+    if (use.all) use.components = {};
+  };
   for (auto& sum : sums_) {
-    for (auto& use : sum.uses) {
-      use.all = std::ssize(use.components) == size_ && groups_[use.group].columns.are_all(size_);
-      if (use.all) use.components = {};
-    }
+    for (auto& use : sum.uses) drop_list(use, groups_[use.group].columns);
+    for (auto& use : sum.filtered) drop_list(use, filters_[use.group].columns);
   }
-  for (auto& group : groups_) {
-    group.all = !group.running_sums && !group.alternates && group.columns.are_all(size_);
-    if (group.all) {
-      group.columns = {};
+  const auto drop_columns = [&](auto& part, bool unchanged) {
+    part.all = unchanged && part.columns.are_all(size_);
+    if (part.all) {
+      part.columns = {};
     } else {
-      group.sample.resize(std::ssize(group.columns.components()));
+      part.sample.resize(std::ssize(part.columns.components()));
     }
-  }
+  };
+  for (auto& group : groups_) drop_columns(group, !group.running_sums && !group.alternates);
+  for (auto& filter : filters_) drop_columns(filter, true);
 }
 
 void ExponentialHistory::add(Sum& sum, const WeightTable& table, Eigen::Index component) {
@@ -90,8 +98,10 @@ void ExponentialHistory::add(Sum& sum, const WeightTable& table, Eigen::Index co
 void ExponentialHistory::add_filtered(Sum& sum, const WeightTable& table, Eigen::Index component) {
   auto found = std::ranges::find(filters_, table, &Filtered::table);
   if (found == filters_.end()) found = filters_.insert(found, {table});
-  const auto group = static_cast<std::size_t>(found - filters_.begin());
-  sum.filtered.push_back({component, group, found->columns.of(component)});
+  const auto filter = static_cast<std::size_t>(found - filters_.begin());
+  auto use = std::ranges::find(sum.filtered, filter, &TableUse::group);
+  if (use == sum.filtered.end()) use = sum.filtered.insert(use, {filter, 0});
+  use->components.emplace_back(component, found->columns.of(component));
 }
 
 void ExponentialHistory::add_exponentials(Sum& sum, const WeightTable& table, Eigen::Index component,
@@ -116,7 +126,12 @@ void ExponentialHistory::push(double /*t*/, In sample) {
     auto& filter = filters_[f];
     for (Eigen::Index c = 0; c < filter.sample.size(); ++c)
       filter.sample[c] = sample[filter.columns.components()[static_cast<std::size_t>(c)]];
-    filtered_[f].push(filter.sample);
+    std::visit(
+        [&](auto& memory) {
+          if (filter.all) return memory.push(sample);
+          memory.push(filter.sample);
+        },
+        filtered_[f]);
   }
   sign_ = -sign_;
   if (first_.size() == 0) return begin(sample);
@@ -153,7 +168,14 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
   for (const auto& [i, start, constant] : sums_[sum].constants) {
     result[i] = start * first_[i] + constant * totals_[i];
   }
-  for (const auto& [i, filter, column] : sums_[sum].filtered) result[i] = filtered_[filter].convolved(column);
+  for (const auto& use : sums_[sum].filtered) {
+    std::visit(
+        [&](const auto& memory) {
+          if (use.all) for_each_component(size_, [&](Eigen::Index i) { result[i] = memory.convolved(i); });
+          for (const auto& [i, column] : use.components) result[i] = memory.convolved(column);
+        },
+        filtered_[use.group]);
+  }
   for (const auto& [group, table, components, all] : sums_[sum].uses) {
     if (all && !groups_[group].alternates) {
       memories_[group].convolve(table, result);
@@ -174,13 +196,15 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
 std::size_t ExponentialHistory::bytes() const {
   std::size_t bytes = sizeof(double) * static_cast<std::size_t>(size_ + 2 * totals_.size());
   for (const auto& memory : memories_) bytes += memory.bytes();
-  for (const auto& memory : filtered_) bytes += memory.bytes();
+  for (const auto& memory : filtered_)
+    bytes += std::visit([](const auto& one) { return one.bytes(); }, memory);
   return bytes;
 }
 
 void ExponentialHistory::state(Archive& archive) {
   archive.resizable(first_);
-  archive(sign_, totals_, memories_, filtered_);
+  archive(sign_, totals_, memories_);
+  for (auto& memory : filtered_) std::visit([&](auto& one) { archive(one); }, memory);
 }
 
 }  // namespace fde

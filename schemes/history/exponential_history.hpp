@@ -5,6 +5,7 @@
 #include "fdebench/schemes/history/filtered_memory.hpp"
 #include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/running_sum.hpp"
+#include "fdebench/schemes/history/wide_filtered_memory.hpp"
 
 namespace fde {
 
@@ -52,7 +53,8 @@ class ExponentialHistory final : public History {
     Eigen::Index component;
     double start, constant;
   };
-  // One table of a group in one sum, with the components that use it and their columns in the group.
+  // One table of a group in one sum, with the components that use it and their columns in the group; or a
+  // filter, which has one table.
   struct TableUse {
     std::size_t group;
     Eigen::Index table;
@@ -63,17 +65,13 @@ class ExponentialHistory final : public History {
   struct Filtered {
     WeightTable table;
     Columns columns{};
+    bool all = false;  // as in Group
     Vec sample{};
-  };
-  struct FilteredUse {
-    Eigen::Index component;
-    std::size_t filter;
-    Eigen::Index column;
   };
   struct Sum {
     std::vector<Constant> constants{};
     std::vector<TableUse> uses{};
-    std::vector<FilteredUse> filtered{};
+    std::vector<TableUse> filtered{};
   };
   void drop_identity_lists();
   void begin(In sample);
@@ -85,7 +83,7 @@ class ExponentialHistory final : public History {
   std::vector<Group> groups_;
   std::vector<ExponentialMemory> memories_;  // one a group
   std::vector<Filtered> filters_;
-  std::vector<FilteredMemory> filtered_;  // one a filter
+  std::vector<std::variant<FilteredMemory, WideFilteredMemory>> filtered_;  // one a filter
   std::vector<Sum> sums_;
   Vec first_;          // x_0
   double sign_ = 1.0;  // (-1)^n, n the number of samples

@@ -61,11 +61,16 @@ double start_cost(const WeightTable& table) {
   return zero ? 0.0 : weight_by_formula;
 }
 
-// A step of the filter for each of so many components. Their samples are one column each.
-double filter_step(double length, double components) {
-  const double bytes = 2.0 * length * sizeof(double) * components;
-  if (bytes < 5e5) return 10.0 + 0.05 * length;
-  return bytes < 1e7 ? 13.0 + 0.13 * length : 34.0 + 0.3 * length;
+// A WideFilteredMemory of a table used so often.
+double wide_filter_cost(const WeightTable& table, double uses, double steps, double tolerance) {
+  const double decay = table.family->multistep->decay, longest = steps + 2.0;
+  const double exact = std::min(decay == 0.0 ? 3.0 : std::log(0x1p-54) / std::log(decay), longest);
+  const double lags = std::ceil(exact / block) * block;
+  const double nodes = lags < longest ? exponential_count(longest / lags, tolerance) : 0.0;
+  const double blocks = std::floor(steps / block), multiply_adds = lags + 2.0 * nodes + recent + block / 2;
+  return (lags + block) * (weight_by_recurrence + block) + nodes * node_of_sum +
+         (nodes > 0.0 ? sum_of_exponentials : 0.0) + steps * 60.0 +
+         uses * (25.0 + blocks * block * multiply_adds / 60.0 + steps * 1.5);
 }
 
 // The weights and starts of an ExponentialMemory; those of two parts follow from recurrences.
@@ -109,9 +114,13 @@ double exponentials_cost(const WeightTables& tables, double steps, double tolera
   std::vector<std::tuple<long double, bool, bool>> kernels;
   for (const auto& [whole, uses] : counted(tables)) {
     if (whole.family->smooth_part != nullptr) cost += uses * (25.0 + steps * (components < 5e3 ? 3.0 : 20.0));
+    if (whole.family->filter != nullptr && wide) {
+      cost += wide_filter_cost(whole, uses, steps, tolerance);
+      continue;
+    }
     if (whole.family->filter != nullptr) {
       const auto length = static_cast<double>(whole.family->filter(whole.order).size());
-      cost += length * filter_coefficient + uses * steps * filter_step(length, components);
+      cost += length * filter_coefficient + uses * steps * (10.0 + 0.05 * length);
     }
     for (const auto& table : parts_of(whole)) {
       cost += exact_weights_cost(whole, table, steps);

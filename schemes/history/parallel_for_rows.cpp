@@ -15,7 +15,7 @@ namespace {
 
 constexpr Eigen::Index rows_of_a_part = 2048;         // about ten such columns fit into a cache of 256 KB
 constexpr Eigen::Index fewest_rows_to_share = 16384;  // fewer rows take as long as waking a thread
-constexpr int looks = 400;  // before a thread sleeps: some microseconds
+constexpr int looks = 400;                            // before a thread sleeps: some microseconds
 
 thread_local RowThreads* innermost = nullptr;
 

@@ -10,6 +10,10 @@
 namespace fde {
 namespace {
 
+// How much larger than the entries of a row the numbers may grow in its elimination without pivoting: the
+// error grows by the same factor.
+constexpr double most_growth = 16.0;
+
 constexpr Eigen::Index together = 32;  // modes whose lines and pivots are in the cache together
 
 // Values of some modes, one row a mode.
@@ -60,13 +64,29 @@ FastSineSolver::Lines<Scalar> FastSineSolver::lines(const Stencil<Scalar>& stenc
 }
 
 template <class Scalar>
-bool FastSineSolver::is_stable_for(const Stencil<Scalar>& stencil) const {
-  const auto [diagonals, beside] = lines(stencil);
+bool FastSineSolver::is_dominant(const Lines<Scalar>& lines) {
+  const auto& [diagonals, beside] = lines;
   return std::isfinite(std::abs(beside)) && diagonals.isFinite().all() &&
          (diagonals.abs() >= 2.0 * std::abs(beside)).all() && (diagonals.abs() > 0.0).all();
 }
-template bool FastSineSolver::is_stable_for(const Stencil<double>&) const;
-template bool FastSineSolver::is_stable_for(const Stencil<std::complex<double>>&) const;
+
+bool FastSineSolver::is_stable_for(const Stencil<double>& stencil) const {
+  return is_dominant(lines(stencil));
+}
+
+bool FastSineSolver::is_stable_for(const Stencil<std::complex<double>>& stencil) const {
+  const auto of_lines = lines(stencil);
+  if (is_dominant(of_lines)) return true;
+  const auto& [diagonals, beside] = of_lines;
+  const Eigen::ArrayXd largest = diagonals.abs().max(std::abs(beside));
+  Eigen::ArrayXcd pivots = diagonals;
+  for (Eigen::Index j = 1; j < std::max(n_, m_); ++j) {
+    const Eigen::ArrayXcd eliminated = beside * beside * pivots.inverse();
+    if (!(eliminated.abs() <= most_growth * largest).all()) return false;
+    pivots = diagonals - eliminated;
+  }
+  return (pivots.abs() > 0.0).all();
+}
 
 int FastSineSolver::determinant_sign(const Stencil<double>& stencil) const {
   if (std::max(n_, m_) % 2 == 0) return 1;

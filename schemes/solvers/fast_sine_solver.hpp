@@ -15,9 +15,10 @@ class FastSineSolver {
  public:
   FastSineSolver(Eigen::Index n, Eigen::Index m);
 
-  // Whether the elimination is stable: each tridiagonal matrix is (weakly) diagonally dominant.
-  template <class Scalar>
-  [[nodiscard]] bool is_stable_for(const Stencil<Scalar>& stencil) const;
+  // Whether the elimination is stable: each tridiagonal matrix is (weakly) diagonally dominant or, if it is
+  // complex, has no pivot that is too small.
+  [[nodiscard]] bool is_stable_for(const Stencil<double>& stencil) const;
+  [[nodiscard]] bool is_stable_for(const Stencil<std::complex<double>>& stencil) const;
 
   // The sign of the determinant. Precondition: is_stable_for(stencil).
   [[nodiscard]] int determinant_sign(const Stencil<double>& stencil) const;
@@ -29,6 +30,8 @@ class FastSineSolver {
  private:
   template <class Scalar>
   struct Lines;
+  template <class Scalar>
+  [[nodiscard]] static bool is_dominant(const Lines<Scalar>& lines);
   template <class Scalar>
   [[nodiscard]] Lines<Scalar> lines(const Stencil<Scalar>& stencil) const;
   void forward(Vec& field, Matrix& modes) const;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/decoupled_stage_matrix.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <limits>
 
 namespace fde {
@@ -16,40 +14,15 @@ void DecoupledStageMatrix::factorise(Run& /*run*/, double t, In y, In /*f*/, con
   } else {
     derivatives = &std::get<SparseLinearPart>(problem_.derivatives).matrix;
   }
-  using Square = Eigen::Matrix<double, stages, stages>;
-  const Eigen::EigenSolver<Square> modes(Square(weights.front().transpose()));
-  to_modes_ = modes.eigenvectors();
-  from_modes_ = to_modes_.inverse();
-  const auto& values = modes.eigenvalues();
-  values.imag().cwiseAbs().minCoeff(&real_);
-  values.imag().maxCoeff(&complex_);
-  SparseMatrix matrix(y.size(), y.size());
-  matrix.setIdentity();
-  matrix -= values[real_].real() * *derivatives;
-  matrix.makeCompressed();
-  real_factors_ = sparse_factors(matrix);
-  complex_factors_ = complex_factors(*derivatives, values[complex_]);
+  solvable_ = factors_.factorise(*derivatives, weights.front());
 }
 
 void DecoupledStageMatrix::solve(Vec& b) const {
-  if (!real_factors_ || !complex_factors_) {
+  if (solvable_) {
+    factors_.solve(b);
+  } else {
     b.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return;
   }
-  auto values = b.reshaped(b.size() / stages, stages);
-  Vec real = values * to_modes_.col(real_).real();
-  real_factors_->solve(real);
-  ComplexVec pair(real.size());
-  pair.real() = values * to_modes_.col(complex_).real();
-  pair.imag() = values * to_modes_.col(complex_).imag();
-  complex_factors_->solve(pair);
-  values = real * from_modes_.row(real_).real();
-  values +=
-      2.0 * (pair.real() * from_modes_.row(complex_).real() - pair.imag() * from_modes_.row(complex_).imag());
-}
-
-std::string_view DecoupledStageMatrix::solver() const {
-  return complex_factors_ ? complex_factors_->name() : std::string_view();
 }
 
 }  // namespace fde

@@ -112,7 +112,6 @@ IntegratedEquations::IntegratedEquations(const Problem& problem, const WeightFam
       parts_(chain_sums(problem)),
       tables_(tables(family)),
       history_(make_history(options.history, tables_, step_plan(grid), options.tolerance)),
-      first_samples_(Matrix::Zero(std::ssize(tables_.front()), std::ssize(starting_powers))),
       factors_(Matrix::Zero(std::ssize(parts_), std::ssize(tables_))),
       sums_(std::ssize(tables_.front()), std::ssize(tables_)),
       sample_(sums_.rows()),
@@ -164,21 +163,18 @@ WeightTables IntegratedEquations::tables(const WeightFamily& family) const {
 }
 
 Matrix IntegratedEquations::first_weights_of(const ChainSum& part, Eigen::Index i) const {
-  const auto steps = first_samples_.cols() - 1, sample = part.first + part.chain.size();
-  Matrix weights(steps, steps + 1);
-  for (Eigen::Index n = 1; n <= steps; ++n)
-    weights.row(n - 1) = corrections_[static_cast<std::size_t>(i)].weights(static_cast<int>(n)).row(sample);
-  return weights;
+  const auto& correction = corrections_[static_cast<std::size_t>(i)];
+  return correction.first_weights(
+      correction.tables_of_rows()[static_cast<std::size_t>(part.first + part.chain.size())]);
 }
 
 // The rows of an equation satisfy A D^v d = kappa_v Omega_v f - (the integrals of D^v T) at all first
 // steps together, A = 1 + sum_k c_k/a kappa_k Omega_k, and D^v d = 0 at t = 0.
 std::optional<StartingEquations> IntegratedEquations::first_equations() {
   if (!compute_factors(1)) return std::nullopt;
-  const auto steps = first_samples_.cols() - 1;
+  const auto steps = corrections_.front().count() - 1;
   StartingEquations equations{
-      std::vector<Matrix>(static_cast<std::size_t>(steps), Matrix(known_.size(), steps + 1)),
-      Matrix(known_.size(), steps)};
+      {}, std::vector<std::size_t>(static_cast<std::size_t>(known_.size())), Matrix(known_.size(), steps)};
   Matrix taylor_columns(known_.size(), steps);
   for (Eigen::Index n = 1; n <= steps; ++n) {
     update_taylor_part(grid_.time(static_cast<int>(n)));
@@ -198,9 +194,8 @@ std::optional<StartingEquations> IntegratedEquations::first_equations() {
     for (Eigen::Index i = 0; i < part.chain.size(); ++i) {
       const auto row = part.chain.first_row() + i;
       equations.known.row(row) -= factorised.solve(taylor_columns.row(row).transpose()).transpose();
-      const Matrix of_row = factorised.solve(weights[static_cast<std::size_t>(i)]);
-      for (Eigen::Index n = 0; n < steps; ++n)
-        equations.weights[static_cast<std::size_t>(n)].row(row) = of_row.row(n);
+      equations.of_row[static_cast<std::size_t>(row)] = equations.weights.size();
+      equations.weights.emplace_back(factorised.solve(weights[static_cast<std::size_t>(i)]));
     }
   }
   return equations;
@@ -224,10 +219,7 @@ void IntegratedEquations::push(double t, In y, In f) {
     sample_[first + rows] = f[chain.first_row()];
   }
   history_->push(t, sample_);
-  if (pushed_ == first_samples_.cols()) return;
-  first_samples_.col(pushed_++) = sample_;
-  if (pushed_ < first_samples_.cols()) return;
-  for (auto& correction : corrections_) correction.start(first_samples_);
+  for (auto& correction : corrections_) correction.push(sample_);
 }
 
 bool IntegratedEquations::prepare_step(int n) {
@@ -270,8 +262,7 @@ bool IntegratedEquations::compute_factors(int n) {
 }
 
 void IntegratedEquations::state(Archive& archive) {
-  archive(history_, corrections_, first_samples_, factors_, kappa_);
-  archive.count(pushed_, 0, first_samples_.cols());
+  archive(history_, corrections_, factors_, kappa_);
   for (auto& part : parts_) archive(part.denominator);
 }
 

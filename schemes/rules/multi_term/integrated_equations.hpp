@@ -87,8 +87,6 @@ class IntegratedEquations {
   WeightTables tables_;  // of each sum; the order of the i-th is L - node i
   std::unique_ptr<History> history_;
   std::vector<StartingCorrection> corrections_;  // of each sum; empty: no starting weights
-  Matrix first_samples_;                         // those with starting weights, one column a step
-  Eigen::Index pushed_ = 0;                      // number of columns set
   Matrix factors_;      // weights of the newest sample, a row an equation, a column a sum
   Matrix sums_;         // one column a sum
   double time_ = -1.0;  // time of taylor_derivatives_ and taylor_integrals_

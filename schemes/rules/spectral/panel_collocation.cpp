@@ -134,8 +134,8 @@ std::unique_ptr<MemoryBlock> PanelCollocation::accept_panel(const TimeBlock& blo
                                                             PanelValues solved) {
   const auto& rule = solution_->rule;
   solver_.accept_panel(solved);
-  last_unknowns_ = solved.unknowns.transpose() * rule.at_end;
-  sides_ = switch_signs(problem_, task.times[rule.size() - 1], solved.rows.transpose() * rule.at_end);
+  last_unknowns_ = solved.unknowns.bottomRows<1>().transpose();
+  sides_ = switch_signs(problem_, task.times[rule.size() - 1], solved.rows.bottomRows<1>().transpose());
   auto panel =
       std::make_unique<MemoryBlock>(MemoryBlock{.block = block,
                                                 .coefficients = rule.to_coefficients * solved.unknowns,
@@ -151,10 +151,8 @@ bool PanelCollocation::contains_switch(const TimeBlock& panel, const PanelSystem
                                        const Matrix& rows) const {
   if (problem_.switching_functions.empty()) return false;
   const Eigen::Index places = rows.rows();
-  const Vec at_end = rows.transpose() * solution_->rule.at_end;
   const auto begun =
       panel.from > 0.0 ? sides_ : switch_signs(problem_, task.times[0], rows.row(0).transpose());
-  if (switch_signs(problem_, task.times[places - 1], at_end) != begun) return true;
   for (Eigen::Index j = 0; j < places; ++j) {
     if (switch_signs(problem_, task.times[j], rows.row(j).transpose()) != begun) return true;
   }
@@ -173,7 +171,7 @@ std::unique_ptr<MemoryBlock> PanelCollocation::step_over_switch(const TimeBlock&
   if (problem_.switching_functions.empty() || block.length() > located * t) return nullptr;
   PanelValues followed{guess_on(task), {}};
   solver_.integrate(task, followed);
-  if (switch_signs(problem_, t, followed.rows.transpose() * solution_->rule.at_end) == sides_) return nullptr;
+  if (switch_signs(problem_, t, followed.rows.bottomRows<1>().transpose()) == sides_) return nullptr;
   returns_to_switch_ = t - last_switch_time_ <= at_once * t ? returns_to_switch_ + 1 : 0;
   if ((block.from == 0.0 && last_switch_time_ == block.segment->start) || returns_to_switch_ > most_returns) {
     run_.fail(SolveStatus::sliding, t);

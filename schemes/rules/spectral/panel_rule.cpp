@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/panel_rule.hpp"
 
-#include <Eigen/LU>
-#include <boost/math/special_functions/legendre.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
-#include <cstdint>
+#include <cmath>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <utility>
 
 #include "fdebench/schemes/stepping/setup_time.hpp"
@@ -14,81 +12,98 @@
 namespace fde {
 namespace {
 
-// The matrices that all panels use are computed with more digits.
-using Wide = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+// The points and the coefficients of polynomials are computed with more digits.
+using Real = long double;
+using WideVec = Eigen::Vector<Real, Eigen::Dynamic>;
 
 template <class Points>
 auto legendre(const Points& points, Eigen::Index count) {
-  using Real = typename Points::Scalar;
-  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> p(points.size(), count);
+  using Number = typename Points::Scalar;
+  Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> p(points.size(), count);
   p.col(0).setOnes();
   if (count > 1) p.col(1) = points;
   for (Eigen::Index l = 1; l + 1 < count; ++l) {
-    const auto degree = static_cast<Real>(l);
-    p.col(l + 1) = ((2 * degree + 1) * points.cwiseProduct(p.col(l)) - degree * p.col(l - 1)) / (degree + 1);
+    const auto degree = static_cast<Number>(l);
+    p.col(l + 1) = (2 * degree + 1) / (degree + 1) * points.cwiseProduct(p.col(l)) -
+                   degree / (degree + 1) * p.col(l - 1);
   }
   return p;
 }
 
-// The zeros of P_n, increasing; boost returns those that are not negative.
-Vec gauss_points(Eigen::Index count) {
-  const auto zeros = boost::math::legendre_p_zeros<double>(static_cast<int>(count));
-  Vec places(count);
-  for (std::size_t i = 0; i < zeros.size(); ++i) {
-    const auto from_middle = static_cast<Eigen::Index>(zeros.size() - 1 - i);
-    places[count - 1 - from_middle] = zeros[i];
-    places[from_middle] = -zeros[i];
-  }
-  return places;
+// A step of Newton's method to the zeros of P_n - P_(n-1), whose slope is n (P_n + P_(n-1)) / (1 + x).
+template <class Points>
+void improve_radau_points(Points& x) {
+  const auto count = x.size();
+  const auto p = legendre(x, count + 1);
+  const auto highest = p.col(count).array(), lower = p.col(count - 1).array();
+  x.array() -=
+      (1 + x.array()) * (highest - lower) / (static_cast<typename Points::Scalar>(count) * (highest + lower));
 }
 
-// The zeros of P_n - P_(n-1), increasing: one between any two of P_n, and 1.
-Vec radau_points(Eigen::Index count) {
-  const auto degree = static_cast<int>(count);
-  const auto radau = [degree](double x) {
-    return boost::math::legendre_p(degree, x) - boost::math::legendre_p(degree - 1, x);
-  };
-  const Vec between = gauss_points(count);
-  Vec places = Vec::Ones(count);
-  for (Eigen::Index i = 0; i + 1 < count; ++i) {
-    std::uintmax_t evaluations = 100;
-    const auto [below, above] = boost::math::tools::toms748_solve(
-        radau, between[i], between[i + 1], boost::math::tools::eps_tolerance<double>(), evaluations);
-    places[i] = (below + above) / 2.0;
-  }
-  return places;
-}
-
-Vec gauss_weights(const Vec& places) {
-  const auto count = static_cast<int>(places.size());
-  return places.unaryExpr([count](double x) {
-    const double slope = boost::math::legendre_p_prime(count, x);
-    return 2.0 / ((1.0 - x * x) * slope * slope);
+// Increasing. They are near the cosines of (k + 1/4) pi / n, but for the last, which is 1.
+WideVec radau_points(Eigen::Index count) {
+  constexpr int steps = 4;  // to rounding; each squares the error
+  Vec rounded = Vec::NullaryExpr(count, [&](Eigen::Index i) {
+    const auto from_end = static_cast<double>(count - 1 - i);
+    return from_end == 0.0 ? 1.0
+                           : std::cos((from_end + 0.25) * std::numbers::pi / static_cast<double>(count));
   });
+  for (int step = 0; step < steps; ++step) improve_radau_points(rounded);
+  WideVec points = rounded.cast<Real>();
+  improve_radau_points(points);
+  return points;
+}
+
+// The values at other places of the polynomial through values at the points, one row a place: in barycentric
+// form, to rounding (Berrut & Trefethen, SIAM Rev. 46 (2004)).
+Matrix interpolation(const Vec& points, const Vec& factors, const Vec& places) {
+  Matrix rows(places.size(), points.size());
+  for (Eigen::Index i = 0; i < points.size(); ++i) rows.col(i) = factors[i] / (places.array() - points[i]);
+  const Vec sums = rows.rowwise().sum();
+  for (Eigen::Index i = 0; i < points.size(); ++i)
+    rows.col(i) = (places.array() == points[i]).select(1.0, rows.col(i).cwiseQuotient(sums));
+  return rows;
+}
+
+// The P_l((y - 1) / 2), one column each, as sums of the P_m(y): the recurrence in l, with that in m for
+// products with y.
+Matrix on_older_half(Eigen::Index count) {
+  const Eigen::ArrayXd degrees = Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1));
+  const Vec raised = ((degrees + 1.0) / (2.0 * degrees + 1.0)).head(count - 1);  // y P_m in P_(m+1)
+  const Vec lowered = (degrees / (2.0 * degrees + 1.0)).tail(count - 1);         // and in P_(m-1)
+  Matrix columns = Matrix::Identity(count, count);
+  for (Eigen::Index l = 0; l + 1 < count; ++l) {
+    auto next = columns.col(l + 1);
+    next = -columns.col(l);
+    next.tail(count - 1) += raised.cwiseProduct(columns.col(l).head(count - 1));
+    next.head(count - 1) += lowered.cwiseProduct(columns.col(l).tail(count - 1));
+    next *= (degrees[l] + 0.5) / (degrees[l] + 1.0);
+    if (l > 0) next -= degrees[l] / (degrees[l] + 1.0) * columns.col(l - 1);
+  }
+  return columns;
 }
 
 }  // namespace
 
 Matrix legendre_polynomials(const Vec& points, Eigen::Index count) { return legendre(points, count); }
 
-PanelRule::PanelRule(Eigen::Index count) : points(radau_points(count)) {
-  const auto at = [count](const Wide& x) { return legendre(Wide(x).col(0).eval(), count); };
-  const auto older = [](const Wide& x) { return Wide((x.array() - 1) / 2); };
-  const auto newer = [](const Wide& x) { return Wide((x.array() + 1) / 2); };
-  const Wide x = points.cast<long double>();
-  const Wide coefficients = at(x).inverse();
-  to_coefficients = coefficients.cast<double>();
-  at_end = coefficients.colwise().sum().transpose().cast<double>();
-  at_start = (at(Wide::Constant(1, 1, -1)) * coefficients).transpose().cast<double>();
-  to_older_half = (at(older(x)) * coefficients).cast<double>();
-  to_newer_half = (at(newer(x)) * coefficients).cast<double>();
-  const Vec norms = Vec::LinSpaced(count, 0.5, static_cast<double>(count) - 0.5);  // 1 / int P_l^2
-  const Vec gauss = gauss_points(count);
-  const Wide inner = gauss.cast<long double>();
-  const Wide weighted = gauss_weights(gauss).cast<long double>().asDiagonal() * at(inner);
-  const Wide half_norms = (norms / 2).cast<long double>().asDiagonal();
-  from_older = (half_norms * at(older(inner)).transpose() * weighted).cast<double>();
-  from_newer = (half_norms * at(newer(inner)).transpose() * weighted).cast<double>();
+PanelRule::PanelRule(Eigen::Index count) {
+  const WideVec x = radau_points(count), one_plus = 1 + x.array();
+  points = x.cast<double>();
+  const auto p = legendre(x, count);
+  const WideVec highest = static_cast<Real>(count) * p.col(count - 1);
+  // Radau quadrature is exact for products of the polynomials, so they are orthogonal at the points.
+  const WideVec weights = one_plus.array() / highest.array().square();
+  const WideVec norms = WideVec::LinSpaced(count, 0.5L, static_cast<Real>(count) - 0.5L);  // 1 / int P_l^2
+  to_coefficients = (norms.asDiagonal() * p.transpose() * weights.asDiagonal()).template cast<double>();
+  at_start = ((count % 2 == 0 ? -1 : 1) / highest.array()).cast<double>();
+  const Vec factors = one_plus.cwiseQuotient(highest).cast<double>();
+  to_older_half = interpolation(points, factors, (points.array() - 1.0) / 2.0);
+  to_newer_half = interpolation(points, factors, (points.array() + 1.0) / 2.0);
+  const Vec per_norm = norms.cwiseInverse().cast<double>() / 2.0;
+  from_older = norms.cast<double>().asDiagonal() * on_older_half(count).transpose() * per_norm.asDiagonal();
+  const Vec signs = Vec::NullaryExpr(count, [](Eigen::Index l) { return l % 2 == 0 ? 1.0 : -1.0; });
+  from_newer = signs.asDiagonal() * from_older * signs.asDiagonal();
 }
 
 const PanelRule& panel_rule(Eigen::Index points) {

@@ -24,7 +24,7 @@ struct PanelRule {
 
   Vec points;              // increasing
   Matrix to_coefficients;  // from values; exact for polynomials of degree size() - 1
-  Vec at_start, at_end;    // weights of the values in the polynomial's value at -1 and at 1
+  Vec at_start;            // weights of the values in the polynomial's value at -1
   // Values at the points of each half from values at the points of a block.
   Matrix to_older_half, to_newer_half;
   // Coefficients of the least-squares fit on a block: the sum of the contributions of its halves.

@@ -20,10 +20,12 @@ namespace {
 StartingEquations first_equations(const Problem& problem, const Grid& grid, const Vec& kappa,
                                   const StartingCorrection& correction, int steps) {
   const TaylorPart taylor(problem);
-  StartingEquations equations{{}, Matrix(problem.size(), steps)};
-  for (int n = 1; n <= steps; ++n) {
-    taylor.at(grid.time(n), equations.known.col(n - 1));
-    equations.weights.emplace_back(kappa.asDiagonal() * correction.weights(n));
+  StartingEquations equations{{}, correction.tables_of_rows(), Matrix(problem.size(), steps)};
+  for (int n = 1; n <= steps; ++n) taylor.at(grid.time(n), equations.known.col(n - 1));
+  for (std::size_t i = 0; i < equations.of_row.size(); ++i) {
+    if (equations.of_row[i] < equations.weights.size()) continue;
+    const double factor = kappa[static_cast<Eigen::Index>(i)];
+    equations.weights.emplace_back(factor * correction.first_weights(equations.of_row[i]));
   }
   return equations;
 }
@@ -35,22 +37,26 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   const auto of_rows = weight_tables(problem, family);
   const Vec kappa = StepFactors(of_rows).at(grid.step());
   StartingCorrection correction(of_rows, powers, grid.steps);
-  const auto history = make_history(options.history, {of_rows}, step_plan(grid), options.tolerance);
   const TaylorPart taylor(problem);
   NewtonSolver newton(problem, options.tolerance);
   Run run(problem, options, grid.steps);
-  run.cost().history_bytes = history->bytes() + correction.bytes();
   run.cost().history = name(history->kind());
   run.cost().starting_weights = first_steps + 1;
 
   Matrix first;
   Vec y = run.start(), known(y.size()), convolved(y.size());
-  Matrix starts = Matrix::Zero(y.size(), first_steps + 1);  // f_0 ... f_(s-1)
   double t = 0.0;
   int n = 1;
+  // Made after the first steps, whose work space is then free again.
+  std::unique_ptr<History> history;
+  const auto begin_history = [&] {
+    history = make_history(options.history, {of_rows}, step_plan(grid), options.tolerance);
+    run.cost().history_bytes = history->bytes() + correction.bytes();
+  };
   const StateArchiver state = [&](Archive& archive) {
+    if (!history) begin_history();
     archive.count(n, 1, grid.steps);
-    archive(t, y, starts, *history, correction, newton);
+    archive(t, y, *history, correction, newton);
     archive.resizable(first);
   };
   if (!run.resume_from_checkpoint(state) && first_steps > 0) {
@@ -66,15 +72,16 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
       return run.finish();
     }
   }
+  if (!history) begin_history();
   for (; n <= grid.steps; ++n) {
     run.offer_checkpoint(state);
     const Vec& f = run.rhs(t, y);
     history->push(t, f);
-    if (n <= first_steps + 1) starts.col(n - 1) = f;
-    if (n == first_steps + 1) correction.start(starts);
+    correction.push(f);
     t = grid.time(n);
     if (n <= first_steps) {
       y = first.col(n - 1);
+      if (n == first_steps) first.resize(0, 0);
     } else {
       history->convolve(t, 0, convolved);
       correction.add(n, convolved);
@@ -88,6 +95,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
     }
     if (!run.accept(t, y)) break;
   }
+  run.cost().linear_solver = newton.linear_solver();
   return run.finish();
 }
 

@@ -3,19 +3,16 @@
 
 #include <algorithm>
 
+#include "fdebench/schemes/problem/componentwise.hpp"
+
 namespace fde {
 namespace {
 
-// sum_k coefficients[k] T_k(x), by Clenshaw's recurrence.
-template <class Values>
-Values chebyshev_sum(const double* coefficients, Eigen::Index count, const Values& x) {
-  Values next = Values::Zero(), after = Values::Zero();
-  for (Eigen::Index k = count - 1; k > 0; --k) {
-    const Values value = coefficients[k] + 2.0 * x * next - after;
-    after = next;
-    next = value;
-  }
-  return coefficients[0] + x * next - after;
+// From this number of rows with one table on, weights are computed first and then applied to all rows.
+constexpr std::size_t many = 64;
+
+Eigen::Index to_lanes(std::size_t count) {
+  return (static_cast<Eigen::Index>(count) + lanes - 1) / lanes * lanes;
 }
 
 }  // namespace
@@ -31,69 +28,94 @@ StartingCorrection::StartingCorrection(const std::vector<WeightTable>& tables,
     row_.push_back(static_cast<std::size_t>(found - tables_.begin()));
   }
   near_ = static_cast<int>(of_orders_.front()->tabulated.rows());
-  sums_.setZero(block, std::ssize(tables));
+  one_column_a_row_ = tables_.size() > 1 || tables.size() < many;
+  f_.setZero(to_lanes(tables.size()), std::ssize(powers));
+  sums_.setZero(f_.rows(), block);
 }
 
-Matrix StartingCorrection::weights(int n) const {
-  Matrix all(std::ssize(row_), of_orders_.front()->tabulated.cols());
-  for (Eigen::Index i = 0; i < all.rows(); ++i) {
-    all.row(i) = of_row(i).tabulated.row(n - 1);
-    all.row(i).head(n) += first_weights(tables_[row_[static_cast<std::size_t>(i)]], n).reverse().transpose();
-    all(i, n) += 1.0;
+Matrix StartingCorrection::first_weights(std::size_t table) const {
+  const auto& tabulated = of_orders_[table]->tabulated;
+  const Eigen::Index steps = tabulated.cols() - 1;
+  Matrix all = tabulated.topRows(steps);
+  for (Eigen::Index n = 1; n <= steps; ++n) {
+    all.row(n - 1).head(n) += fde::first_weights(tables_[table], n).reverse().transpose();
+    all(n - 1, n) += 1.0;
   }
   return all;
 }
 
-void StartingCorrection::start(const Matrix& f) { f_ = f.transpose(); }
+void StartingCorrection::push(In f) {
+  if (pushed_ < count()) f_.col(pushed_++).head(rows()) = f;
+}
 
 void StartingCorrection::add(int n, Out sums) {
-  const int first = (n - 1) / block * block + 1;
+  const int first = n - static_cast<int>((n - 1) % block);
   if (first != first_) compute_block(first);
-  sums += sums_.row(n - first).transpose();
+  const double* const of_step = sums_.col(n - first).data();
+  for_each_component(rows(), [&](Eigen::Index i) { sums[i] += of_step[i]; });
 }
 
 void StartingCorrection::compute_block(int n) {
   first_ = n;
-  if (n <= near_) {
-    for (Eigen::Index i = 0; i < sums_.cols(); ++i)
-      sums_.col(i) = of_row(i).tabulated.middleRows(n - 1, block) * f_.col(i);
-    return;
-  }
-  std::size_t piece = 0;
-  double begin = near_;
-  for (; 2.0 * begin < n; begin *= 2.0) ++piece;
-  if (begin != begin_) {
-    begin_ = begin;
-    load_piece(piece);
-  }
-  const Block steps = Block::LinSpaced(n, n + block - 1);
-  const Block x = 2.0 * (steps - begin) / begin - 1.0;
-  for (Eigen::Index i = 0; i < sums_.cols(); ++i) {
-    Block values = chebyshev_sum(smooth_.col(i).data(), smooth_.rows(), x);
-    if (alternating_.size() > 0) {
-      Block other = chebyshev_sum(alternating_.col(i).data(), alternating_.rows(), x);
-      for (int k = 0; k < block; ++k) values[k] += (n + k) % 2 == 0 ? other[k] : -other[k];
-    }
-    sums_.col(i) = values.matrix();
+  if (n > near_) load_piece(n);
+  if (one_column_a_row_ && n <= near_) {
+    for (Eigen::Index i = 0; i < rows(); ++i)
+      sums_.row(i) = (tabulated(of_row(i), n) * f_.row(i).transpose()).transpose();
+  } else if (one_column_a_row_) {
+    sums_.topRows(rows()) = values(coefficients_, n).transpose();
+  } else {
+    const Matrix weights =
+        (n <= near_ ? tabulated(*of_orders_.front(), n) : values(coefficients_, n)).transpose();
+    sums_.setZero();
+    multiply_add(f_.rows(), count(), block, f_, weights, sums_);
   }
 }
 
-void StartingCorrection::load_piece(std::size_t piece) {
-  const auto rows = sums_.cols();
-  const auto& any = of_row(0).pieces[piece].smooth;
-  smooth_.resize(any.rows(), rows);
+Matrix StartingCorrection::tabulated(const StartingWeights& weights, int n) {
+  return weights.tabulated.middleRows(n - 1, block);
+}
+
+Matrix StartingCorrection::values(const ChebyshevPiece& coefficients, int n) const {
+  const Eigen::Index degrees = coefficients.smooth.rows(), columns = coefficients.smooth.cols();
+  const Vec x = 2.0 * (Vec::LinSpaced(block, n, n + block - 1).array() - begin_) / begin_ - 1.0;
+  Matrix polynomials(block, degrees);
+  polynomials.col(0).setOnes();
+  polynomials.col(1) = x;
+  for (Eigen::Index k = 2; k < degrees; ++k)
+    polynomials.col(k) = 2.0 * x.cwiseProduct(polynomials.col(k - 1)) - polynomials.col(k - 2);
+  Matrix sums = Matrix::Zero(block, columns);
+  multiply_add(block, degrees, columns, polynomials, coefficients.smooth, sums);
+  if (coefficients.alternating.size() > 0) {
+    for (Eigen::Index k = 0; k < block; ++k) {
+      if ((n + k) % 2 != 0) polynomials.row(k) *= -1.0;
+    }
+    multiply_add(block, degrees, columns, polynomials, coefficients.alternating, sums);
+  }
+  return sums;
+}
+
+// Loads the coefficients of the piece with step n > near_.
+void StartingCorrection::load_piece(double n) {
+  std::size_t piece = 0;
+  double begin = near_;
+  for (; 2.0 * begin < n; begin *= 2.0) ++piece;
+  if (begin == begin_) return;
+  begin_ = begin;
+  coefficients_ = of_orders_.front()->pieces[piece];
+  if (!one_column_a_row_) return;
   const bool alternates = std::ranges::any_of(
       of_orders_, [&](const auto& weights) { return weights->pieces[piece].alternating.size() > 0; });
-  if (alternates) alternating_.setZero(any.rows(), rows);
-  for (Eigen::Index i = 0; i < rows; ++i) {
+  coefficients_.smooth.resize(coefficients_.smooth.rows(), rows());
+  coefficients_.alternating.setZero(alternates ? coefficients_.smooth.rows() : 0, rows());
+  for (Eigen::Index i = 0; i < rows(); ++i) {
     const auto& of = of_row(i).pieces[piece];
-    smooth_.col(i) = of.smooth * f_.col(i);
-    if (of.alternating.size() > 0) alternating_.col(i) = of.alternating * f_.col(i);
+    coefficients_.smooth.col(i) = of.smooth * f_.row(i).transpose();
+    if (of.alternating.size() > 0) coefficients_.alternating.col(i) = of.alternating * f_.row(i).transpose();
   }
 }
 
 std::size_t StartingCorrection::bytes() const {
-  auto doubles = f_.size() + smooth_.size() + alternating_.size() + sums_.size();
+  auto doubles = f_.size() + coefficients_.smooth.size() + coefficients_.alternating.size() + sums_.size();
   for (const auto& weights : of_orders_) {
     doubles += weights->tabulated.size();
     for (const auto& piece : weights->pieces) doubles += piece.smooth.size() + piece.alternating.size();
@@ -102,7 +124,8 @@ std::size_t StartingCorrection::bytes() const {
 }
 
 void StartingCorrection::state(Archive& archive) {
-  archive.resizable(f_);
+  archive(f_);
+  archive.count(pushed_, 0, count());
   first_ = 0;
   begin_ = 0.0;
 }

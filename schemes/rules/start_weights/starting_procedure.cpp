@@ -5,8 +5,10 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <utility>
+
+#include "fdebench/schemes/solvers/gmres.hpp"
 
 namespace fde {
 
@@ -19,26 +21,72 @@ StartingProcedure::StartingProcedure(const Problem& problem, const Grid& grid, S
       first_order_(std::move(first_order)) {}
 
 Matrix StartingProcedure::solve(Run& run, double tolerance, SolveStatus& ending) const {
-  Vec guess = equations_.known.reshaped(), known = guess;
+  Vec y = equations_.known.reshaped(), known = y;
   const Vec f = run.rhs(0.0, run.start());
-  for (Eigen::Index n = 1; n <= steps(); ++n) step(known, n) += of(n).col(0).cwiseProduct(f);
-  ending = take_first_order_steps(run, tolerance, guess);
+  for (Eigen::Index n = 1; n <= steps(); ++n) step(known, n) += weights(n, 0).cwiseProduct(f);
+  ending = take_first_order_steps(run, tolerance, y);
   if (ending != SolveStatus::finished) return {};
-  const Problem block = as_single_step_problem(guess);
-  Vec y = guess;
-  if (is_linear(problem_)) {
-    ending = solve_linear(known, y) ? SolveStatus::finished : SolveStatus::not_converged;
+  const Vec guess = y;
+  auto found = has_sylvester_form() ? iterate_decoupled(run, tolerance, known, y) : std::nullopt;
+  if (!found) {
+    y = guess;
+    found = is_linear(problem_) ? solve_linear(run, known, y) : solve_by_newton(run, tolerance, known, y);
+  }
+  ending = *found;
+  if (ending == SolveStatus::finished && !is_linear(problem_) && !is_near_guess(y, guess, run.start()))
+    ending = SolveStatus::not_converged;
+  return ending == SolveStatus::finished ? Matrix(y.reshaped(size_, steps())) : Matrix();
+}
+
+SolveStatus StartingProcedure::solve_by_newton(Run& run, double tolerance, const Vec& known, Vec& y) const {
+  const Problem block = as_single_step_problem(y);
+  Run once(block, {});
+  const auto ending = NewtonSolver(block, tolerance).solve(once, {0.0, Vec::Ones(block.size()), known}, y);
+  *run.cost().rhs_calls += steps() * *once.cost().rhs_calls;
+  *run.cost().newton_iterations += steps() * *once.cost().newton_iterations;
+  return ending;
+}
+
+std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double tolerance, const Vec& known,
+                                                                Vec& y) const {
+  constexpr double stagnation = 1e-10;  // smaller increments may have stopped shrinking because of rounding
+  constexpr int most_iterations = 20, few_setbacks = 3;
+  const SparseMatrix middle = sparse_jacobian(y, (steps() + 1) / 2);
+  SylvesterFactors factors;
+  if (!factors.factorise(middle, equations_.weights.front().rightCols(steps()))) return std::nullopt;
+  double last = std::numeric_limits<double>::infinity();
+  int setbacks = 0;
+  for (int iteration = 1; iteration <= most_iterations && setbacks < few_setbacks; ++iteration) {
+    Vec increment = residual(known, y);
+    factors.solve(increment);
+    if (!is_linear(problem_)) increment = with_all_jacobians(factors, y, increment);
+    y += increment;
     *run.cost().rhs_calls += steps();
     *run.cost().newton_iterations += steps();
-  } else {
-    Run once(block, {});
-    ending = NewtonSolver(block, tolerance).solve(once, {0.0, Vec::Ones(block.size()), known}, y);
-    *run.cost().rhs_calls += steps() * *once.cost().rhs_calls;
-    *run.cost().newton_iterations += steps() * *once.cost().newton_iterations;
-    if (ending == SolveStatus::finished && !is_near_guess(y, guess, run.start()))
-      ending = SolveStatus::not_converged;
+    if (is_linear(problem_) && iteration == 2) return SolveStatus::finished;
+    const double now = increment.lpNorm<Eigen::Infinity>() / y.lpNorm<Eigen::Infinity>();
+    if (now <= tolerance || (now <= stagnation && now > last / 2))
+      return factors.determinant_sign() < 0 ? SolveStatus::step_too_large : SolveStatus::finished;
+    if (!(now < last)) ++setbacks;
+    last = now;
   }
-  return ending == SolveStatus::finished ? Matrix(y.reshaped(size_, steps())) : Matrix();
+  return std::nullopt;
+}
+
+Vec StartingProcedure::with_all_jacobians(const SylvesterFactors& factors, const Vec& y, const Vec& b) const {
+  constexpr double accuracy = 1e-3;
+  std::vector<SparseMatrix> jacobians;
+  for (Eigen::Index j = 1; j <= steps(); ++j) jacobians.push_back(sparse_jacobian(y, j));
+  const auto apply = [&](const Vec& x) {
+    Vec rest = x;
+    for (Eigen::Index j = 1; j <= steps(); ++j) {
+      const Vec of_step = jacobians[static_cast<std::size_t>(j - 1)] * step(x, j);
+      for (Eigen::Index n = 1; n <= steps(); ++n) step(rest, n) -= weights(n, j).cwiseProduct(of_step);
+    }
+    factors.solve(rest);
+    return rest;
+  };
+  return gmres(apply, b, accuracy, max_krylov_vectors(b.size()));
 }
 
 bool StartingProcedure::is_near_guess(In y, In guess, In start) const {
@@ -68,10 +116,14 @@ SolveStatus StartingProcedure::take_first_order_steps(Run& run, double tolerance
   return path.status;
 }
 
-bool StartingProcedure::solve_linear(const Vec& known, Vec& y) const {
-  Vec rest(y.size());
-  evaluate(y, rest);
-  rest += known - y;
+bool StartingProcedure::has_sylvester_form() const {
+  return equations_.weights.size() == 1 && has_sparse_jacobian(problem_);
+}
+
+SolveStatus StartingProcedure::solve_linear(Run& run, const Vec& known, Vec& y) const {
+  const Vec rest = residual(known, y);
+  *run.cost().rhs_calls += steps();
+  *run.cost().newton_iterations += steps();
   if (has_sparse_jacobian(problem_)) {
     SparseMatrix matrix(y.size(), y.size()), identity(y.size(), y.size());
     differentiate_sparse(y, matrix);
@@ -79,14 +131,14 @@ bool StartingProcedure::solve_linear(const Vec& known, Vec& y) const {
     matrix = identity - matrix;
     matrix.makeCompressed();
     const Eigen::SparseLU<SparseMatrix> factors(matrix);
-    if (factors.info() != Eigen::Success) return false;
+    if (factors.info() != Eigen::Success) return SolveStatus::not_converged;
     y += factors.solve(rest);
   } else {
     Matrix matrix(y.size(), y.size());
     differentiate(y, matrix);
     y += (Matrix::Identity(y.size(), y.size()) - matrix).partialPivLu().solve(rest);
   }
-  return y.allFinite();
+  return y.allFinite() ? SolveStatus::finished : SolveStatus::not_converged;
 }
 
 Problem StartingProcedure::as_single_step_problem(const Vec& guess) const {
@@ -110,8 +162,15 @@ void StartingProcedure::evaluate(In y, Out f) const {
   f.setZero();
   for (Eigen::Index j = 1; j <= steps(); ++j) {
     problem_.rhs(time(j), step(y, j), of_step);
-    for (Eigen::Index n = 1; n <= steps(); ++n) step(f, n) += of(n).col(j).cwiseProduct(of_step);
+    for (Eigen::Index n = 1; n <= steps(); ++n) step(f, n) += weights(n, j).cwiseProduct(of_step);
   }
+}
+
+Vec StartingProcedure::residual(const Vec& known, const Vec& y) const {
+  Vec rest(y.size());
+  evaluate(y, rest);
+  rest += known - y;
+  return rest;
 }
 
 void StartingProcedure::differentiate(In y, OutMatrix jacobian) const {
@@ -119,24 +178,26 @@ void StartingProcedure::differentiate(In y, OutMatrix jacobian) const {
   for (Eigen::Index j = 1; j <= steps(); ++j) {
     evaluate_jacobian(problem_, time(j), step(y, j), of_step);
     for (Eigen::Index n = 1; n <= steps(); ++n)
-      jacobian.block((n - 1) * size_, (j - 1) * size_, size_, size_) = of(n).col(j).asDiagonal() * of_step;
+      jacobian.block((n - 1) * size_, (j - 1) * size_, size_, size_) = weights(n, j).asDiagonal() * of_step;
   }
+}
+
+SparseMatrix StartingProcedure::sparse_jacobian(In y, Eigen::Index j) const {
+  if (const auto* part = std::get_if<SparseLinearPart>(&problem_.derivatives)) return part->matrix;
+  SparseMatrix jacobian(size_, size_);
+  std::get<SparseJacobian>(problem_.derivatives).at(time(j), step(y, j), jacobian);
+  return jacobian;
 }
 
 void StartingProcedure::differentiate_sparse(In y, SparseMatrix& jacobian) const {
   std::vector<Eigen::Triplet<double>> entries;
-  SparseMatrix of_step(size_, size_);
   for (Eigen::Index j = 1; j <= steps(); ++j) {
-    if (const auto* part = std::get_if<SparseLinearPart>(&problem_.derivatives)) {
-      of_step = part->matrix;
-    } else {
-      std::get<SparseJacobian>(problem_.derivatives).at(time(j), step(y, j), of_step);
-    }
+    const SparseMatrix of_step = sparse_jacobian(y, j);
     for (Eigen::Index column = 0; column < of_step.outerSize(); ++column) {
       for (SparseMatrix::InnerIterator entry(of_step, column); entry; ++entry) {
         for (Eigen::Index n = 1; n <= steps(); ++n) {
           entries.emplace_back((n - 1) * size_ + entry.row(), (j - 1) * size_ + entry.col(),
-                               of(n)(entry.row(), j) * entry.value());
+                               weights(n, j)[entry.row()] * entry.value());
         }
       }
     }

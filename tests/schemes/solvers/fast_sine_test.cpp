@@ -156,17 +156,22 @@ INSTANTIATE_TEST_SUITE_P(
                                           [](double, double) { return 0.0; })}),
     [](const auto& test) { return test.param.method; });
 
+// The matrices 1 - factor A have dominant diagonals for the first factor only; with the others 1 is between
+// the eigenvalues of the real part.
 TEST_P(ComplexMatrixOf, IsSolvedAsByDenseElimination) {
   const auto& [method, matrix] = GetParam();
-  const Complex factor(-0.5, -0.24);
-  const auto factors = complex_factors(matrix, factor);
-  ASSERT_EQ(factors->name(), method);
-  const ComplexMatrix dense =
-      ComplexMatrix::Identity(matrix.rows(), matrix.rows()) - factor * Matrix(matrix).cast<Complex>();
-  ComplexVec b = rough(matrix.rows()).cast<Complex>() * Complex(1.0, 0.5);
-  const ComplexVec expected = dense.partialPivLu().solve(b);
-  factors->solve(b);
-  EXPECT_LT((b - expected).cwiseAbs().maxCoeff(), 1e-14);
+  for (const Complex factor : {Complex(-0.5, -0.24), Complex(0.3, 0.6), Complex(0.2, -1.4)}) {
+    const auto factors = complex_factors(matrix, factor);
+    if (factor.real() < 0.0 || method == "fast_sine") {
+      ASSERT_EQ(factors->name(), method);
+    }
+    const ComplexMatrix dense =
+        ComplexMatrix::Identity(matrix.rows(), matrix.rows()) - factor * Matrix(matrix).cast<Complex>();
+    ComplexVec b = rough(matrix.rows()).cast<Complex>() * Complex(1.0, 0.5);
+    const ComplexVec expected = dense.partialPivLu().solve(b);
+    factors->solve(b);
+    EXPECT_LT((b - expected).cwiseAbs().maxCoeff(), 1e-13) << factor;
+  }
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ TEST_P(Multistep, StartWeightsMakePowersExact) {
     // Row i has f_i = 1 and the other samples 0, so its sum is W(n, i).
     const auto count = std::ssize(powers);
     StartingCorrection correction({powers.size(), {GetParam(), order}}, powers, 1100);
-    correction.start(Matrix::Identity(count, count));
+    for (Eigen::Index j = 0; j < count; ++j) correction.push(Vec::Unit(count, j));
     const auto w = omega(*GetParam(), g, 1001);
     double worst = 0.0;
     for (const int n : {1, 2, 3, 7, 31, 64, 65, 97, 128, 161, 383, 385, 1000}) {
@@ -199,6 +199,47 @@ TEST(StartingProcedure, AreTheSameWithEveryKindOfDerivatives) {
   EXPECT_LT((differenced - dense).cwiseAbs().maxCoeff(), 1e-13);
   EXPECT_LT((sparse - dense).cwiseAbs().maxCoeff(), 1e-13);
   EXPECT_LT((linear - dense).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+Problem sparse_problem(const SparseMatrix& a, const std::vector<double>& orders, double cubic) {
+  Problem problem;
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    const double order = orders[static_cast<std::size_t>(i) % orders.size()];
+    problem.components.push_back({order, std::vector<double>(initial_count(order), 0.0)});
+    problem.components.back().initial.front() = std::sin(static_cast<double>(i));
+  }
+  problem.rhs = [=](double, In y, Out f) { f = a * y - cubic * y.array().cube().matrix(); };
+  if (cubic == 0.0) {
+    problem.derivatives = SparseLinearPart{a};
+  } else {
+    problem.derivatives = SparseJacobian{[=](double, In y, SparseMatrix& jacobian) {
+      jacobian = a;
+      for (Eigen::Index i = 0; i < y.size(); ++i) jacobian.coeffRef(i, i) -= 3.0 * cubic * y[i] * y[i];
+    }};
+  }
+  return problem;
+}
+
+// One df/dy for all first steps, which decouples them, and the matrix of all steps together (rows of two
+// orders, or no derivatives) solve the same equations.
+TEST(StartingProcedure, DecouplesStepsOfSparseProblems) {
+  const SparseMatrix line =
+      0.01 *
+      std::get<SparseLinearPart>(scene_of("fractional_diffusion", {{"components", 12.0}}).problem.derivatives)
+          .matrix;
+  for (const auto* scheme : {"bdf2", "bdf4", "newton_gregory_3", "fractional_trapezoidal"}) {
+    for (const auto& orders : {std::vector{0.5}, {0.8}, {1.4}, {0.5, 0.8}}) {
+      for (const double cubic : {0.0, 0.5}) {
+        Problem problem = sparse_problem(line, orders, cubic);
+        const auto sparse = solve(scheme, problem, 40);
+        ASSERT_EQ(sparse.status, SolveStatus::finished) << scheme;
+        problem.derivatives = NoDerivatives{};
+        const Rows others = solve(scheme, problem, 40).y;
+        const double allowed = orders.size() > 1 ? 1e-15 * max_growth : 2e-12;  // amplified rounding
+        EXPECT_LT((sparse.y - others).cwiseAbs().maxCoeff(), allowed) << scheme << ' ' << orders.front();
+      }
+    }
+  }
 }
 
 // The system of the first steps has a second solution where the steps do not resolve the motion: x = -0.1,
