@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/stepping/order_splitting.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
@@ -12,9 +13,14 @@ Trajectory solve_l1(const Problem& problem, const Grid& grid, const Options& opt
   return solve_implicit(
       problem, grid, options,
       {.tables = weight_tables(problem, families::l1),
-       .known = [](double /*t*/, In convolved, In previous, In /*kappa*/,
-                   Out known) { known = previous - convolved; },
-       .sample = [](Run& /*run*/, double /*t*/, In y, In previous, Out sample) { sample = y - previous; }});
+       .known =
+           [](double /*t*/, In convolved, In previous, In /*kappa*/, Out known) {
+             for_each_row(known.size(), [&](Eigen::Index i) { known[i] = previous[i] - convolved[i]; });
+           },
+       .sample =
+           [](Run& /*run*/, double /*t*/, In y, In previous, Out sample) {
+             for_each_row(sample.size(), [&](Eigen::Index i) { sample[i] = y[i] - previous[i]; });
+           }});
 }
 
 // Piecewise linear interpolation of y: h^(2-g).

@@ -16,8 +16,7 @@ std::string cost_text(const Scene& scene, const RequestedRun& run, const Cost& c
   add("rhs", cost.rhs_calls);
   add("newton", cost.newton_iterations);
   if (!run.automatic_grid.empty()) shown["grid"] = run.automatic_grid;
-  if (run.grid && cost.history_bytes)
-    shown["history"] = name(resolved_kind(run.options.history, step_plan(*run.grid)));
+  if (run.grid && !cost.history.empty()) shown["history"] = cost.history;
   add("history_bytes", cost.history_bytes);
   add("states", cost.components);
   if (!cost.linear_solver.empty()) shown["linear_solver"] = cost.linear_solver;

@@ -38,7 +38,7 @@ RunSettings parse_setup(const RunArguments& arguments) {
 
 // Throws std::invalid_argument if direct sums would take hours.
 void require_affordable(const Grid& grid, HistoryKind history) {
-  if (resolved_kind(history, step_plan(grid)) == HistoryKind::direct && grid.steps > most_direct_steps) {
+  if (history == HistoryKind::direct && grid.steps > most_direct_steps) {
     throw std::invalid_argument(
         fmt::format("--history = direct: takes up to {} steps, its work grows with their square, not {}",
                     most_direct_steps, grid.steps));

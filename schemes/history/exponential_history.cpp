@@ -37,26 +37,22 @@ bool ExponentialHistory::Columns::are_all(Eigen::Index size) const {
   return true;
 }
 
-ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, double tolerance, int threads)
+ExponentialHistory::ExponentialHistory(const WeightTables& tables, int steps, double tolerance)
     : size_(std::ssize(tables.front())) {
   for (const auto& of_sum : tables) {
     auto& sum = sums_.emplace_back();
     for (std::size_t i = 0; i < of_sum.size(); ++i) add(sum, of_sum[i], static_cast<Eigen::Index>(i));
   }
-  // A run shorter than a block never evaluates the exponentials.
-  const double longest = std::max<double>(steps, ExponentialMemory::block) + 2.0;
   for (auto& group : groups_) {
     const auto columns = std::ssize(group.columns.components());
-    memories_.emplace_back(
-        group.tables, columns,
-        exponential_sum(group.exponent, ExponentialMemory::shortest_lag, longest, tolerance), threads);
+    memories_.emplace_back(group.tables, columns, steps, tolerance);
   }
   for (auto& filter : filters_) {
     const auto columns = std::ssize(filter.columns.components());
     if (columns < ExponentialMemory::fewest_wide) {
-      filtered_.emplace_back(FilteredMemory(filter.table, columns, longest, tolerance));
+      filtered_.emplace_back(FilteredMemory(filter.table, columns, steps, tolerance));
     } else {
-      filtered_.emplace_back(WideFilteredMemory(filter.table, columns, longest, tolerance, threads));
+      filtered_.emplace_back(WideFilteredMemory(filter.table, columns, steps, tolerance));
     }
   }
   if (needs_totals_) totals_ = RunningSums(size_);
@@ -181,6 +177,10 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
         filtered_[use.group]);
   }
   for (const auto& [group, table, components, all] : sums_[sum].uses) {
+    if (all && !groups_[group].alternates) {
+      memories_[group].convolve(table, result);
+      continue;
+    }
     const auto convolved = memories_[group].convolved(table);
     const double* const values = convolved.data();
     const Eigen::Index stride = convolved.innerStride();
@@ -188,7 +188,6 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
       if (all) for_each_component(size_, [&](Eigen::Index i) { result[i] += sign_ * values[i * stride]; });
       for (const auto& [i, column] : components) result[i] += sign_ * values[column * stride];
     } else {
-      if (all) for_each_component(size_, [&](Eigen::Index i) { result[i] = values[i * stride]; });
       for (const auto& [i, column] : components) result[i] = values[column * stride];
     }
   }

@@ -15,12 +15,13 @@ namespace fde {
 // applied to (-1)^j x_j.
 class ExponentialHistory final : public History {
  public:
-  ExponentialHistory(const WeightTables& tables, int steps, double tolerance, int threads = 1);
+  ExponentialHistory(const WeightTables& tables, int steps, double tolerance);
   [[nodiscard]] std::unique_ptr<History> copy() const override {
     return std::make_unique<ExponentialHistory>(*this);
   }
   void push(double t, In sample) override;
   void convolve(double t, std::size_t sum, Out result) const override;
+  [[nodiscard]] HistoryKind kind() const override { return HistoryKind::exponentials; }
   [[nodiscard]] std::size_t bytes() const override;
   void state(Archive& archive) override;
 

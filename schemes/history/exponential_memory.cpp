@@ -4,17 +4,23 @@
 namespace fde {
 namespace {
 
-std::variant<NarrowMemory, WideMemory> past_of(const MemoryTables& tables, Eigen::Index components,
-                                               int threads) {
+std::variant<NarrowMemory, WideMemory> past_of(const MemoryTables& tables, Eigen::Index components) {
   if (components < ExponentialMemory::fewest_wide) return NarrowMemory(tables, components);
-  return WideMemory(tables, components, threads);
+  return WideMemory(tables, components);
+}
+
+ExponentialSum sum_for(const WeightTable& table, int steps, double tolerance) {
+  if (!ExponentialMemory::needs_exponentials(steps)) return {Vec(0), Vec(0), 0.0};
+  return exponential_sum(kernel_exponent(table), ExponentialMemory::shortest_lag, steps + 2.0, tolerance);
 }
 
 }  // namespace
 
 ExponentialMemory::ExponentialMemory(const std::vector<WeightTable>& tables, Eigen::Index components,
-                                     const ExponentialSum& sum, int threads)
-    : tables_(tables, sum), start_(tables, tables_), memory_(past_of(tables_, components, threads)) {}
+                                     int steps, double tolerance)
+    : tables_(tables, sum_for(tables.front(), steps, tolerance), steps),
+      start_(tables, tables_),
+      memory_(past_of(tables_, components)) {}
 
 void ExponentialMemory::begin(In first) {
   std::visit([&](auto& memory) { memory.begin(first, start_); }, memory_);

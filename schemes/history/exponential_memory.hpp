@@ -25,9 +25,13 @@ class ExponentialMemory {
   // From this number of components on WideMemory is faster than NarrowMemory. Measured by fde_histories.
   static constexpr Eigen::Index fewest_wide = 64;
 
-  // Precondition: all tables have the same kernel exponent, and all or none of them weigh running sums.
-  ExponentialMemory(const std::vector<WeightTable>& tables, Eigen::Index components,
-                    const ExponentialSum& sum, int threads = 1);
+  // For at most `steps` steps, with the relative error `tolerance` of each weight. Precondition: all tables
+  // have the same kernel exponent, and all or none of them weigh running sums.
+  ExponentialMemory(const std::vector<WeightTable>& tables, Eigen::Index components, int steps,
+                    double tolerance);
+
+  // Whether a run of so many steps needs exponentials: it completes a block.
+  static constexpr bool needs_exponentials(Eigen::Index steps) { return steps >= block; }
 
   // Appends x_0. Only needed for tables in which x_0 has a weight.
   void begin(In first);
@@ -45,6 +49,11 @@ class ExponentialMemory {
                       Eigen::InnerStride<>(memory.stride()));
         },
         memory_);
+  }
+
+  // The same, written to result.
+  void convolve(Eigen::Index table, Out result) const {
+    std::visit([&](const auto& memory) { memory.convolve(table, position_, result); }, memory_);
   }
 
   [[nodiscard]] std::size_t bytes() const;

@@ -20,8 +20,7 @@ double first_coefficient(const std::vector<double>& filter) { return filter.size
 
 }  // namespace
 
-FilteredMemory::FilteredMemory(const WeightTable& table, Eigen::Index components, double longest,
-                               double tolerance)
+FilteredMemory::FilteredMemory(const WeightTable& table, Eigen::Index components, int steps, double tolerance)
     : running_sums_(table.order > 1.0),
       filter_(reversed_tail(table.family->filter(table.order))),
       first_(first_coefficient(table.family->filter(table.order))),
@@ -32,9 +31,7 @@ FilteredMemory::FilteredMemory(const WeightTable& table, Eigen::Index components
       totals_(components) {
   const WeightTable binomial{&families::grunwald_letnikov, table.order};
   if (constant_weight(binomial)) return;
-  memory_.emplace(
-      std::vector{binomial}, components,
-      exponential_sum(kernel_exponent(binomial), ExponentialMemory::shortest_lag, longest, tolerance));
+  memory_.emplace(std::vector{binomial}, components, steps, tolerance);
 }
 
 void FilteredMemory::push(In sample) {

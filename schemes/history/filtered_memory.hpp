@@ -14,8 +14,8 @@ namespace fde {
 // The last sum is z_n - x_n. x_0 has no weight of its own.
 class FilteredMemory {
  public:
-  // For lags up to `longest`.
-  FilteredMemory(const WeightTable& table, Eigen::Index components, double longest, double tolerance);
+  // For at most `steps` steps.
+  FilteredMemory(const WeightTable& table, Eigen::Index components, int steps, double tolerance);
 
   // Appends x_0, x_1, ..., one value a component.
   void push(In sample);

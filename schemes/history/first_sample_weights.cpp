@@ -6,9 +6,10 @@
 namespace fde {
 namespace {
 
-// The weights of x_0 at the steps first, first + 1, ...
-Vec exact_start(const WeightTable& table, Eigen::Index first) {
+// The weights of x_0 at the steps first, first + 1, ... of a block, up to the step `last`.
+Vec exact_start(const WeightTable& table, Eigen::Index first, Eigen::Index last) {
   return Vec::NullaryExpr(MemoryTables::block, [&](Eigen::Index k) {
+    if (first + k > last) return 0.0;
     const auto own = first_sample_weight(table, first + k);
     return own ? *own : weight(table, first + k);
   });
@@ -38,12 +39,12 @@ FirstSampleWeights::FirstSampleWeights(const std::vector<WeightTable>& weights, 
   if (running_sums) near_.setZero(exact_.size());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const auto table = static_cast<Eigen::Index>(i);
-    exact_.segment(table * block, block) = exact_start(weights[i], 1);
+    exact_.segment(table * block, block) = exact_start(weights[i], 1, tables.longest);
     const auto start = first_sample_weight(weights[i], 1);
     if (start && *start == 0.0) continue;
     factors_.col(table) = start ? first_sample_coefficients(weights[i], tables.compressed)
                                 : weight_coefficients(weights[i], tables.compressed);
-    if (running_sums) near_.segment(table * block, block) = exact_start(weights[i], recent);
+    if (running_sums) near_.segment(table * block, block) = exact_start(weights[i], recent, tables.longest);
   }
 }
 

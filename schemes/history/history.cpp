@@ -10,6 +10,7 @@
 
 #include "fdebench/schemes/history/direct_history.hpp"
 #include "fdebench/schemes/history/exponential_history.hpp"
+#include "fdebench/schemes/history/history_costs.hpp"
 #include "fdebench/schemes/history/variable_step_direct.hpp"
 #include "fdebench/schemes/history/variable_step_exponentials.hpp"
 #include "fdebench/schemes/history/weights/weight_transform.hpp"
@@ -19,6 +20,8 @@ namespace {
 
 // Rounding, and the largest relative error of a weight that is accepted.
 constexpr double finest_tolerance = 1e-16, coarsest_tolerance = 0.1;
+
+double achievable(double tolerance) { return std::clamp(tolerance, finest_tolerance, coarsest_tolerance); }
 
 // The first table without the property, or nullptr.
 template <typename Property>
@@ -47,11 +50,12 @@ StepPlan step_plan(const Grid& grid) {
   return {.end = grid.end, .min_step = grid.step(1), .uniform = grid.uniform(), .step_count = grid.steps};
 }
 
-HistoryKind resolved_kind(HistoryKind kind, const StepPlan& steps) {
-  // Measured by fde_histories. With variable steps every weight of the direct history costs a power.
-  const int break_even = steps.uniform ? 128 : 16;
+HistoryKind resolved_kind(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
+                          double tolerance) {
   if (kind != HistoryKind::automatic) return kind;
-  return steps.max_steps() < break_even ? HistoryKind::direct : HistoryKind::exponentials;
+  if (first_without(tables, has_exponential_sum) != nullptr) return HistoryKind::direct;
+  const auto costs = history_costs(tables, steps, achievable(tolerance));
+  return costs.direct <= costs.exponentials ? HistoryKind::direct : HistoryKind::exponentials;
 }
 
 std::string_view name(HistoryKind kind) {
@@ -67,21 +71,18 @@ std::string_view name(HistoryKind kind) {
 }
 
 std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
-                                      double tolerance, int threads) {
-  const WeightTable* const only_direct = first_without(tables, has_exponential_sum);
-  const bool direct = resolved_kind(kind, steps) == HistoryKind::direct ||
-                      (kind == HistoryKind::automatic && only_direct != nullptr);
-  if (!direct) refuse(only_direct, "sum of exponentials");
-  const double achievable = std::clamp(tolerance, finest_tolerance, coarsest_tolerance);
+                                      double tolerance) {
+  const bool direct = resolved_kind(kind, tables, steps, tolerance) == HistoryKind::direct;
+  if (!direct) refuse(first_without(tables, has_exponential_sum), "sum of exponentials");
   if (steps.uniform) {
     if (direct) return std::make_unique<DirectHistory>(tables, steps.max_steps());
-    return std::make_unique<ExponentialHistory>(tables, steps.max_steps(), achievable, threads);
+    return std::make_unique<ExponentialHistory>(tables, steps.max_steps(), achievable(tolerance));
   }
   refuse(first_without(tables,
                        [](const WeightTable& table) { return table.family->endpoint_values != nullptr; }),
          "form for steps that differ");
   if (direct) return std::make_unique<VariableStepDirectHistory>(tables, steps);
-  return std::make_unique<VariableStepExponentialHistory>(tables, steps, achievable);
+  return std::make_unique<VariableStepExponentialHistory>(tables, steps, achievable(tolerance));
 }
 
 }  // namespace fde

@@ -15,6 +15,8 @@ namespace fde {
 
 class Archive;
 
+enum class HistoryKind { automatic, direct, exponentials };
+
 // The history of one run: stores samples x_0, x_1, ... (one value a component) and evaluates the memory
 // terms, discrete convolutions of the samples. Several sums share the samples: predictor and corrector apply
 // different weights to the same f.
@@ -37,6 +39,9 @@ class History {
   // the steps, scaled so that the new sample at t has weight 1. The call does not change the history, so a
   // step can be rejected. Not thread-safe: the quantities of the last t are cached.
   virtual void convolve(double t, std::size_t sum, Out result) const = 0;
+
+  // direct or exponentials.
+  [[nodiscard]] virtual HistoryKind kind() const = 0;
 
   // Memory for samples and weights, in bytes.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
@@ -63,18 +68,17 @@ struct StepPlan {
 };
 StepPlan step_plan(const Grid& grid);
 
-enum class HistoryKind { automatic, direct, exponentials };
-
-// The kind that a run with these steps uses: for `automatic` the faster one, otherwise `kind`.
-HistoryKind resolved_kind(HistoryKind kind, const StepPlan& steps);
 std::string_view name(HistoryKind kind);
 
+// The kind that a run uses: for `automatic` the one that history_costs estimates to be faster, `direct` for
+// families without a sum of exponentials; otherwise `kind`.
+HistoryKind resolved_kind(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
+                          double tolerance);
+
 // Makes an empty history. `tolerance` bounds the relative error of each weight and is clamped to
-// [1e-16, 0.1]; `direct` uses exact weights, and `automatic` resolves to it for families without a sum of
-// exponentials. Throws std::invalid_argument naming the family where it has no sum of exponentials or no
-// weights for variable steps. With equal steps the exponentials are shared among `threads` threads, with the
-// same bits for any number.
+// [1e-16, 0.1]; `direct` uses exact weights. Throws std::invalid_argument naming the family where it has no
+// sum of exponentials or no weights for variable steps.
 std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
-                                      double tolerance, int threads = 1);
+                                      double tolerance);
 
 }  // namespace fde

@@ -19,9 +19,8 @@ constexpr double largest_joined = straight / (MemoryTables::recent + MemoryTable
 
 // w(1), w(2), ..., or the differences w(k) - w(k-1) where running sums are weighed.
 Vec exact_weights(const WeightTable& table, Eigen::Index count) {
-  return Vec::NullaryExpr(count, [&](Eigen::Index k) {
-    return acts_on_running_sums(table) ? weight_increment(table, k + 1) : weight(table, k + 1);
-  });
+  if (!acts_on_running_sums(table)) return first_weights(table, count);
+  return Vec::NullaryExpr(count, [&](Eigen::Index k) { return weight_increment(table, k + 1); });
 }
 
 Eigen::Index to_lanes(Eigen::Index count) { return (count + lanes - 1) / lanes * lanes; }
@@ -65,9 +64,11 @@ Matrix lagrange(const Vec& nodes, const Vec& points) {
 
 }  // namespace
 
-MemoryTables::MemoryTables(const std::vector<WeightTable>& tables, const ExponentialSum& sum)
+MemoryTables::MemoryTables(const std::vector<WeightTable>& tables, const ExponentialSum& sum,
+                           Eigen::Index longest_lag)
     : count(std::ssize(tables)),
       exponentials(sum.nodes.size()),
+      longest(longest_lag),
       nodes(filled(sum.nodes)),
       slow(joined(nodes)),
       compressed(sum) {
@@ -100,7 +101,9 @@ void MemoryTables::interpolate_slow(const ExponentialSum& sum) {
 }
 
 void MemoryTables::fill(const WeightTable& weights, Eigen::Index table) {
-  const Vec exact = exact_weights(weights, block + recent - 1);
+  Vec exact = Vec::Zero(block + recent - 1);
+  const Eigen::Index known = std::min(longest, exact.size());
+  exact.head(known) = exact_weights(weights, known);
   for (Eigen::Index k = 0; k < recent; ++k) {
     const auto shorter = recent - 1 - k;
     inner.block((table + 1) * recent - shorter, k, shorter, 1) = exact.head(shorter);

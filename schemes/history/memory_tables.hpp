@@ -17,10 +17,13 @@ namespace fde {
 struct MemoryTables {
   static constexpr Eigen::Index block = 32, recent = lanes;
 
-  // Precondition: all tables have the same kernel exponent, and all or none of them weigh running sums.
-  MemoryTables(const std::vector<WeightTable>& tables, const ExponentialSum& sum);
+  // For lags up to `longest_lag`. In runs shorter than a block the sum has no nodes. Precondition: all tables
+  // have the same kernel exponent, and all or none of them weigh running sums.
+  MemoryTables(const std::vector<WeightTable>& tables, const ExponentialSum& sum,
+               Eigen::Index longest_lag = block + recent);
 
   Eigen::Index count, exponentials;  // number of tables; number of nodes without padding
+  Eigen::Index longest;              // weights of longer lags are 0
   Vec nodes;                         // increasing, padded in front with 0 to a multiple of lanes
   Eigen::Index slow;                 // number of first nodes that are interpolated, a multiple of lanes or 0
   ExponentialSum compressed;         // the points sigma_i, with coefficient 1, and the other nodes

@@ -65,17 +65,24 @@ const VariableStepDirectHistory::StepCache& VariableStepDirectHistory::candidate
 void VariableStepDirectHistory::convolve(double t, std::size_t sum, Out result) const {
   const auto& integrals = candidate(t).integrals;
   result.setZero();
+  const double newest = t - times_.back();
+  const WeightTable* scaled = nullptr;
+  double scale = 1.0;  // of the table `scaled`
   for (const auto& [component, table, integral] : tracks_[sum]) {
+    if (scaled == nullptr || table != *scaled) {
+      scaled = &table;
+      scale = integral_to_sum_factor(table, newest);
+    }
     const auto& [order, left, right] = integrals[integral];
-    double total = 0.0, length = 0.0;
+    double total = 0.0;
     for (std::size_t j = 0; j < times_.size(); ++j) {  // the row of the sample at t is still 0
       const auto row = static_cast<Eigen::Index>(j);
-      length = end_of_step(j, t) - times_[j];
+      const double length = end_of_step(j, t) - times_[j];
       const auto [begin, end] =
           table.family->endpoint_values(samples_(row, component), samples_(row + 1, component), length);
       total += left[row] * begin + right[row] * end;
     }
-    result[component] = total * integral_to_sum_factor(table, length);
+    result[component] = total * scale;
   }
 }
 

@@ -30,11 +30,10 @@ Vec weights_of_lags(const WeightTable& table, Eigen::Index count) {
 
 }  // namespace
 
-WideFilteredMemory::WideFilteredMemory(const WeightTable& table, Eigen::Index components, double longest,
-                                       double tolerance, int threads)
+WideFilteredMemory::WideFilteredMemory(const WeightTable& table, Eigen::Index components, int steps,
+                                       double tolerance)
     : components_(components),
-      exact_lags_(rounded_up(std::min(last_exact_lag(*table.family->multistep), longest), block)),
-      threads_(threads),
+      exact_lags_(rounded_up(std::min(last_exact_lag(*table.family->multistep), steps + 2.0), block)),
       near_(exact_lags_, block),
       inner_(Matrix::Zero(group, group)) {
   const Vec exact = weights_of_lags(table, exact_lags_ + block);
@@ -42,7 +41,7 @@ WideFilteredMemory::WideFilteredMemory(const WeightTable& table, Eigen::Index co
     near_.col(column) = exact.segment(column, exact_lags_).reverse();
   for (Eigen::Index column = 1; column < group; ++column)
     inner_.col(column).head(column) = exact.head(column).reverse();
-  if (static_cast<double>(exact_lags_) < longest) set_exponentials(table, longest, tolerance);
+  if (static_cast<double>(exact_lags_) < steps + 2.0) set_exponentials(table, steps + 2.0, tolerance);
   const Eigen::Index rows = rounded_up(static_cast<double>(components), tile), tiles = rows / tile;
   samples_.setZero(tile * (exact_lags_ + block), tiles);
   states_.setZero(tile * factors_.size(), tiles);
@@ -71,7 +70,7 @@ void WideFilteredMemory::set_exponentials(const WeightTable& table, double longe
 void WideFilteredMemory::push(In sample) {
   if (totals_) totals_->add(sample);
   const Eigen::Index next = (position_ + 1) % block;
-  parallel_for_rows(threads_, current_.size(), tile, [&](Eigen::Index first, Eigen::Index count) {
+  parallel_for_rows(current_.size(), tile, [&](Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index done = 0; done < count; done += tile) push_tile(sample, first + done, next);
   });
   if (next == 0) begin_ = (begin_ + block) % (exact_lags_ + block);

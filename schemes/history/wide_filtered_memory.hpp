@@ -17,12 +17,12 @@ namespace fde {
 //
 // Sums are computed a block of steps at a time, with loops over components; a tile of components, whose
 // samples are contiguous, stays in the cache. Until the sample of a step is known its place has the sum of
-// the step. Work and memory do not grow with the number of steps.
+// the step. Work and memory do not grow with the number of steps. The threads of RowThreads share the
+// components.
 class WideFilteredMemory {
  public:
-  // For lags up to `longest`. Each step is shared among `threads` threads.
-  WideFilteredMemory(const WeightTable& table, Eigen::Index components, double longest, double tolerance,
-                     int threads);
+  // For at most `steps` steps.
+  WideFilteredMemory(const WeightTable& table, Eigen::Index components, int steps, double tolerance);
 
   // Appends x_0, x_1, ..., one value a component.
   void push(In sample);
@@ -46,7 +46,6 @@ class WideFilteredMemory {
   }
 
   Eigen::Index components_, exact_lags_;  // a multiple of block
-  int threads_;
   Matrix near_;   // exact_lags x block: w(exact_lags + column - row), of the samples before a block
   Matrix inner_;  // group x group: w(column - row), 0 where row >= column
   Vec decay_minus_one_, factors_;  // exp(-node block) - 1, and the coefficient of each exponential

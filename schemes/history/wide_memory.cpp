@@ -2,6 +2,7 @@
 #include "fdebench/schemes/history/wide_memory.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 
@@ -12,11 +13,12 @@ Eigen::Index to_multiple(Eigen::Index count, Eigen::Index of) { return (count + 
 
 }  // namespace
 
-WideMemory::WideMemory(const MemoryTables& tables, Eigen::Index components, int threads)
+WideMemory::WideMemory(const MemoryTables& tables, Eigen::Index components)
     : components_(components),
-      threads_(threads),
+      tables_(tables.count),
       inner_(tables.inner.transpose()),
-      near_(tables.near.transpose()) {
+      near_(tables.near.transpose()),
+      current_is_known_(static_cast<std::size_t>(tables.count), false) {
   const Eigen::Index fillers = tables.nodes.size() - tables.exponentials, points = tables.points();
   const Eigen::Index slow = std::max(tables.slow - fillers, Eigen::Index{0});
   const Eigen::Index together = points + tables.exponentials - slow;
@@ -25,80 +27,108 @@ WideMemory::WideMemory(const MemoryTables& tables, Eigen::Index components, int 
   condense_ = tables.condense.rightCols(slow).transpose();
   far_ = tables.far.rightCols(together).transpose();
   const Eigen::Index rows = to_multiple(components, lanes), tiles = to_multiple(rows, tile) / tile;
+  const Eigen::Index strips = to_multiple(rows, strip) / strip;
+  pitch_ = std::min(rows, strip) + lanes;
   first_.setZero(rows);
-  samples_.setZero(rows, recent + block);
-  sums_.setZero(rows, tables.count * block);
-  current_.setZero(rows, tables.count);
+  samples_.setZero(pitch_ * (recent + block), strips);
+  sums_.setZero(pitch_ * tables_ * block, strips);
   states_.setZero(tile * tables.exponentials, tiles);
-  carries_ = states_;
+  carries_.setZero(tile * tables.exponentials, tiles);
+}
+
+ConstBlock WideMemory::rows_of(const Matrix& all, Eigen::Index column, Eigen::Index first) const {
+  return {all.col(first / strip).data() + column * pitch_ + first % strip, pitch_};
+}
+
+Block WideMemory::rows_of(Matrix& all, Eigen::Index column, Eigen::Index first) {
+  return {all.col(first / strip).data() + column * pitch_ + first % strip, pitch_};
+}
+
+Eigen::Index WideMemory::rows_in_tile(Eigen::Index first) const {
+  return std::min(tile, first_.size() - first);
 }
 
 void WideMemory::begin(In first, const FirstSampleWeights& start) {
   first_.head(components_) = first;
-  add_exact(start, 0, sums_.rows());
-  complete_sums(0, 0, sums_.rows(), current_.cols());
+  for (Eigen::Index row = 0; row < first_.size(); row += tile) add_exact(start, row, rows_in_tile(row));
 }
 
 // Adds x_0 times its exact weights to the sums of a block.
 void WideMemory::add_exact(const FirstSampleWeights& start, Eigen::Index first, Eigen::Index count) {
-  multiply_add(count, 1, sums_.cols(), {first_.data() + first, first_.size()}, {start.exact().data(), 1},
-               {&sums_(first, 0), sums_.rows()});
+  multiply_add(count, 1, tables_ * block, {first_.data() + first, first_.size()}, {start.exact().data(), 1},
+               rows_of(sums_, 0, first));
 }
 
 void WideMemory::push(const MemoryTables& tables, Eigen::Index position, In sample,
                       const FirstSampleWeights& start) {
-  parallel_for_rows(threads_, current_.rows(), tile, [&](Eigen::Index first, Eigen::Index count) {
-    push_part(tables, position, sample, start, first, count);
+  const Eigen::Index next = (position + 1) % block;
+  std::fill(current_is_known_.begin(), current_is_known_.end(), false);
+  parallel_for_rows(first_.size(), strip, [&](Eigen::Index part, Eigen::Index rows) {
+    Scratch scratch;
+    for (Eigen::Index first = part; first < part + rows; first += tile) {
+      const Eigen::Index count = rows_in_tile(first), real = std::min(count, components_ - first);
+      std::copy_n(sample.data() + first, real, rows_of(samples_, recent + position, first).data);
+      if (next == 0) {
+        advance_tile(tables, start, first, count, scratch);
+      } else if (next % recent == 0) {
+        add_recent(next, first, count);
+      }
+    }
   });
 }
 
-void WideMemory::push_part(const MemoryTables& tables, Eigen::Index position, In sample,
-                           const FirstSampleWeights& start, Eigen::Index first, Eigen::Index count) {
-  const Eigen::Index real = std::min(count, components_ - first);
-  samples_.col(recent + position).segment(first, real) = sample.segment(first, real);
-  const Eigen::Index next = (position + 1) % block;
-  if (next == 0) {
-    Scratch scratch{Matrix(tile, far_.rows()), Matrix(tile, spread_.cols()), Matrix(tile, spread_.rows()),
-                    Matrix(tile, far_.rows())};
-    for (Eigen::Index done = 0; done < count; done += tile)
-      advance_tile(tables, start, first + done, std::min(tile, count - done), scratch);
-  } else if (next % recent == 0) {
-    for (Eigen::Index done = 0; done < count; done += tile)
-      add_recent(next, first + done, std::min(tile, count - done), tables.count);
-  }
-  complete_sums(next, first, count, tables.count);
+// The sums are completed with the samples of their own group of `recent` steps, in the order of the steps.
+void WideMemory::convolve(Eigen::Index table, Eigen::Index position, Out result) const {
+  const Eigen::Index newest = position % recent, oldest = position - newest;
+  parallel_for_rows(components_, strip, [&](Eigen::Index part, Eigen::Index rows) {
+    alignas(64) std::array<double, tile> sum;
+    for (Eigen::Index first = part; first < part + rows; first += tile) {
+      const Eigen::Index count = rows_in_tile(first), real = std::min(count, components_ - first);
+      std::copy_n(rows_of(sums_, table * block + position, first).data, count, sum.data());
+      multiply_add(count, newest, 1, rows_of(samples_, recent + oldest, first),
+                   {&inner_(0, table * recent + newest), recent}, {sum.data(), tile});
+      std::copy_n(sum.data(), real, result.data() + first);
+    }
+  });
+}
+
+const double* WideMemory::sums(Eigen::Index table, Eigen::Index position) const {
+  current_.resize(components_, tables_);
+  if (!current_is_known_[static_cast<std::size_t>(table)]) convolve(table, position, current_.col(table));
+  current_is_known_[static_cast<std::size_t>(table)] = true;
+  return current_.col(table).data();
 }
 
 // Adds the newest `recent` samples, with exact weights, to the sums of the rest of the block.
-void WideMemory::add_recent(Eigen::Index position, Eigen::Index first, Eigen::Index count,
-                            Eigen::Index tables) {
-  for (Eigen::Index table = 0; table < tables; ++table) {
-    multiply_add(count, recent, block - position, {&samples_(first, position), samples_.rows()},
-                 {&near_(0, table * block), recent}, {&sums_(first, table * block + position), sums_.rows()});
+void WideMemory::add_recent(Eigen::Index position, Eigen::Index first, Eigen::Index count) {
+  for (Eigen::Index table = 0; table < tables_; ++table) {
+    multiply_add(count, recent, block - position, rows_of(samples_, position, first),
+                 {&near_(0, table * block), recent}, rows_of(sums_, table * block + position, first));
   }
 }
 
 void WideMemory::advance_tile(const MemoryTables& tables, const FirstSampleWeights& start, Eigen::Index first,
                               Eigen::Index count, Scratch& scratch) {
   const Eigen::Index points = spread_.rows(), slow = spread_.cols(), others = far_.rows() - points;
-  const double* const decay = &tables.decay_minus_one[tables.nodes.size() - tables.exponentials];
+  const double* const decay = tables.decay_minus_one.data() + (tables.nodes.size() - tables.exponentials);
   const auto of_tile = [&](Matrix& all, Eigen::Index node) {
     return Block(all.col(first / tile).data() + node * tile, tile);
   };
   const auto column = [](Matrix& all, Eigen::Index node) { return Block(all.data() + node * tile, tile); };
   auto& [gathered, input, joined, weighted] = scratch;
-  gathered.setZero();
-  multiply_add(count, block, gathered.cols(), {&samples_(first, 0), samples_.rows()}, gather_, gathered);
-  input.setZero();
+  gathered.setZero(tile, far_.rows());
+  multiply_add(count, block, gathered.cols(), rows_of(samples_, 0, first), gather_, gathered);
+  input.setZero(tile, slow);
   multiply_add(count, points, slow, gathered, spread_, input);
   advance_columns(count, slow, decay, input, of_tile(states_, 0), of_tile(carries_, 0));
   advance_columns(count, others, decay + slow, column(gathered, points), of_tile(states_, slow),
                   of_tile(carries_, slow));
-  auto samples = samples_.middleRows(first, count);
-  samples.leftCols(recent) = samples.rightCols(recent);
-  joined.setZero();
+  for (Eigen::Index k = 0; k < recent; ++k)
+    std::copy_n(rows_of(samples_, block + k, first).data, count, rows_of(samples_, k, first).data);
+  joined.setZero(tile, points);
   multiply_add(count, slow, points, of_tile(states_, 0), condense_, joined);
-  sums_.middleRows(first, count).setZero();
+  for (Eigen::Index k = 0; k < tables_ * block; ++k) std::fill_n(rows_of(sums_, k, first).data, count, 0.0);
+  weighted.resize(tile, far_.rows());
   const Eigen::Index fillers = tables.far.cols() - far_.rows();
   for (Eigen::Index table = 0; table < tables.count; ++table) {
     for (Eigen::Index node = 0; node < far_.rows(); ++node) {
@@ -108,21 +138,10 @@ void WideMemory::advance_tile(const MemoryTables& tables, const FirstSampleWeigh
       weighted.col(node).head(count) =
           factor * Eigen::Map<const Vec>(state.data, count) + of_first * first_.segment(first, count);
     }
-    multiply_add(count, far_.rows(), block, weighted, far_, {&sums_(first, table * block), sums_.rows()});
+    multiply_add(count, far_.rows(), block, weighted, far_, rows_of(sums_, table * block, first));
   }
   if (start.has_exact_after_first_block()) add_exact(start, first, count);
-  add_recent(0, first, count, tables.count);
-}
-
-// Completes the sums of a step with the samples of its own group of `recent` steps, in their order.
-void WideMemory::complete_sums(Eigen::Index position, Eigen::Index first, Eigen::Index count,
-                               Eigen::Index tables) {
-  const Eigen::Index newest = position % recent, oldest = position - newest;
-  for (Eigen::Index table = 0; table < tables; ++table) {
-    current_.col(table).segment(first, count) = sums_.col(table * block + position).segment(first, count);
-    multiply_add(count, newest, 1, {&samples_(first, recent + oldest), samples_.rows()},
-                 {&inner_(0, table * recent + newest), recent}, {&current_(first, table), current_.rows()});
-  }
+  add_recent(0, first, count);
 }
 
 std::size_t WideMemory::bytes() const {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 
 namespace fde {
 namespace {
@@ -25,6 +28,14 @@ auto reciprocals(const Values& values) {
   } else {
     return values.inverse();
   }
+}
+
+// Calls work(row, count) for panels of rows of the modes.
+void for_each_row_panel(const Matrix& modes, const std::function<void(Eigen::Index, Eigen::Index)>& work) {
+  parallel_for_parts((modes.rows() + together - 1) / together, together * modes.cols(),
+                     [&](Eigen::Index panel) {
+                       work(panel * together, std::min(together, modes.rows() - panel * together));
+                     });
 }
 
 // Solves with Toeplitz matrices tridiag(beside, diagonal, beside), a diagonal for each row.
@@ -121,14 +132,11 @@ void FastSineSolver::backward(const Matrix& modes, Vec& field) const {
 void FastSineSolver::solve(const Stencil<double>& stencil, Vec& b) const {
   forward(b, modes_);
   const auto of_lines = lines(stencil);
-  Panel<double> x, pivots;
-  for (Eigen::Index row = 0; row < modes_.rows(); row += together) {
-    const Eigen::Index count = std::min(together, modes_.rows() - row);
-    x = modes_.middleRows(row, count);
-    pivots.resize(count, x.cols());
+  for_each_row_panel(modes_, [&](Eigen::Index row, Eigen::Index count) {
+    Panel<double> x = modes_.middleRows(row, count), pivots(count, x.cols());
     solve_lines<double>(of_lines.diagonals.segment(row, count), of_lines.off_diagonal, pivots, x);
     modes_.middleRows(row, count) = x;
-  }
+  });
   backward(modes_, b);
 }
 
@@ -138,18 +146,15 @@ void FastSineSolver::solve(const Stencil<std::complex<double>>& stencil, Complex
   forward(real_, modes_);
   forward(imaginary_, other_modes_);
   const auto of_lines = lines(stencil);
-  Panel<std::complex<double>> x, pivots;
-  for (Eigen::Index row = 0; row < modes_.rows(); row += together) {
-    const Eigen::Index count = std::min(together, modes_.rows() - row);
-    x.resize(count, modes_.cols());
+  for_each_row_panel(modes_, [&](Eigen::Index row, Eigen::Index count) {
+    Panel<std::complex<double>> x(count, modes_.cols()), pivots(count, modes_.cols());
     x.real() = modes_.middleRows(row, count);
     x.imag() = other_modes_.middleRows(row, count);
-    pivots.resize(count, x.cols());
     solve_lines<std::complex<double>>(of_lines.diagonals.segment(row, count), of_lines.off_diagonal, pivots,
                                       x);
     modes_.middleRows(row, count) = x.real();
     other_modes_.middleRows(row, count) = x.imag();
-  }
+  });
   backward(modes_, real_);
   backward(other_modes_, imaginary_);
   b.real() = real_;

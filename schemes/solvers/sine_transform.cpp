@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "fdebench/schemes/history/block_kernels.hpp"
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 
 namespace fde {
 namespace {
@@ -30,6 +32,15 @@ class Sines {
   Eigen::Index intervals_;
   Vec values_;
 };
+
+// Calls work(first, count) for panels of columns of the modes.
+void for_each_column_panel(const Matrix& modes, const std::function<void(Eigen::Index, Eigen::Index)>& work) {
+  const Eigen::Index panels = (modes.cols() + columns_together - 1) / columns_together;
+  parallel_for_parts(panels, columns_together * modes.rows(), [&](Eigen::Index panel) {
+    const Eigen::Index first = panel * columns_together;
+    work(first, std::min(columns_together, modes.cols() - first));
+  });
+}
 
 // c += a b, with blocks of rows of a that stay in the cache for all columns of b.
 void add_product(const Matrix& a, Eigen::Index inner, Eigen::Index columns, ConstBlock b, Block c) {
@@ -71,10 +82,9 @@ SineTransform::SineTransform(Eigen::Index n)
 }
 
 void SineTransform::forward(const double* field, Matrix& modes) const {
-  Matrix sums(half_, columns_together), differences(even_, columns_together);
-  modes.setZero();
-  for (Eigen::Index first = 0; first < modes.cols(); first += columns_together) {
-    const Eigen::Index count = std::min(columns_together, modes.cols() - first);
+  for_each_column_panel(modes, [&](Eigen::Index first, Eigen::Index count) {
+    Matrix sums(half_, count), differences(even_, count);
+    modes.middleCols(first, count).setZero();
     for (Eigen::Index j = 0; j < count; ++j) {
       const Eigen::Map<const Vec> column(field + (first + j) * n_, n_);
       sums.col(j).head(even_) = column.head(even_) + column.tail(even_).reverse();
@@ -83,15 +93,12 @@ void SineTransform::forward(const double* field, Matrix& modes) const {
     }
     add_product(odd_, half_, count, sums, {&modes(0, first), modes.rows()});
     add_product(even_sines_, even_, count, differences, {&modes(odd_rows_, first), modes.rows()});
-  }
+  });
 }
 
 void SineTransform::backward(const Matrix& modes, double* field) const {
-  Matrix sums(odd_rows_, columns_together), differences(even_rows_, columns_together);
-  for (Eigen::Index first = 0; first < modes.cols(); first += columns_together) {
-    const Eigen::Index count = std::min(columns_together, modes.cols() - first);
-    sums.setZero();
-    differences.setZero();
+  for_each_column_panel(modes, [&](Eigen::Index first, Eigen::Index count) {
+    Matrix sums = Matrix::Zero(odd_rows_, count), differences = Matrix::Zero(even_rows_, count);
     add_product(odd_back_, half_, count, {&modes(0, first), modes.rows()}, sums);
     add_product(even_back_, even_, count, {&modes(odd_rows_, first), modes.rows()}, differences);
     for (Eigen::Index j = 0; j < count; ++j) {
@@ -100,7 +107,7 @@ void SineTransform::backward(const Matrix& modes, double* field) const {
       column.tail(even_).reverse() = sums.col(j).head(even_) - differences.col(j).head(even_);
       if (half_ > even_) column[even_] = sums(even_, j);
     }
-  }
+  });
 }
 
 }  // namespace fde

@@ -16,6 +16,7 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
   const auto history =
       make_history(options.history, {predictor, corrector}, step_plan(grid), options.tolerance);
   run.cost().history_bytes = history->bytes();
+  run.cost().history = name(history->kind());
   const TaylorPart taylor_part(problem);
   auto of_both = predictor;
   of_both.insert(of_both.end(), corrector.begin(), corrector.end());

@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fdebench/schemes/problem/componentwise.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde {
@@ -13,9 +12,7 @@ namespace {
 
 // x - x is 0 where x is finite, otherwise NaN.
 bool all_finite(In y) {
-  double sum = 0.0;
-  for_each_component(y.size(), [&](Eigen::Index i) { sum += y[i] - y[i]; });
-  return sum == 0.0;
+  return holds_for_each_row(y.size(), [&](Eigen::Index i) { return y[i] - y[i] == 0.0; });
 }
 
 }  // namespace

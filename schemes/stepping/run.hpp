@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/stepping/checkpoints.hpp"
 #include "fdebench/schemes/stepping/event_locator.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
@@ -65,6 +66,7 @@ class Run {
 
   const Problem& problem_;
   const Options& options_;
+  RowThreads threads_{options_.threads};
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Vec start_, f_;
   std::size_t next_output_ = 0;  // index in Options::output_times of the next output time

@@ -33,6 +33,7 @@ enum class SolveStatus {
 struct Cost {
   std::optional<std::int64_t> rhs_calls{}, newton_iterations{};
   std::optional<std::size_t> history_bytes{};
+  std::string_view history{};  // name() of the kind of a history on a grid; empty: there was none
   // Number of components that were integrated; more than the problem has where a scheme splits orders.
   std::optional<int> components{};
   std::optional<int> starting_weights{};         // their number in every step: those of f_0, f_1, ...

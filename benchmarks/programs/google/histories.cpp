@@ -49,6 +49,43 @@ void steps(benchmark::State& state, HistoryKind kind, const Grid& grid, double t
   state.counters["per_step"] = per_iteration(grid.steps);
 }
 
+// A whole run of the history of several components, for each family of one sum.
+void choice(benchmark::State& state, HistoryKind kind, const WeightFamily& family, Eigen::Index count,
+            const Grid& grid) {
+  const WeightTables tables{std::vector<WeightTable>(static_cast<std::size_t>(count), {&family, order})};
+  Vec sample = Vec::LinSpaced(count, 0.5, 1.5), sum(count);
+  for (auto _ : state) {
+    const auto history = make_history(kind, tables, step_plan(grid), full);
+    double t = 0.0;
+    for (int n = 1; n <= grid.steps; ++n) {
+      history->push(t, sample);
+      t = grid.time(n);
+      history->convolve(t, 0, sum);
+      sample[0] = 1.0 + 1e-9 * sum[0];
+    }
+    benchmark::DoNotOptimize(sum.data());
+  }
+  state.SetLabel(std::string(name(resolved_kind(kind, tables, step_plan(grid), full))));
+}
+
+// choice/<family>/<grid>/<components>/<steps>/<kind>: what `auto` takes, beside both kinds.
+void add_choices(const auto& add) {
+  for (const auto* family : {&families::l1, &families::trapezoid, &families::bdf2}) {
+    for (const double grading : {1.0, 2.0}) {
+      if (grading > 1.0 && family->endpoint_values == nullptr) continue;
+      for (const Eigen::Index count : {1, 16, 256, 10'000}) {
+        for (const int steps : {16, 48, 128, 512}) {
+          for (const auto kind : {HistoryKind::automatic, HistoryKind::direct, HistoryKind::exponentials}) {
+            add(fmt::format("choice/{}/{}/{}/{}/{}", family->id, grading > 1.0 ? "graded" : "uniform", count,
+                            steps, name(kind)),
+                kind, *family, count, Grid{1.0, steps, grading});
+          }
+        }
+      }
+    }
+  }
+}
+
 Eigen::Index nodes(int count, double tolerance) {
   return exponential_sum(order, ExponentialMemory::shortest_lag, count + 2.0, tolerance).nodes.size();
 }
@@ -74,17 +111,22 @@ void bare_loop(benchmark::State& state, int count) {
 
 // Steps of many components that share one table. NarrowMemory stores each component as a column, WideMemory
 // components side by side.
-template <class Past, class... Rest>
-void many_components(benchmark::State& state, Eigen::Index count, Rest... rest) {
+template <class Past>
+void many_components(benchmark::State& state, Eigen::Index count, int threads) {
+  const RowThreads several(threads);
   constexpr int steps_of_run = 10 * MemoryTables::block;
   const MemoryTables tables({{&families::l1, order}},
                             exponential_sum(1.0 - order, ExponentialMemory::shortest_lag, 1002.0, full));
-  Past memory(tables, count, rest...);
+  Past memory(tables, count);
   const FirstSampleWeights start({{&families::l1, order}}, tables);
   const Vec sample = Vec::LinSpaced(count, 0.5, 1.5);
+  Vec sums(count);
   for (auto _ : state) {
-    for (int n = 0; n < steps_of_run; ++n) memory.push(tables, n % MemoryTables::block, sample, start);
-    benchmark::DoNotOptimize(memory.sums(0, 0));
+    for (int n = 0; n < steps_of_run; ++n) {
+      memory.push(tables, n % MemoryTables::block, sample, start);
+      memory.convolve(0, (n + 1) % MemoryTables::block, sums);
+    }
+    benchmark::DoNotOptimize(sums.data());
   }
   state.counters["per_step_and_component"] = per_iteration(steps_of_run * count);
 }
@@ -127,13 +169,18 @@ int main(int argument_count, char** arguments) {
     });
   }
   for (const Eigen::Index count : {4, 16, 32, 64, 128, 1'000, 10'000, 100'000, 1'000'000}) {
-    add(fmt::format("components/narrow/{}", count), many_components<NarrowMemory>, count);
+    add(fmt::format("components/narrow/{}", count), many_components<NarrowMemory>, count, 1);
     for (const int threads : {1, 2}) {
       if (threads > 1 && count < 100'000) continue;
-      add(fmt::format("components/wide/{}/threads/{}", count, threads), many_components<WideMemory, int>,
-          count, threads);
+      add(fmt::format("components/wide/{}/threads/{}", count, threads), many_components<WideMemory>, count,
+          threads);
     }
   }
+  add_choices([](const std::string& name, HistoryKind kind, const WeightFamily& family, Eigen::Index count,
+                 const Grid& grid) {
+    benchmark::RegisterBenchmark(
+        name.c_str(), [=, &family](benchmark::State& state) { choice(state, kind, family, count, grid); });
+  });
   benchmark::Initialize(&argument_count, arguments);
   if (benchmark::ReportUnrecognizedArguments(argument_count, arguments)) return 2;
   benchmark::RunSpecifiedBenchmarks();

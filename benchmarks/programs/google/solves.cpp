@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <list>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
@@ -45,12 +46,13 @@ void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int 
       benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-// A whole run, first steps included: time and memory of the history an unknown.
-void solve_large(benchmark::State& state, const std::string& variant, const Scheme& scheme, int steps) {
+// A whole run, first steps included: time for each unknown and step, and memory of the history an unknown.
+void solve_large(benchmark::State& state, const std::string& variant, const Scheme& scheme, int steps,
+                 int threads = 1) {
   const Scene scene = make_scene(parse_variant(variant));
   const Grid grid{.end = scene.problem.end, .steps = steps};
   Trajectory path;
-  for (auto _ : state) path = scheme.solve(scene.problem, grid, {.output_times = {grid.end}});
+  for (auto _ : state) path = scheme.solve(scene.problem, grid, {.threads = threads, .output_times = {grid.end}});
   if (path.status != SolveStatus::finished) {
     state.SkipWithError(describe(scene.problem, path).c_str());
     return;
@@ -108,6 +110,16 @@ int main(int count, char** arguments) {
             ->Unit(benchmark::kMillisecond);
       }
     }
+  }
+  for (const int threads : {1, 2}) {
+    benchmark::RegisterBenchmark(
+        fmt::format("large/fractional_diffusion:components=1000000/l1/200/threads:{}", threads).c_str(),
+        [threads](benchmark::State& state) {
+          solve_large(state, "fractional_diffusion:components=1000000", *find_scheme("l1"), 200, threads);
+        })
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
   }
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;

@@ -71,7 +71,7 @@ Scene scene_of(const Row& row) {
 double history_seconds(const Row& row, HistoryKind kind, int count) {
   const auto size = static_cast<std::size_t>(row.unknowns);
   const auto history = make_history(kind, {std::vector<WeightTable>(size, {&families::l1, order})},
-                                    step_plan({.end = 1.0, .steps = steps}), 1e-15, row.threads);
+                                    step_plan({.end = 1.0, .steps = steps}), 1e-15);
   const Vec sample = Vec::LinSpaced(row.unknowns, 0.5, 1.5);
   Vec sums(row.unknowns);
   const auto some = [&](int from, int to) {

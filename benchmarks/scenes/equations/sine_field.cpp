@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/equations/sine_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "fdebench/benchmarks/scenes/equations/mode_decay.hpp"
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/running_sum.hpp"
 
 namespace fde::bench {
@@ -96,17 +98,29 @@ SparseMatrix SineField::matrix() const {
 }
 
 void SineField::apply(In u, Out f) const {
-  const Eigen::Index n = points_.points, lines = shape_.size() / n;
+  parallel_for_rows(shape_.size(), 1, [&](Eigen::Index first, Eigen::Index count) {
+    for (Eigen::Index end = first + count; first < end;) {
+      const Eigen::Index of_line = std::min(end, (first / points_.points + 1) * points_.points) - first;
+      apply_to_part_of_line(u, f, first, of_line);
+      first += of_line;
+    }
+  });
+}
+
+void SineField::apply_to_part_of_line(In u, Out f, Eigen::Index first, Eigen::Index count) const {
+  const Eigen::Index n = points_.points, start = first / n * n;
   const double c = coupling(), middle = -2.0 * shape_.dimensions;
-  for (Eigen::Index j = 0; j < lines; ++j) {
-    const auto own = u.segment(j * n, n);
-    auto line = f.segment(j * n, n);
-    line[0] = c * (middle * own[0] + own[1]);
-    line.segment(1, n - 2) = c * (own.head(n - 2) + middle * own.segment(1, n - 2) + own.tail(n - 2));
-    line[n - 1] = c * (own[n - 2] + middle * own[n - 1]);
-    if (j > 0) line += c * u.segment((j - 1) * n, n);
-    if (j + 1 < lines) line += c * u.segment((j + 1) * n, n);
+  const Eigen::Index inner = std::max(first, start + 1),
+                     inner_count = std::min(first + count, start + n - 1) - inner;
+  if (first == start) f[start] = c * (middle * u[start] + u[start + 1]);
+  if (inner_count > 0) {
+    f.segment(inner, inner_count) =
+        c * (u.segment(inner - 1, inner_count) + middle * u.segment(inner, inner_count) +
+             u.segment(inner + 1, inner_count));
   }
+  if (first + count == start + n) f[start + n - 1] = c * (u[start + n - 2] + middle * u[start + n - 1]);
+  if (start > 0) f.segment(first, count) += c * u.segment(first - n, count);
+  if (start + n < shape_.size()) f.segment(first, count) += c * u.segment(first + n, count);
 }
 
 Outputs SineField::outputs() const {

@@ -27,6 +27,8 @@ class SineField final : public LinearField {
  private:
   class Sum;
   [[nodiscard]] double coupling() const;
+  // apply() for `count` points from `first` on, within a line.
+  void apply_to_part_of_line(In u, Out f, Eigen::Index first, Eigen::Index count) const;
   // The largest |u| of all points, for the amplitudes of the modes: modes x 1, or modes x modes in a square.
   [[nodiscard]] double largest(const Matrix& amplitudes) const;
 

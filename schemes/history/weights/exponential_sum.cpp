@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace fde {
 namespace {
@@ -47,35 +48,43 @@ struct Tail {
 // Relative error of the n-point Gauss rule. The rule is exact for polynomials of degree 2n - 1, so its error
 // is at most twice the mass times the distance of exp(-s t) from these polynomials. That distance is bounded
 // on the ellipse with foci at the ends of the interval and a sum of half axes of rho half intervals.
-double tail_error(int n, double theta, double rho, double a) {
+// The logarithm of the error; theta = 4 (2n - 1) / rho is about the best for given n and rho.
+double log_tail_error(int n, double log_theta, double rho, double log_rho, double a) {
   constexpr double mass =
       1.6;  // at most h (1-a) / (1 - q^(1-a)) / Gamma(2-a), for any step up to largest_step
-  const double largest = theta / 2 * ((rho + 1 / rho) / 2 - 1);
-  return 4 * mass * std::pow(theta, 1 - a) * std::exp(largest - (2 * n - 1) * std::log(rho)) / (rho - 1);
+  const int exact = 2 * n - 1;
+  const double largest = 2 * exact / rho * ((rho + 1 / rho) / 2 - 1);
+  return std::log(4 * mass / (rho - 1)) + (1 - a) * log_theta + largest - exact * log_rho;
 }
 
 // The Gauss rule with at most this error for which the total number of nodes is smallest; a node of the
-// trapezoidal rule covers a factor exp(h). The best rho for given n and theta is about 4 (2n - 1) / theta.
+// trapezoidal rule covers a factor exp(h).
 Tail best_tail(double error, double a, double h) {
   Tail best{};
+  const double most = std::log(error);
   double fewest = std::numeric_limits<double>::infinity();
-  for (double rho = 6; rho < 60; rho *= 1.1) {
-    int n = 1;
-    const auto theta = [&] { return 4 * (2 * n - 1) / rho; };
-    while (tail_error(n, theta(), rho, a) > error) ++n;
-    const double nodes = n - std::log(theta()) / h;
+  int n = 1;
+  for (double rho = 6; rho < 60; rho *= 1.1) {  // the larger rho, the smaller n
+    const double log_rho = std::log(rho);
+    const auto log_theta = [=](int points) { return std::log(4 * (2 * points - 1)) - log_rho; };
+    const auto log_error = [=](int points) {
+      return log_tail_error(points, log_theta(points), rho, log_rho, a);
+    };
+    while (log_error(n) > most) ++n;
+    while (n > 1 && log_error(n - 1) <= most) --n;
+    const double nodes = n - log_theta(n) / h;
     if (nodes >= fewest) continue;
     fewest = nodes;
-    best = {n, theta(), tail_error(n, theta(), rho, a)};
+    best = {n, std::exp(log_theta(n)), std::exp(log_error(n))};
   }
   return best;
 }
 
-// Relative contribution at t = low of the nodes from s upwards: the first, and an integral that bounds the
-// others.
+// Relative contribution at t = low of the nodes from s upwards, times Gamma(1-a): the first, and an integral
+// that bounds the others.
 double cut_error(double s, double low, double a, double h) {
   const double x = s * low;
-  return (1 + h * x) * std::pow(x, -a) * std::exp(-x) / std::tgamma(1 - a);
+  return (1 + h * x) * std::exp(-x - a * std::log(x));
 }
 
 // Gauss rule of the measure with the masses h s_i^(1-a) at s_i = sigma q^i, i >= 0, q = exp(-h), by Golub and
@@ -100,9 +109,20 @@ GaussRule gauss_rule(int n, Real sigma, Real a, Real h) {
     last_up = up;
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>> solver;
-  solver.computeFromTridiagonal(diagonal, off_diagonal);
+  solver.computeFromTridiagonal(diagonal, off_diagonal, Eigen::EigenvaluesOnly);
   const Real mass = h * std::pow(sigma, 1 - a) / below_one(1 - a);
-  return {sigma * solver.eigenvalues(), mass * solver.eigenvectors().row(0).array().square().matrix()};
+  // The first entries of the eigenvectors: 1 / sum_k p_k^2 with the orthonormal polynomials p_k at a node.
+  RealVec weights(n);
+  for (int i = 0; i < n; ++i) {
+    Real before = 0, now = 1, sum = 1;
+    for (int k = 0; k + 1 < n; ++k) {
+      const Real last = k == 0 ? 0 : off_diagonal[k - 1] * before;
+      before = std::exchange(now, ((solver.eigenvalues()[i] - diagonal[k]) * now - last) / off_diagonal[k]);
+      sum += now * now;
+    }
+    weights[i] = mass / sum;
+  }
+  return {sigma * solver.eigenvalues(), weights};
 }
 
 void check(long double exponent, double low, double high, double tolerance) {
@@ -116,23 +136,35 @@ void check(long double exponent, double low, double high, double tolerance) {
                   exponent, low, high, tolerance));
 }
 
+// The Gauss rule, and the nodes exp(m h) of the trapezoidal rule, first < m <= last.
+struct Discretisation {
+  double h;
+  Tail tail;
+  int first, last;
+  double cut;  // cut_error of the nodes that are left out
+};
+Discretisation discretisation(double a, double low, double high, double tolerance) {
+  const double share = tolerance / 3, h = step_of(share);
+  const Tail tail = best_tail(share, a, h);
+  const auto first = static_cast<int>(std::floor(std::log(tail.theta / high) / h));
+  const double gamma = std::tgamma(1 - a);
+  int last = first;
+  const auto cut = [&] { return cut_error(std::exp((last + 1) * h), low, a, h) / gamma; };
+  while (cut() > share) ++last;
+  return {h, tail, first, last, cut()};
+}
+
 }  // namespace
 
 ExponentialSum exponential_sum(long double exponent, double low, double high, double tolerance) {
   check(exponent, low, high, tolerance);
   if (exponent == 1) return {Vec::Zero(1), Vec::Ones(1), 0.0};
-  const double share = tolerance / 3, h = step_of(share);
-  const auto rough = static_cast<double>(exponent);
-  const Tail tail = best_tail(share, rough, h);
-  const auto first = static_cast<int>(std::floor(std::log(tail.theta / high) / h));
-  int last = first;
-  const auto cut = [&] { return cut_error(std::exp((last + 1) * h), low, rough, h); };
-  while (cut() > share) ++last;
-
+  const auto [h, tail, first, last, cut] =
+      discretisation(static_cast<double>(exponent), low, high, tolerance);
   const Real a = exponent, step = h, scale = std::sin(pi * std::min(a, 1 - a)) / pi;
   const GaussRule rule = gauss_rule(tail.count, std::exp(first * step), a, step);
   ExponentialSum sum{Vec(tail.count + last - first), Vec(tail.count + last - first),
-                     step_error(h) + tail.error + cut()};
+                     step_error(h) + tail.error + cut};
   sum.nodes.head(tail.count) = rule.nodes.cast<double>();
   sum.coefficients.head(tail.count) = (scale * rule.weights).cast<double>();
   for (int m = first + 1; m <= last; ++m) {

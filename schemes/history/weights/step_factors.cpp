@@ -7,11 +7,13 @@
 namespace fde {
 
 StepFactors::StepFactors(const std::vector<WeightTable>& tables) : factors_(std::ssize(tables)) {
-  for (const auto& [family, order] : tables) {
-    const auto found = std::ranges::find(orders_, order);
-    of_row_.push_back(found - orders_.begin());
-    if (found == orders_.end()) orders_.push_back(order);
-    units_.push_back(family->step_factor(order));
+  for (const auto& table : tables) {
+    const auto found = std::ranges::find(distinct_, table, &Table::table);
+    of_row_.push_back(found - distinct_.begin());
+    if (found != distinct_.end()) continue;
+    const auto order = std::ranges::find(orders_, table.order);
+    distinct_.push_back({table, order - orders_.begin(), table.family->step_factor(table.order)});
+    if (order == orders_.end()) orders_.push_back(table.order);
   }
   powers_.resize(std::ssize(orders_));
 }
@@ -21,8 +23,13 @@ const Vec& StepFactors::at(double length) {
   length_ = length;
   for (Eigen::Index k = 0; k < powers_.size(); ++k)
     powers_[k] = std::pow(length, orders_[static_cast<std::size_t>(k)]);
-  for (std::size_t i = 0; i < units_.size(); ++i)
-    factors_[static_cast<Eigen::Index>(i)] = static_cast<double>(units_[i] * powers_[of_row_[i]]);
+  Vec of_table(std::ssize(distinct_));
+  for (Eigen::Index k = 0; k < of_table.size(); ++k) {
+    const auto& [table, order, unit] = distinct_[static_cast<std::size_t>(k)];
+    of_table[k] = static_cast<double>(unit * powers_[order]);
+  }
+  for (std::size_t i = 0; i < of_row_.size(); ++i)
+    factors_[static_cast<Eigen::Index>(i)] = of_table[of_row_[i]];
   return factors_;
 }
 

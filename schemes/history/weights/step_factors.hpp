@@ -20,10 +20,17 @@ class StepFactors {
   [[nodiscard]] double power(double exponent) const;
 
  private:
-  std::vector<double> orders_;        // each once
-  std::vector<Eigen::Index> of_row_;  // for each table the index of its order
+  // One of the tables, each once.
+  struct Table {
+    WeightTable table;
+    Eigen::Index order;  // its index in orders_
+    long double unit;    // the factor for length 1
+  };
+
+  std::vector<double> orders_;  // each once
+  std::vector<Table> distinct_;
+  std::vector<Eigen::Index> of_row_;  // for each table its index in distinct_
   double length_ = 0.0;               // of the last call
-  std::vector<long double> units_;
   Vec powers_, factors_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/step_factors.hpp"
-#include "fdebench/schemes/problem/componentwise.hpp"
 
 namespace fde {
 namespace {
@@ -19,11 +19,11 @@ class HistoryOfRows {
       remembered.push_back(tables[i]);
     }
     buffer_.resize(static_cast<Eigen::Index>(rows_.size()));
-    history_ =
-        make_history(options.history, {remembered}, step_plan(grid), options.tolerance, options.threads);
+    history_ = make_history(options.history, {remembered}, step_plan(grid), options.tolerance);
   }
 
   [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
+  [[nodiscard]] HistoryKind kind() const { return history_->kind(); }
 
   void state(Archive& archive) { archive(history_); }
 
@@ -56,8 +56,7 @@ ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family) {
           .known =
               [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out known) {
                 taylor.at(t, known);
-                for_each_component(known.size(),
-                                   [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
+                for_each_row(known.size(), [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
               },
           .sample = [](Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }};
 }
@@ -69,6 +68,7 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
   StepFactors factors(rule.tables);
   HistoryOfRows history(problem, rule.tables, grid, options);
   run.cost().history_bytes = history.bytes();
+  run.cost().history = name(history.kind());
 
   Vec previous = run.start(), y = previous, recorded, sample(y.size()), known(y.size());
   Vec convolved = Vec::Zero(y.size());
@@ -98,7 +98,7 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
     }
     if (!run.accept(t, rule.recorded_result ? recorded : y)) break;
     if (n < grid.steps) rule.sample(run, t, y, previous, sample);
-    previous = y;
+    for_each_row(y.size(), [&](Eigen::Index i) { previous[i] = y[i]; });
   }
   run.cost().linear_solver = newton.linear_solver();
   return run.finish();

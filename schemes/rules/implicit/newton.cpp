@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/problem/componentwise.hpp"
 #include "fdebench/schemes/problem/jacobian.hpp"
 
@@ -153,7 +154,11 @@ bool NewtonSolver::iterate_past_infinite_derivatives(Run& run, const StepEquatio
 }
 
 bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
-  if (factorised_for_ != step.kappa) {
+  const auto is_factorised = [&] {
+    return holds_for_each_row(y.size(),
+                              [&](Eigen::Index i) { return (*factorised_for_)[i] == step.kappa[i]; });
+  };
+  if (!factorised_for_ || !is_factorised()) {
     factorised_for_ = step.kappa;
     solvable_ = matrix_->factorise_linear(step.kappa);
     step_too_large_ = growth_check_->is_step_too_large(*matrix_, step.kappa, solvable_);
@@ -161,9 +166,9 @@ bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
   if (!solvable_ || step_too_large_) return false;
   compute_residual(step, matrix_->rows(), run.rhs(step.t, y), y, increment_);
   matrix_->solve(increment_);
-  y += increment_;
+  for_each_row(y.size(), [&](Eigen::Index i) { y[i] += increment_[i]; });
   ++*run.cost().newton_iterations;
-  return y.allFinite();
+  return true;  // Run::accept looks at y
 }
 
 bool NewtonSolver::iterate(Run& run, const StepEquations& step, Out y, int most_setbacks) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/problem/componentwise.hpp"
 
 namespace fde {
@@ -25,8 +26,7 @@ RowScales::RowScales(const Problem& problem)
 }
 
 void compute_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest) {
-  for_each_component(rest.size(),
-                     [&](Eigen::Index i) { rest[i] = step.known[i] + step.kappa[i] * f[i] - y[i]; });
+  for_each_row(rest.size(), [&](Eigen::Index i) { rest[i] = step.known[i] + step.kappa[i] * f[i] - y[i]; });
   for (const auto i : rows.algebraic) rest[i] = rows.scale[i] * f[i];
 }
 

@@ -12,6 +12,7 @@ Trajectory solve_with_interpolant(Interpolant& interpolant, const Problem& probl
   Run run(stepped.problem(), options, grid.steps);
   NewtonSolver newton(stepped.problem(), options.tolerance);
   run.cost().history_bytes = interpolant.bytes();
+  run.cost().history = name(interpolant.history_kind());
 
   Vec y = run.start(), before = y, known_derivative(y.size()), newest(y.size()), kappa(y.size()),
       known(y.size());

@@ -24,6 +24,7 @@ class Interpolant {
   virtual void push(int n, In increment) = 0;
 
   [[nodiscard]] virtual std::size_t bytes() const = 0;
+  [[nodiscard]] virtual HistoryKind history_kind() const = 0;
 
   // Archives the state that depends on the increments.
   virtual void state(Archive& archive) = 0;

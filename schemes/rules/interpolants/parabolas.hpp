@@ -20,6 +20,7 @@ class BackwardParabolas final : public Interpolant {
   void derivative(int n, Out known, Out newest) override;
   void push(int n, In increment) override;
   [[nodiscard]] std::size_t bytes() const override { return lines_.bytes() + second_differences_.bytes(); }
+  [[nodiscard]] HistoryKind history_kind() const override { return lines_.kind(); }
   void state(Archive& archive) override { archive(lines_, second_differences_, increment_); }
 
  private:
@@ -40,6 +41,7 @@ class ForwardParabolas final : public Interpolant {
   void derivative(int n, Out known, Out newest) override;
   void push(int n, In increment) override;
   [[nodiscard]] std::size_t bytes() const override;
+  [[nodiscard]] HistoryKind history_kind() const override { return groups_.front().lines.kind(); }
   void state(Archive& archive) override;
 
  private:

@@ -19,6 +19,7 @@ class SlopeHistory {
   void derivative(double t, Out result);
 
   [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
+  [[nodiscard]] HistoryKind kind() const { return history_->kind(); }
 
   void state(Archive& archive) { archive(newest_, history_); }
 

@@ -36,6 +36,7 @@ Trajectory solve_integrated_equations(const Problem& problem, const Grid& grid, 
   NewtonSolver newton(stepped, options.tolerance);
   IntegratedEquations equations(problem, family, grid, options, powers);
   run.cost().history_bytes = equations.bytes();
+  run.cost().history = name(equations.history_kind());
   if (!powers.empty()) run.cost().starting_weights = static_cast<int>(powers.size());
 
   Matrix first;
@@ -71,6 +72,7 @@ Trajectory predict_and_correct_equations(const Problem& problem, const Grid& gri
   Run run(stepped, options, grid.steps);
   IntegratedEquations equations(problem, families::trapezoid, grid, options);
   run.cost().history_bytes = equations.bytes();
+  run.cost().history = name(equations.history_kind());
 
   Vec y = run.start(), f = Vec::Zero(y.size()), before = f;
   double t = 0.0;

@@ -40,6 +40,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   const TaylorPart taylor(problem);
   NewtonSolver newton(problem, options.tolerance);
   Run run(problem, options, grid.steps);
+  run.cost().history = name(history->kind());
   run.cost().starting_weights = first_steps + 1;
 
   Matrix first;

@@ -80,6 +80,8 @@ Trajectory solve_globally(const Problem& problem, const Grid& grid, const Option
     found = solutions(equations, increments, run, options);
   if (!found.empty()) end = std::move(found.front());
   const auto values = 8 * end.guess.y.size();  // guesses, residuals and increments
+  run.cost().history = equations.left().history_kind_name();
+  if (run.cost().history.empty()) run.cost().history = equations.right().history_kind_name();
   run.cost().history_bytes = equations.left().bytes() + equations.right().bytes() + increments.bytes() +
                              sizeof(double) * static_cast<std::size_t>(values);
   if (!end.converged) {

@@ -45,6 +45,10 @@ class SideRule {
   // Jacobians are all equal, the first for the start.
   [[nodiscard]] Matrix inverses(const Matrix& jacobians) const;
 
+  // Of the kind of history; empty: there are no sums.
+  [[nodiscard]] std::string_view history_kind_name() const {
+    return history_prototype_ ? name(history_prototype_->kind()) : std::string_view();
+  }
   [[nodiscard]] std::size_t bytes() const { return history_prototype_ ? history_prototype_->bytes() : 0; }
 
  private:

@@ -242,17 +242,5 @@ TEST_P(HistoriesOnGradedGrids, AreSmallerForALooserToleranceAndWithinIt) {
 
 INSTANTIATE_TEST_SUITE_P(, HistoriesOnGradedGrids, testing::Values(1.5, 3.0, 6.0));
 
-// In shorter runs the tables of the exponentials cost more than all direct sums (measured by fde_histories).
-TEST(AutomaticHistory, IsDirectForShortRunsOnly) {
-  const auto resolved = [](int steps, double grading) {
-    return resolved_kind(HistoryKind::automatic, step_plan({1.0, steps, grading}));
-  };
-  EXPECT_EQ(resolved(16, 1.0), HistoryKind::direct);
-  EXPECT_EQ(resolved(512, 1.0), HistoryKind::exponentials);
-  EXPECT_EQ(resolved(4, 2.0), HistoryKind::direct);
-  EXPECT_EQ(resolved(64, 2.0), HistoryKind::exponentials);
-  EXPECT_EQ(resolved_kind(HistoryKind::direct, equal_steps(512)), HistoryKind::direct);
-}
-
 }  // namespace
 }  // namespace fde::bench

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "fdebench/schemes/history/exponential_memory.hpp"
 #include "fdebench/schemes/history/history.hpp"
@@ -40,8 +42,9 @@ double sample_of(Eigen::Index component, int n) {
 Rows sums(const Family& family, Eigen::Index first, Eigen::Index components, int threads) {
   WeightTables tables;
   for (const auto& table : family.tables) tables.emplace_back(static_cast<std::size_t>(components), table);
-  const auto history = make_history(HistoryKind::exponentials, tables,
-                                    step_plan({.end = 1.0, .steps = steps}), 1e-15, threads);
+  const auto history =
+      make_history(HistoryKind::exponentials, tables, step_plan({.end = 1.0, .steps = steps}), 1e-15);
+  const RowThreads several(threads);
   Rows result(std::ssize(tables) * components, steps);
   for (int n = 0; n < steps; ++n) {
     history->push(n, Vec::NullaryExpr(components, [&](Eigen::Index i) { return sample_of(first + i, n); }));
@@ -51,6 +54,27 @@ Rows sums(const Family& family, Eigen::Index first, Eigen::Index components, int
     }
   }
   return result;
+}
+
+// Every part is done once, whichever thread does it.
+TEST(SharedWork, DoesEveryRowOnce) {
+  for (const int threads : {1, 2, 5}) {
+    const RowThreads several(threads);
+    for (const Eigen::Index rows : {1, 100, 16'384, 100'001}) {
+      std::vector<int> visits(static_cast<std::size_t>(rows), 0);
+      for (int round = 0; round < 20; ++round)
+        for_each_row(rows, [&](Eigen::Index i) { ++visits[static_cast<std::size_t>(i)]; });
+      EXPECT_EQ(std::ranges::count(visits, 20), rows) << threads;
+    }
+  }
+}
+
+TEST(SharedWork, FindsTheOnlyRowThatFails) {
+  constexpr Eigen::Index rows = 100'000;
+  const RowThreads two(2);
+  for (const Eigen::Index failing : {Eigen::Index{0}, rows / 2, rows - 1})
+    EXPECT_FALSE(holds_for_each_row(rows, [=](Eigen::Index i) { return i != failing; }));
+  EXPECT_TRUE(holds_for_each_row(rows, [](Eigen::Index) { return true; }));
 }
 
 class ManyComponents : public testing::TestWithParam<Family> {};
@@ -86,7 +110,27 @@ TEST(SharedWork, PassesOnWhatAnyThreadThrows) {
     const auto work = [=](Eigen::Index first, Eigen::Index count) {
       if (first <= failing && failing < first + count) throw std::runtime_error("no");
     };
-    EXPECT_THROW(parallel_for_rows(2, rows, 1, work), std::runtime_error) << failing;
+    const RowThreads two(2);
+    EXPECT_THROW(parallel_for_rows(rows, 1, work), std::runtime_error) << failing;
+  }
+}
+
+// A run that ends within the first block: all samples have their exact weights.
+TEST(WideMemory, NeedsNoExponentialsWithinABlock) {
+  const WeightTables tables{std::vector<WeightTable>(100, {&families::trapezoid, 0.5})};
+  const auto history = [&](HistoryKind kind, int count) {
+    return make_history(kind, tables, step_plan({.end = 1.0, .steps = count}), 1e-15);
+  };
+  const auto direct = history(HistoryKind::direct, 31), short_run = history(HistoryKind::exponentials, 31);
+  EXPECT_LT(4 * short_run->bytes(), 3 * history(HistoryKind::exponentials, 32)->bytes());
+  Vec exact(100), sums(100);
+  for (int n = 0; n < 31; ++n) {
+    const Vec sample = Vec::NullaryExpr(100, [&](Eigen::Index i) { return sample_of(i, n); });
+    direct->push(n, sample);
+    short_run->push(n, sample);
+    direct->convolve(n + 1, 0, exact);
+    short_run->convolve(n + 1, 0, sums);
+    EXPECT_LE((sums - exact).lpNorm<Eigen::Infinity>(), 1e-14 * (1.0 + exact.lpNorm<Eigen::Infinity>())) << n;
   }
 }
 

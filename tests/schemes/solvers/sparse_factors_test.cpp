@@ -9,6 +9,9 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 
 namespace fde::bench {
 namespace {
@@ -103,6 +106,48 @@ TEST(SparseFactors, AreNoneOfASingularMatrixOrOneThatIsNotFinite) {
   EXPECT_EQ(sparse_factors(singular.sparseView()), nullptr);
   EXPECT_EQ(sparse_factors(Matrix(with(square, 3, 3, std::numeric_limits<double>::quiet_NaN())).sparseView()),
             nullptr);
+}
+
+// Elimination from both ends meets in the middle, also where an end is short or missing.
+TEST(TridiagonalFactors, SolveSystemsOfAnySize) {
+  for (int n = 1; n <= 12; ++n) {
+    const Matrix matrix = diffusion(n, false, 2.0);
+    const Vec exact = Vec::LinSpaced(n, 1.0, 3.0);
+    Vec x = matrix * exact;
+    const auto factors = sparse_factors(matrix.sparseView());
+    ASSERT_EQ(factors->active_method(), "tridiagonal");
+    factors->solve(x);
+    EXPECT_LE((x - exact).lpNorm<Eigen::Infinity>(), 1e-14) << n;
+    EXPECT_EQ(factors->determinant_sign(), 1);
+  }
+}
+
+TEST(SparseFactors, HaveTheSameBitsInAnyNumberOfThreads) {
+  for (const bool square : {false, true}) {
+    const int n = square ? 200 : 40'000, size = square ? n * n : n;
+    SparseMatrix matrix(size, size);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < size; ++i) {
+      entries.emplace_back(i, i, square ? 13.0 : 7.0);
+      if (i % n > 0) entries.emplace_back(i, i - 1, -3.0);
+      if (i % n < n - 1) entries.emplace_back(i, i + 1, -3.0);
+      if (square && i >= n) entries.emplace_back(i, i - n, -3.0);
+      if (square && i + n < size) entries.emplace_back(i, i + n, -3.0);
+    }
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const auto factors = sparse_factors(matrix);
+    EXPECT_EQ(factors->active_method(), square ? "fast_sine" : "tridiagonal");
+    const Vec exact = Vec::LinSpaced(size, 1.0, 3.0);
+    const auto solution = [&](int threads) {
+      const RowThreads several(threads);
+      Vec x = matrix * exact;
+      factors->solve(x);
+      return x;
+    };
+    const Vec one = solution(1);
+    EXPECT_LE((one - exact).lpNorm<Eigen::Infinity>(), 1e-12);
+    for (const int threads : {2, 3}) EXPECT_EQ(one, solution(threads)) << threads;
+  }
 }
 
 }  // namespace

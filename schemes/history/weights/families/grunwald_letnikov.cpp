@@ -18,6 +18,16 @@ constinit const WeightFamily families::grunwald_letnikov{
     .id = "grunwald_letnikov",
     .title = "Grunwald-Letnikov, backward Euler convolution quadrature: (-1)^k binomial(-g, k)",
     .weight = binomial_weight,
+    .first_weights =
+        [](long double g, std::size_t count) {
+          std::vector<long double> w(count);
+          long double last = 1;
+          for (std::size_t k = 1; k <= count; ++k) {
+            const auto lag = static_cast<long double>(k);
+            w[k - 1] = last *= (lag - 1 + g) / lag;
+          }
+          return w;
+        },
     .first_sample_weight = [](long double /*g*/, long double /*n*/) -> long double { return 0; },
     .weight_at_order_one = 1.0,
     .step_factor = [](long double /*g*/) -> long double { return 1; },
