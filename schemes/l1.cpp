@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include "fdebench/schemes/problem/componentwise.hpp"
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/stepping/order_splitting.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
 namespace {
+
+void subtract(In a, In b, Out difference) {
+  for_each_component(a.size(), [from = a.data(), less = b.data(), to = difference.data()](Eigen::Index i) {
+    to[i] = from[i] - less[i];
+  });
+}
 
 // h^(-g)/Gamma(2-g) sum_{1<=j<=n} w_{n-j} (y_j - y_{j-1}) = f(t_n, y_n), orders g in (0, 1]; g = 1 is the
 // backward Euler method.
@@ -13,8 +20,8 @@ Trajectory solve_l1(const Problem& problem, const Grid& grid, const Options& opt
       problem, grid, options,
       {.tables = weight_tables(problem, families::l1),
        .known = [](double /*t*/, In convolved, In previous, In /*kappa*/,
-                   Out known) { known = previous - convolved; },
-       .sample = [](Run& /*run*/, double /*t*/, In y, In previous, Out sample) { sample = y - previous; }});
+                   Out known) { subtract(previous, convolved, known); },
+       .sample = [](double /*t*/, In y, In previous, Out sample) { subtract(y, previous, sample); }});
 }
 
 // Piecewise linear interpolation of y: h^(2-g).

@@ -11,10 +11,20 @@ namespace fde {
 // more than the arithmetic.
 template <typename Body>
 inline void for_each_component(Eigen::Index size, Body body) {
+#if defined(__clang__)
+#pragma clang loop unroll_count(4)
+#else
+#pragma GCC unroll 4
+#endif
   for (Eigen::Index i = 0; i < size; ++i) {
     body(i);
     asm volatile("");  // NOLINT(hicpp-no-assembler): compilers do not vectorise a loop with it
   }
+}
+
+// to = from, for arrays of `size` components.
+inline void copy_components(Eigen::Index size, const double* from, double* to) {
+  for_each_component(size, [=](Eigen::Index i) { to[i] = from[i]; });
 }
 
 }  // namespace fde

@@ -67,7 +67,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   }
   for (; n <= grid.steps; ++n) {
     run.offer_checkpoint(state);
-    const Vec& f = run.rhs(t, y);
+    const Vec& f = newton.rhs_at_solution(run, t, y);
     history->push(t, f);
     if (n <= first_steps + 1) starts.col(n - 1) = f;
     if (n == first_steps + 1) correction.start(starts);
