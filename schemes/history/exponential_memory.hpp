@@ -47,6 +47,15 @@ class ExponentialMemory {
         memory_);
   }
 
+  // The same, written to result.
+  void convolve(Eigen::Index table, Out result) const {
+    if (const auto* narrow = std::get_if<NarrowMemory>(&memory_)) {
+      narrow->convolve(table, position_, result);
+    } else {
+      std::get<WideMemory>(memory_).convolve(table, position_, result);
+    }
+  }
+
   [[nodiscard]] std::size_t bytes() const;
   void state(Archive& archive);
 

@@ -28,6 +28,10 @@ class WideMemory {
   [[nodiscard]] const double* sums(Eigen::Index table, Eigen::Index /*position*/) const {
     return current_.col(table).data();
   }
+  // Sets result to them.
+  void convolve(Eigen::Index table, Eigen::Index position, Out result) const {
+    result = Eigen::Map<const Vec>(sums(table, position), components_);
+  }
   static constexpr Eigen::Index stride() { return 1; }
   [[nodiscard]] Eigen::Index components() const { return components_; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // solve/<scene>/<scheme>/<N> for every scene and every scheme that accepts it: time, error of the solution
 // and Newton iterations. history/<scene>/<scheme>/<engine>/<N> compares the history engines on whole solves.
+// steps/<scene>/<scheme>/<N> has the time of a step in long runs, per_step.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -75,6 +76,29 @@ int main(int count, char** arguments) {
         }
       }
     }
+  }
+  for (auto& subject : subjects) {
+    if (subject.id != "pendulum" && subject.id != "relaxation" && subject.id != "brusselator") continue;
+    for (const auto* id : {"adams_pc", "decoupled_multi_order", "l1", "l2_1_sigma", "grunwald_letnikov",
+                           "product_trapezoidal", "bdf2", "bdf6", "multi_term_trapezoidal"}) {
+      for (const int steps : {100'000, 1'000'000}) {
+        if (unsupported_reason(*find_scheme(id), subject.scene.problem,
+                               Grid{subject.scene.problem.end, steps}))
+          continue;
+        benchmark::RegisterBenchmark(fmt::format("steps/{}/{}/{}", subject.id, id, steps).c_str(),
+                                     [&subject, id, steps](benchmark::State& state) {
+                                       solve(state, subject, *find_scheme(id), steps);
+                                     })
+            ->Unit(benchmark::kMillisecond);
+      }
+    }
+    if (subject.id == "brusselator") continue;
+    constexpr int most = 100'000'000;
+    benchmark::RegisterBenchmark(
+        fmt::format("steps/{}/adams_pc/{}", subject.id, most).c_str(),
+        [&subject](benchmark::State& state) { solve(state, subject, *find_scheme("adams_pc"), most); })
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(1);
   }
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;

@@ -16,14 +16,12 @@ StepFactors::StepFactors(const std::vector<WeightTable>& tables) : factors_(std:
   powers_.resize(std::ssize(orders_));
 }
 
-const Vec& StepFactors::at(double length) {
-  if (length == length_) return factors_;
+void StepFactors::compute(double length) {
   length_ = length;
   for (Eigen::Index k = 0; k < powers_.size(); ++k)
     powers_[k] = std::pow(length, orders_[static_cast<std::size_t>(k)]);
   for (std::size_t i = 0; i < units_.size(); ++i)
     factors_[static_cast<Eigen::Index>(i)] = static_cast<double>(units_[i] * powers_[of_row_[i]]);
-  return factors_;
 }
 
 double StepFactors::power(double exponent) const {

@@ -14,12 +14,17 @@ class StepFactors {
   explicit StepFactors(const std::vector<WeightTable>& tables);
 
   // The step factors for this length, one a table. The reference is valid until the next call.
-  const Vec& at(double length);
+  const Vec& at(double length) {
+    if (length != length_) compute(length);
+    return factors_;
+  }
 
   // length^exponent with the length of the last call; cached where the exponent is an order of a table.
   [[nodiscard]] double power(double exponent) const;
 
  private:
+  void compute(double length);
+
   std::vector<double> orders_;        // each once
   std::vector<Eigen::Index> of_row_;  // for each table the index of its order
   double length_ = 0.0;               // of the last call
