@@ -7,20 +7,21 @@
 namespace fde {
 namespace {
 
+void subtract(In a, In b, Out difference) {
+  for_each_row(a.size(), [from = a.data(), less = b.data(), to = difference.data()](Eigen::Index i) {
+    to[i] = from[i] - less[i];
+  });
+}
+
 // h^(-g)/Gamma(2-g) sum_{1<=j<=n} w_{n-j} (y_j - y_{j-1}) = f(t_n, y_n), orders g in (0, 1]; g = 1 is the
 // backward Euler method.
 Trajectory solve_l1(const Problem& problem, const Grid& grid, const Options& options) {
   return solve_implicit(
       problem, grid, options,
       {.tables = weight_tables(problem, families::l1),
-       .known =
-           [](double /*t*/, In convolved, In previous, In /*kappa*/, Out known) {
-             for_each_row(known.size(), [&](Eigen::Index i) { known[i] = previous[i] - convolved[i]; });
-           },
-       .sample =
-           [](Run& /*run*/, double /*t*/, In y, In previous, Out sample) {
-             for_each_row(sample.size(), [&](Eigen::Index i) { sample[i] = y[i] - previous[i]; });
-           }});
+       .known = [](double /*t*/, In convolved, In previous, In /*kappa*/,
+                   Out known) { subtract(previous, convolved, known); },
+       .sample = [](double /*t*/, In y, In previous, Out sample) { subtract(y, previous, sample); }});
 }
 
 // Piecewise linear interpolation of y: h^(2-g).

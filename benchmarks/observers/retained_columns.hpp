@@ -32,7 +32,8 @@ class RetainedColumns {
   const Outputs& outputs_;
   std::vector<double> requested_, times_;
   double unit_;
-  std::size_t next_ = 0;  // index of the next requested time
+  std::size_t next_ = 0;    // index of the next requested time
+  double next_from_ = 0.0;  // is_requested() is false before this time
   Rows columns_;
 };
 

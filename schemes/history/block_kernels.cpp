@@ -5,6 +5,7 @@
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 // The tiles are arrays of vectors; vectors of unknown length cannot be array elements.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
@@ -29,25 +30,26 @@ constexpr Tag tag;
 // Vectors per column of a tile; the tile's accumulators are held in registers.
 constexpr Eigen::Index tile_vectors = hn::MaxLanes(tag) == lanes ? 4 : 2;
 
-// Rows [0, Vectors * width) of Columns columns of c += a b.
+// Rows [0, Vectors * width) of some columns of c += a b: entry e is vector e % Vectors of column e / Vectors.
+// The expansion over the entries keeps all sums in registers.
+template <Eigen::Index Vectors, Eigen::Index... Entries>
+HWY_INLINE void tile(std::integer_sequence<Eigen::Index, Entries...> /*entries*/, Eigen::Index inner,
+                     ConstBlock a, ConstBlock b, Block c) {
+  constexpr Eigen::Index width = hn::MaxLanes(tag);
+  const auto entry = [&](Eigen::Index e) { return c.data + e / Vectors * c.stride + e % Vectors * width; };
+  std::array<Vector, sizeof...(Entries)> sum{hn::Load(tag, entry(Entries))...};
+  for (Eigen::Index k = 0; k < inner; ++k) {
+    const double *const left = a.data + k * a.stride, *const right = b.data + k;
+    ((sum[Entries] = hn::MulAdd(hn::Load(tag, left + Entries % Vectors * width),
+                                hn::Set(tag, right[Entries / Vectors * b.stride]), sum[Entries])),
+     ...);
+  }
+  (hn::Store(sum[Entries], tag, entry(Entries)), ...);
+}
+
 template <Eigen::Index Vectors, Eigen::Index Columns>
 HWY_INLINE void tile(Eigen::Index inner, ConstBlock a, ConstBlock b, Block c) {
-  constexpr Eigen::Index width = hn::MaxLanes(tag);
-  std::array<std::array<Vector, Columns>, Vectors> sum;
-  for (Eigen::Index j = 0; j < Columns; ++j) {
-    for (Eigen::Index v = 0; v < Vectors; ++v) sum[v][j] = hn::Load(tag, c.data + j * c.stride + v * width);
-  }
-  for (Eigen::Index k = 0; k < inner; ++k) {
-    std::array<Vector, Vectors> left;
-    for (Eigen::Index v = 0; v < Vectors; ++v) left[v] = hn::Load(tag, a.data + k * a.stride + v * width);
-    for (Eigen::Index j = 0; j < Columns; ++j) {
-      const Vector right = hn::Set(tag, b.data[j * b.stride + k]);
-      for (Eigen::Index v = 0; v < Vectors; ++v) sum[v][j] = hn::MulAdd(left[v], right, sum[v][j]);
-    }
-  }
-  for (Eigen::Index j = 0; j < Columns; ++j) {
-    for (Eigen::Index v = 0; v < Vectors; ++v) hn::Store(sum[v][j], tag, c.data + j * c.stride + v * width);
-  }
+  tile<Vectors>(std::make_integer_sequence<Eigen::Index, Vectors * Columns>(), inner, a, b, c);
 }
 
 template <Eigen::Index Columns>
@@ -59,6 +61,10 @@ HWY_INLINE void panel(Eigen::Index rows, Eigen::Index inner, ConstBlock a, Const
   Eigen::Index row = 0;
   for (; row + step <= rows; row += step) {
     tile<tile_vectors, Columns>(inner, below(a, row), b, below(c, row));
+  }
+  if constexpr (tile_vectors > 2) {
+    for (; row + 2 * width <= rows; row += 2 * width)
+      tile<2, Columns>(inner, below(a, row), b, below(c, row));
   }
   for (; row < rows; row += width) tile<1, Columns>(inner, below(a, row), b, below(c, row));
 }
@@ -89,14 +95,17 @@ void multiply_add_kernel(Eigen::Index rows, Eigen::Index inner, Eigen::Index col
 void add_outer_product_kernel(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns,
                               Eigen::Index below, Block c) {
   constexpr Eigen::Index width = hn::MaxLanes(tag);
-  for (Eigen::Index j = 0; j < columns; ++j) {
-    const Vector factor = hn::Set(tag, b[j]);
-    for (Eigen::Index table = 0; table < tables; ++table) {
-      for (Eigen::Index row = 0; row < lanes; row += width) {
-        double* entry = c.data + j * c.stride + table * below + row;
-        hn::Store(hn::MulAdd(hn::Load(tag, a + table * lanes + row), factor, hn::Load(tag, entry)), tag,
-                  entry);
-      }
+  for (Eigen::Index table = 0; table < tables; ++table) {
+    for (Eigen::Index row = 0; row < lanes; row += width) {
+      const Vector left = hn::Load(tag, a + table * lanes + row);
+      double* entry = c.data + table * below + row;
+#if defined(__clang__)
+#pragma clang loop unroll_count(4)
+#else
+#pragma GCC unroll 4
+#endif
+      for (Eigen::Index j = 0; j < columns; ++j, entry += c.stride)
+        hn::Store(hn::MulAdd(left, hn::Set(tag, b[j]), hn::Load(tag, entry)), tag, entry);
     }
   }
 }

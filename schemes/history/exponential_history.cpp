@@ -100,7 +100,7 @@ void ExponentialHistory::add_filtered(Sum& sum, const WeightTable& table, Eigen:
   if (found == filters_.end()) found = filters_.insert(found, {table});
   const auto filter = static_cast<std::size_t>(found - filters_.begin());
   auto use = std::ranges::find(sum.filtered, filter, &TableUse::group);
-  if (use == sum.filtered.end()) use = sum.filtered.insert(use, {filter, 0});
+  if (use == sum.filtered.end()) use = sum.filtered.insert(use, {filter, 0, false});
   use->components.emplace_back(component, found->columns.of(component));
 }
 
@@ -117,13 +117,13 @@ void ExponentialHistory::add_exponentials(Sum& sum, const WeightTable& table, Ei
   const auto row = index_in(found->tables, table);
   auto use = std::ranges::find_if(
       sum.uses, [&](const auto& other) { return other.group == group && other.table == row; });
-  if (use == sum.uses.end()) use = sum.uses.insert(use, {group, row});
+  if (use == sum.uses.end()) use = sum.uses.insert(use, {group, row, alternates});
   use->components.emplace_back(component, found->columns.of(component));
 }
 
 void ExponentialHistory::push(double /*t*/, In sample) {
-  for (std::size_t f = 0; f < filters_.size(); ++f) {
-    auto& filter = filters_[f];
+  auto filtered = filtered_.begin();
+  for (auto& filter : filters_) {
     for (Eigen::Index c = 0; c < filter.sample.size(); ++c)
       filter.sample[c] = sample[filter.columns.components()[static_cast<std::size_t>(c)]];
     std::visit(
@@ -131,22 +131,22 @@ void ExponentialHistory::push(double /*t*/, In sample) {
           if (filter.all) return memory.push(sample);
           memory.push(filter.sample);
         },
-        filtered_[f]);
+        *filtered++);
   }
   sign_ = -sign_;
   if (first_.size() == 0) return begin(sample);
   if (needs_totals_) totals_.add(sample);
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    auto& group = groups_[g];
+  auto memory = memories_.begin();
+  for (auto& group : groups_) {
     if (group.all) {
-      memories_[g].push(sample);
+      (memory++)->push(sample);
       continue;
     }
     for (Eigen::Index c = 0; c < group.sample.size(); ++c) {
       const auto i = group.columns.components()[static_cast<std::size_t>(c)];
       group.sample[c] = group.running_sums ? totals_[i] : group.alternates ? -sign_ * sample[i] : sample[i];
     }
-    memories_[g].push(group.sample);
+    (memory++)->push(group.sample);
   }
 }
 
@@ -165,10 +165,11 @@ void ExponentialHistory::begin(In sample) {
 }
 
 void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) const {
-  for (const auto& [i, start, constant] : sums_[sum].constants) {
+  const Sum& of = sums_.begin()[static_cast<std::ptrdiff_t>(sum)];
+  for (const auto& [i, start, constant] : of.constants) {
     result[i] = start * first_[i] + constant * totals_[i];
   }
-  for (const auto& use : sums_[sum].filtered) {
+  for (const auto& use : of.filtered) {
     std::visit(
         [&](const auto& memory) {
           if (use.all) for_each_component(size_, [&](Eigen::Index i) { result[i] = memory.convolved(i); });
@@ -176,19 +177,21 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
         },
         filtered_[use.group]);
   }
-  for (const auto& [group, table, components, all] : sums_[sum].uses) {
-    if (all && !groups_[group].alternates) {
-      memories_[group].convolve(table, result);
+  for (const auto& use : of.uses) {
+    const ExponentialMemory& memory = memories_.begin()[static_cast<std::ptrdiff_t>(use.group)];
+    if (use.all && !use.alternates) {
+      memory.convolve(use.table, result);
       continue;
     }
-    const auto convolved = memories_[group].convolved(table);
+    const auto convolved = memory.convolved(use.table);
     const double* const values = convolved.data();
     const Eigen::Index stride = convolved.innerStride();
-    if (groups_[group].alternates) {
-      if (all) for_each_component(size_, [&](Eigen::Index i) { result[i] += sign_ * values[i * stride]; });
-      for (const auto& [i, column] : components) result[i] += sign_ * values[column * stride];
+    if (use.alternates) {
+      if (use.all)
+        for_each_component(size_, [&](Eigen::Index i) { result[i] += sign_ * values[i * stride]; });
+      for (const auto& [i, column] : use.components) result[i] += sign_ * values[column * stride];
     } else {
-      for (const auto& [i, column] : components) result[i] = values[column * stride];
+      for (const auto& [i, column] : use.components) result[i] = values[column * stride];
     }
   }
 }

@@ -58,6 +58,7 @@ class ExponentialHistory final : public History {
   struct TableUse {
     std::size_t group;
     Eigen::Index table;
+    bool alternates;  // as the group
     std::vector<std::pair<Eigen::Index, Eigen::Index>> components{};
     bool all = false;  // all components, component i in column i; the list is empty
   };

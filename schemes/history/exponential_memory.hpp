@@ -53,7 +53,11 @@ class ExponentialMemory {
 
   // The same, written to result.
   void convolve(Eigen::Index table, Out result) const {
-    std::visit([&](const auto& memory) { memory.convolve(table, position_, result); }, memory_);
+    if (const auto* narrow = std::get_if<NarrowMemory>(&memory_)) {
+      narrow->convolve(table, position_, result);
+    } else {
+      std::get<WideMemory>(memory_).convolve(table, position_, result);
+    }
   }
 
   [[nodiscard]] std::size_t bytes() const;

@@ -26,10 +26,13 @@ void NarrowMemory::add_exact(const FirstSampleWeights& start) {
 
 void NarrowMemory::push(const MemoryTables& tables, Eigen::Index position, In sample,
                         const FirstSampleWeights& start) {
-  for (Eigen::Index c = 0; c < samples_.cols(); ++c) samples_(recent + position, c) = sample[c];
+  for_each_component(samples_.cols(), [to = samples_.data() + recent + position, stride = samples_.rows(),
+                                       x = sample.data()](Eigen::Index c) { to[c * stride] = x[c]; });
   const Eigen::Index column = position % recent, first = position - column;
-  add_outer_product(tables.count, &tables.inner(0, column), sample.data(), sums_.cols(), block,
-                    {&sums_(first, 0), sums_.rows()});
+  if (column + 1 < recent) {
+    add_outer_product(tables.count, tables.inner.data() + column * tables.inner.rows(), sample.data(),
+                      sums_.cols(), block, {sums_.data() + first, sums_.rows()});
+  }
   if (position + 1 == block) {
     advance_block(tables, start);
   } else if ((position + 1) % recent == 0) {

@@ -22,12 +22,12 @@ class NarrowMemory {
 
   // The sums of a table at the next step, components() values with the distance stride().
   [[nodiscard]] const double* sums(Eigen::Index table, Eigen::Index position) const {
-    return &sums_(table * MemoryTables::block + position, 0);
+    return sums_.data() + table * block + position;
   }
   // Sets result to them.
   void convolve(Eigen::Index table, Eigen::Index position, Out result) const {
-    const double* const values = sums(table, position);
-    for_each_component(result.size(), [&](Eigen::Index i) { result[i] = values[i * stride()]; });
+    for_each_component(result.size(), [values = sums(table, position), stride = stride(),
+                                       to = result.data()](Eigen::Index i) { to[i] = values[i * stride]; });
   }
   [[nodiscard]] Eigen::Index stride() const { return sums_.rows(); }
   [[nodiscard]] Eigen::Index components() const { return sums_.cols(); }

@@ -42,20 +42,32 @@ void parallel_for_parts(Eigen::Index parts, Eigen::Index rows_of_part,
 void parallel_for_rows(Eigen::Index rows, Eigen::Index unit,
                        const std::function<void(Eigen::Index first, Eigen::Index count)>& work);
 
+// Fewer rows are processed by the calling thread, without vectors.
+inline constexpr Eigen::Index few_rows = 64;
+
 // Calls body(i) for each row i, in any order; few rows as for_each_component, many with vectors.
 // Precondition: body writes to its own row only.
 template <typename Body>
 void for_each_row(Eigen::Index rows, Body body) {
-  constexpr Eigen::Index few = 64;
-  if (rows < few) return for_each_component(rows, body);
+  if (rows < few_rows) return for_each_component(rows, body);
   parallel_for_rows(rows, 1, [&](Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index i = first; i < first + count; ++i) body(i);
   });
 }
 
+// to = from, for arrays of `rows` rows.
+inline void copy_rows(Eigen::Index rows, const double* from, double* to) {
+  for_each_row(rows, [=](Eigen::Index i) { to[i] = from[i]; });
+}
+
 // Whether holds(i) for each row i. All rows are looked at.
 template <typename Predicate>
 bool holds_for_each_row(Eigen::Index rows, Predicate holds) {
+  if (rows < few_rows) {
+    Eigen::Index failures = 0;
+    for_each_component(rows, [&](Eigen::Index i) { failures += holds(i) ? 0 : 1; });
+    return failures == 0;
+  }
   std::atomic<bool> all = true;
   parallel_for_rows(rows, 1, [&](Eigen::Index first, Eigen::Index count) {
     Eigen::Index failures = 0;  // a sum, because compilers do not vectorise a conjunction

@@ -11,6 +11,11 @@ namespace fde {
 // more than the arithmetic.
 template <typename Body>
 inline void for_each_component(Eigen::Index size, Body body) {
+#if defined(__clang__)
+#pragma clang loop unroll_count(4)
+#else
+#pragma GCC unroll 4
+#endif
   for (Eigen::Index i = 0; i < size; ++i) {
     body(i);
     asm volatile("");  // NOLINT(hicpp-no-assembler): compilers do not vectorise a loop with it

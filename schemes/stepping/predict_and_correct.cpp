@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/step_factors.hpp"
-#include "fdebench/schemes/problem/componentwise.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {
@@ -23,7 +23,8 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
   StepFactors factors(of_both);
 
   const Eigen::Index size = problem.size();
-  Vec y = run.start(), predicted(y.size()), corrected(y.size()), taylor(y.size());
+  Vec y = run.start(), f(y.size()), predicted(y.size()), corrected(y.size()), taylor(y.size());
+  const Eigen::Ref<const Vec> solution(y), sample(f);  // made once: a view takes as long as a component
   const bool moves =
       std::ranges::any_of(problem.components, [](const auto& component) { return component.order > 1.0; });
   double t = 0.0;
@@ -35,20 +36,23 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
   };
   for (run.resume_from_checkpoint(state); n <= grid.steps; ++n) {
     run.offer_checkpoint(state);
-    history->push(t, run.rhs(t, y));
+    run.rhs(t, solution, f);
+    history->push(t, sample);
     const double before = t;
     t = grid.time(n);
     history->convolve(t, 0, predicted);
     history->convolve(t, 1, corrected);
     if (moves) taylor_part.at(t, taylor);
-    const Vec& kappa = factors.at(grid.step(before, t));
-    for_each_component(size, [&](Eigen::Index i) { y[i] = taylor[i] + kappa[i] * predicted[i]; });
+    const double* const kappa = factors.at(grid.step(before, t)).data();
+    for_each_row(size, [=, part = taylor.data(), sum = predicted.data(), to = y.data()](Eigen::Index i) {
+      to[i] = part[i] + kappa[i] * sum[i];
+    });
     for (int correction = 0; correction < options.corrections; ++correction) {
-      const Vec& f = run.rhs(t, y);
-      for_each_component(size,
-                         [&](Eigen::Index i) { y[i] = taylor[i] + kappa[size + i] * (corrected[i] + f[i]); });
+      run.rhs(t, solution, f);
+      for_each_row(size, [=, part = taylor.data(), sum = corrected.data(), newest = f.data(), to = y.data()](
+                             Eigen::Index i) { to[i] = part[i] + kappa[size + i] * (sum[i] + newest[i]); });
     }
-    if (!run.accept(t, y)) break;
+    if (!run.accept(t, solution)) break;
   }
   return run.finish();
 }

@@ -2,6 +2,7 @@
 #include "fdebench/schemes/stepping/run.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -12,7 +13,8 @@ namespace {
 
 // x - x is 0 where x is finite, otherwise NaN.
 bool all_finite(In y) {
-  return holds_for_each_row(y.size(), [&](Eigen::Index i) { return y[i] - y[i] == 0.0; });
+  return holds_for_each_row(y.size(),
+                            [values = y.data()](Eigen::Index i) { return values[i] - values[i] == 0.0; });
 }
 
 }  // namespace
@@ -29,12 +31,6 @@ Run::Run(const Problem& problem, const Options& options, int steps)
   path_.times.reserve(expected);
   path_.y.resize(problem.size(), static_cast<Eigen::Index>(expected));
   if (!is_two_sided(problem)) record(0.0, start_);
-}
-
-const Vec& Run::rhs(double t, In y) {
-  ++*path_.cost.rhs_calls;
-  problem_.rhs(t, y, f_);
-  return f_;
 }
 
 const Vec& Run::rhs_of_increments(double t, In z) {
@@ -82,20 +78,33 @@ void Run::record_step(double before, double t, In y, const std::function<Vec(dou
 }
 
 bool Run::check_step(double t, In y) {
-  // Reading the clock at every step would take a quarter of the time of the cheapest step.
-  constexpr int steps_between_looks = 16;
   const std::int64_t n = t > 0.0 ? path_.steps + 1 : 0;
   if (!all_finite(y)) {
     fail(SolveStatus::non_finite, t);
   } else if (!problem_.domain.contains(t, y)) {
     fail(SolveStatus::left_domain, t);
-  } else if ((n < steps_between_looks || n % steps_between_looks == 0) && out_of_budget()) {
+  } else if (n >= next_look_ && is_out_of_budget_at(n)) {
     fail(SolveStatus::out_of_budget, t);
   }
   if (path_.status != SolveStatus::finished) return false;
   path_.steps = n;
   path_.last_time = t;
   return true;
+}
+
+// Reading the clock at every step would take a third of the time of the cheapest step.
+bool Run::is_out_of_budget_at(std::int64_t step) {
+  constexpr std::chrono::microseconds interval{100};
+  const bool out = out_of_budget();
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_look_ < interval) {
+    steps_between_looks_ *= 2;
+  } else if (steps_between_looks_ > 1) {
+    steps_between_looks_ /= 2;
+  }
+  last_look_ = now;
+  next_look_ = step + steps_between_looks_;
+  return out;
 }
 
 bool Run::resume_from_checkpoint(const StateArchiver& state) {
@@ -140,7 +149,7 @@ bool Run::out_of_budget() const {
 
 void Run::record(double t, In y) {
   if (options_.observer) options_.observer(t, y);
-  if (options_.output_times.empty() || is_output_time(t)) store(t, y);
+  if (options_.output_times.empty() || (t >= next_output_from_ && is_output_time(t))) store(t, y);
 }
 
 void Run::store(double t, In y) {
@@ -154,7 +163,9 @@ bool Run::is_output_time(double t) {
   constexpr double rounding = 1e-12;
   const auto& at = options_.output_times;
   while (next_output_ < at.size() && at[next_output_] < t * (1 - rounding)) ++next_output_;
-  return next_output_ < at.size() && at[next_output_] <= t * (1 + rounding);
+  const double next = next_output_ < at.size() ? at[next_output_] : std::numeric_limits<double>::infinity();
+  next_output_from_ = next * (1 - 2 * rounding);
+  return next <= t * (1 + rounding);
 }
 
 Trajectory Run::finish() {

@@ -18,8 +18,16 @@ class Run {
   // Reserves storage for the results of `steps` steps; more are possible.
   Run(const Problem& problem, const Options& options, int steps = 0);
 
-  // f(t, y), counted in Cost::rhs_calls. The reference is valid until the next call.
-  const Vec& rhs(double t, In y);
+  // Sets f to f(t, y), counted in Cost::rhs_calls.
+  void rhs(double t, In y, Vec& f) {
+    ++*path_.cost.rhs_calls;
+    problem_.rhs(t, y, f);
+  }
+  // f(t, y), counted too. The reference is valid until the next call.
+  const Vec& rhs(double t, In y) {
+    rhs(t, y, f_);
+    return f_;
+  }
   // The same as a function of the increments. Precondition: the problem has them (IncrementForm).
   const Vec& rhs_of_increments(double t, In z);
 
@@ -58,6 +66,8 @@ class Run {
 
  private:
   bool check_step(double t, In y);
+  // out_of_budget(), which is evaluated about every 0.1 ms.
+  bool is_out_of_budget_at(std::int64_t step);
   void record_step(double before, double t, In y, const std::function<Vec(double)>& dense_output);
   void state(Archive& archive);
   void record(double t, In y);
@@ -69,7 +79,10 @@ class Run {
   RowThreads threads_{options_.threads};
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Vec start_, f_;
-  std::size_t next_output_ = 0;  // index in Options::output_times of the next output time
+  std::size_t next_output_ = 0;    // index in Options::output_times of the next output time
+  double next_output_from_ = 0.0;  // is_output_time() is false before this time
+  std::int64_t next_look_ = 0, steps_between_looks_ = 1;  // at the clock
+  std::chrono::steady_clock::time_point last_look_ = begin_;
   std::optional<EventLocator> events_{};
   Trajectory path_;
 };

@@ -264,7 +264,11 @@ TEST(AWrongWeight, IsCaughtByTheRate) {
              [&](double t, In convolved, In, In kappa, Out known) {
                known = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
              },
-         .sample = [&](fde::Run& run, double t, In y, In, Out sample) { last = sample = run.rhs(t, y); }});
+         .sample =
+             [&](double t, In y, In, Out sample) {
+               problem.rhs(t, y, sample);
+               last = sample;
+             }});
   });
   const RateScene smooth{"power_5", "power", {{"gamma", 0.5}, {"p", 2.5}}, 1.0};
   const Fit right = fit_rate(error_points({smooth, find_scheme("product_trapezoidal")}, Norm::end));

@@ -18,8 +18,7 @@ StepFactors::StepFactors(const std::vector<WeightTable>& tables) : factors_(std:
   powers_.resize(std::ssize(orders_));
 }
 
-const Vec& StepFactors::at(double length) {
-  if (length == length_) return factors_;
+void StepFactors::compute(double length) {
   length_ = length;
   for (Eigen::Index k = 0; k < powers_.size(); ++k)
     powers_[k] = std::pow(length, orders_[static_cast<std::size_t>(k)]);
@@ -30,7 +29,6 @@ const Vec& StepFactors::at(double length) {
   }
   for (std::size_t i = 0; i < of_row_.size(); ++i)
     factors_[static_cast<Eigen::Index>(i)] = of_table[of_row_[i]];
-  return factors_;
 }
 
 double StepFactors::power(double exponent) const {

@@ -14,7 +14,10 @@ class StepFactors {
   explicit StepFactors(const std::vector<WeightTable>& tables);
 
   // The step factors for this length, one a table. The reference is valid until the next call.
-  const Vec& at(double length);
+  const Vec& at(double length) {
+    if (length != length_) compute(length);
+    return factors_;
+  }
 
   // length^exponent with the length of the last call; cached where the exponent is an order of a table.
   [[nodiscard]] double power(double exponent) const;
@@ -26,6 +29,8 @@ class StepFactors {
     Eigen::Index order;  // its index in orders_
     long double unit;    // the factor for length 1
   };
+
+  void compute(double length);
 
   std::vector<double> orders_;  // each once
   std::vector<Table> distinct_;

@@ -52,13 +52,12 @@ class HistoryOfRows {
 }  // namespace
 
 ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family) {
-  return {.tables = weight_tables(problem, family),
-          .known =
-              [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out known) {
-                taylor.at(t, known);
-                for_each_row(known.size(), [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
-              },
-          .sample = [](Run& run, double t, In y, In /*previous*/, Out sample) { sample = run.rhs(t, y); }};
+  return {
+      .tables = weight_tables(problem, family),
+      .known = [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out known) {
+        taylor.at(t, known);
+        for_each_row(known.size(), [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
+      }};
 }
 
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
@@ -72,6 +71,8 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
 
   Vec previous = run.start(), y = previous, recorded, sample(y.size()), known(y.size());
   Vec convolved = Vec::Zero(y.size());
+  // Made once: a view takes as long as a component.
+  const Eigen::Ref<const Vec> solution(y), before_step(previous), new_sample(sample), sums(convolved);
   double t = 0.0;
   int n = 1;
   const StateArchiver state = [&](Archive& archive) {
@@ -79,15 +80,19 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
     archive(t, y, previous, sample, history, newton);
     if (rule.state) rule.state(archive);
   };
-  rule.sample(run, t, y, previous, sample);
+  if (rule.sample) {
+    rule.sample(t, y, previous, sample);
+  } else {
+    run.rhs(t, y, sample);
+  }
   for (run.resume_from_checkpoint(state); n <= grid.steps; ++n) {
     run.offer_checkpoint(state);
-    history.push(t, sample);
+    history.push(t, new_sample);
     const double before = t;
     t = grid.time(n);
     history.convolve(t, convolved);
     const Vec& kappa = factors.at(grid.step(before, t));
-    rule.known(t, convolved, previous, kappa, known);
+    rule.known(t, sums, before_step, kappa, known);
     if (const SolveStatus ending = newton.solve(run, {t, kappa, known}, y); ending != SolveStatus::finished) {
       run.fail(ending, t);
       break;
@@ -96,9 +101,13 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
       recorded = y;
       rule.recorded_result(y, recorded);
     }
-    if (!run.accept(t, rule.recorded_result ? recorded : y)) break;
-    if (n < grid.steps) rule.sample(run, t, y, previous, sample);
-    for_each_row(y.size(), [&](Eigen::Index i) { previous[i] = y[i]; });
+    if (!(rule.recorded_result ? run.accept(t, recorded) : run.accept(t, solution))) break;
+    if (n < grid.steps && rule.sample) {
+      rule.sample(t, solution, before_step, sample);
+    } else if (n < grid.steps) {
+      copy_rows(y.size(), newton.rhs_at_solution(run, t, solution).data(), sample.data());
+    }
+    copy_rows(y.size(), y.data(), previous.data());
   }
   run.cost().linear_solver = newton.linear_solver();
   return run.finish();

@@ -15,8 +15,8 @@ struct ImplicitRule {
   std::vector<WeightTable> tables;  // of the convolution over the history
   // Sets known_n, from that convolution, y_{n-1} and kappa.
   std::function<void(double t, In convolved, In previous, In kappa, Out known)> known;
-  // The sample added to the history after a step: f(t, y) or the increment of y.
-  std::function<void(Run& run, double t, In y, In previous, Out sample)> sample;
+  // The sample added to the history after a step. Empty: f(t, y).
+  std::function<void(double t, In y, In previous, Out sample)> sample{};
   // Changes a copy of y into the recorded result of the step. Empty: y is recorded.
   std::function<void(In y, Out recorded)> recorded_result{};
   // Saves or restores the state that these functions keep between steps. Empty: they keep none.

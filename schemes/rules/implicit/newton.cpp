@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
-#include "fdebench/schemes/problem/componentwise.hpp"
 #include "fdebench/schemes/problem/jacobian.hpp"
 
 namespace fde {
@@ -23,6 +22,8 @@ constexpr double most_doubt = 0.2;          // twice the first increment, relati
 
 // Whether increments no longer shrink, and are so small that rounding is the reason.
 bool stagnates(double now, double last) { return now >= last / 2 && now <= stagnation; }
+
+constexpr int misses_between_choices = 8;  // of the number of points to extrapolate from
 
 constexpr int most_sweeps = 8;
 constexpr int most_pseudo_steps = 200;
@@ -40,11 +41,13 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
       extrapolation_(problem.size()),
       f_(problem.size()),
       increment_(problem.size()),
+      residual_(problem.size()),
       iterate_(problem.size()) {
   if (is_linear(problem)) growth_check_.emplace(problem);
 }
 
 SolveStatus NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
+  f_is_at_solution_ = false;
   const bool solved = growth_check_ ? solve_linear(run, step, y) : solve_nonlinear(run, step, y);
   if (step_too_large_) return SolveStatus::step_too_large;
   if (solved) return SolveStatus::finished;
@@ -53,6 +56,14 @@ SolveStatus NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
 
 bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
   const bool first = extrapolation_.empty();
+  if (!first) {
+    extrapolate_guess(step);
+    if (is_solved_to_rounding(run, step, iterate_)) {
+      extrapolation_.push(step.t, f_);
+      return accept_iterate(y);
+    }
+    ++missed_guesses_;
+  }
   if (first || !iterate_with_kept_factors(run, step, y)) {
     if (!iterate_from_previous(run, step, y)) return false;
     // The factors are from the last iteration, which began close to y.
@@ -66,26 +77,24 @@ bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
 
 bool NewtonSolver::iterate_with_kept_factors(Run& run, const StepEquations& step, Out y) {
   const auto& rows = matrix_->rows();
-  iterate_ = y;
-  extrapolate_guess(step, iterate_);
-  for_each_component(y.size(), [&](Eigen::Index i) { increment_[i] = iterate_[i] - y[i]; });
+  for_each_row(y.size(), [&](Eigen::Index i) { increment_[i] = iterate_[i] - y[i]; });
   // The first increment is judged as if an increment of this size had led to the guess.
   double last = std::max(most_doubt * relative_norm(rows, increment_, iterate_), stagnation);
   bool recompute = jacobian_reuse_.is_stale(), fresh = recompute;  // fresh: factorised in this step
-  f_ = run.rhs(step.t, iterate_);
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
     if (recompute && !refactorise(run, step)) return false;
-    compute_residual(step, rows, f_, iterate_, increment_);
+    compute_residual(step, rows, f_, iterate_, residual_);
+    copy_rows(y.size(), residual_.data(), increment_.data());
     matrix_->solve(increment_);
-    for_each_component(y.size(), [&](Eigen::Index i) { iterate_[i] += increment_[i]; });
+    for_each_row(y.size(), [&](Eigen::Index i) { iterate_.coeffRef(i) += increment_.coeff(i); });
     ++*run.cost().newton_iterations;
     const double now = relative_norm(rows, increment_, iterate_);
     const bool rounding = iteration > 1 && stagnates(now, last);
     if (!(now <= last / 2) && !rounding) return false;
+    if (now <= tolerance_) add_increment_of_rhs(step);
     if (now <= tolerance_ || (rounding && fresh) || is_solved_to_rounding(run, step, iterate_)) {
       jacobian_reuse_.record_step(iteration);
-      y = iterate_;
-      return true;
+      return accept_iterate(y);
     }
     const bool slow = iteration > 1 && now > slowest * last;
     if (slow && recompute && !rounding) return false;
@@ -94,6 +103,20 @@ bool NewtonSolver::iterate_with_kept_factors(Run& run, const StepEquations& step
     last = now;
   }
   return false;
+}
+
+// The increment d solves d - kappa J d = residual.
+void NewtonSolver::add_increment_of_rhs(const StepEquations& step) {
+  if (!matrix_->rows().algebraic.empty()) return;
+  for_each_row(f_.size(), [&](Eigen::Index i) {
+    f_.coeffRef(i) += (increment_.coeff(i) - residual_.coeff(i)) / step.kappa.coeff(i);
+  });
+  f_is_at_solution_ = true;
+}
+
+bool NewtonSolver::accept_iterate(Out y) const {
+  copy_rows(y.size(), iterate_.data(), y.data());
+  return true;
 }
 
 bool NewtonSolver::refactorise(Run& run, const StepEquations& step) {
@@ -105,22 +128,47 @@ bool NewtonSolver::refactorise(Run& run, const StepEquations& step) {
 }
 
 bool NewtonSolver::is_solved_to_rounding(Run& run, const StepEquations& step, In y) {
-  f_ = run.rhs(step.t, y);
-  return matrix_->rows().algebraic.empty() && equations_hold(step, f_, y, part_of_tolerance * tolerance_);
+  run.rhs(step.t, y, f_);
+  f_is_at_solution_ =
+      matrix_->rows().algebraic.empty() && equations_hold(step, f_, y, part_of_tolerance * tolerance_);
+  return f_is_at_solution_;
 }
 
-void NewtonSolver::extrapolate_guess(const StepEquations& step, Vec& y) {
-  extrapolation_.at(step.t, f_);
-  for (const auto i : matrix_->rows().algebraic) y[i] = f_[i];
-  const Vec& mass = matrix_->rows().mass;
-  for_each_component(
-      y.size(), [&](Eigen::Index i) { y[i] += mass[i] * (step.known[i] + step.kappa[i] * f_[i] - y[i]); });
+const Vec& NewtonSolver::rhs_at_solution(Run& run, double t, In y) {
+  if (!f_is_at_solution_) run.rhs(t, y, f_);
+  return f_;
 }
 
+void NewtonSolver::extrapolate_guess(const StepEquations& step) {
+  extrapolation_.at(step.t, iterate_);
+  for_each_row(iterate_.size(), [y = iterate_.data(), known = step.known.data(), kappa = step.kappa.data(),
+                                 mass = matrix_->rows().mass.data()](Eigen::Index i) {
+    if (mass[i] != 0.0) y[i] = known[i] + kappa[i] * y[i];
+  });
+}
+
+// The rounding errors of y change f by df/dy times them, and the quotient by 1 / kappa times them. Where the
+// equation holds with f, f is the more accurate one.
 void NewtonSolver::append_to_extrapolation(const StepEquations& step, In y) {
-  for_each_component(y.size(), [&](Eigen::Index i) { f_[i] = (y[i] - step.known[i]) / step.kappa[i]; });
-  for (const auto i : matrix_->rows().algebraic) f_[i] = y[i];
-  extrapolation_.push(step.t, f_);
+  for_each_row(y.size(), [&, f = f_.data(), value = increment_.data(),
+                          limit = part_of_tolerance * tolerance_](Eigen::Index i) {
+    const double known = step.known.coeff(i), kappa = step.kappa.coeff(i);
+    const bool holds = equation_holds(known, kappa * f[i], y.coeff(i), limit);
+    value[i] = holds ? f[i] : (y.coeff(i) - known) / kappa;
+  });
+  for (const auto i : matrix_->rows().algebraic) increment_[i] = y[i];
+  if (missed_guesses_ == misses_between_choices) choose_points_to_extrapolate_from(step, y);
+  extrapolation_.push(step.t, increment_);
+}
+
+void NewtonSolver::choose_points_to_extrapolate_from(const StepEquations& step, In y) {
+  const Vec& mass = matrix_->rows().mass;
+  const Vec scale = Vec::NullaryExpr(y.size(), [&](Eigen::Index i) {
+    const double effect = mass[i] == 0.0 ? 1.0 : step.kappa[i];
+    return y[i] == 0.0 ? 0.0 : effect / std::abs(y[i]);
+  });
+  extrapolation_.choose_count(step.t, increment_, scale);
+  missed_guesses_ = 0;
 }
 
 bool NewtonSolver::iterate_from_previous(Run& run, const StepEquations& step, Out y) {
@@ -174,7 +222,7 @@ bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
 bool NewtonSolver::iterate(Run& run, const StepEquations& step, Out y, int most_setbacks) {
   double last = std::numeric_limits<double>::infinity();
   int setbacks = 0;
-  f_ = run.rhs(step.t, y);
+  run.rhs(step.t, y, f_);
   for (int iteration = 0; iteration < most_iterations && setbacks < most_setbacks; ++iteration) {
     linearise(run, step, y, increment_);
     matrix_->factorise();
@@ -194,7 +242,7 @@ bool NewtonSolver::pseudo_transient_continuation(Run& run, const StepEquations& 
   double inverse_step = 1.0;
   Vec increment(y.size());
   for (int work = 0; work < most_pseudo_steps && inverse_step < shortest_inverse; ++work) {
-    f_ = run.rhs(step.t, y);
+    run.rhs(step.t, y, f_);
     linearise(run, step, y, increment);
     matrix_->add_to_diagonal(inverse_step * matrix_->rows().mass);
     matrix_->factorise();
@@ -230,7 +278,9 @@ void NewtonSolver::linearise(Run& run, const StepEquations& step, In y, Vec& res
 
 void NewtonSolver::state(Archive& archive) {
   bool factorised = factorised_for_ || !extrapolation_.empty();
-  archive(factorised, extrapolation_, jacobian_reuse_, determinant_sign_, growth_check_);
+  archive(factorised, extrapolation_, missed_guesses_, f_is_at_solution_, jacobian_reuse_, determinant_sign_,
+          growth_check_);
+  if (f_is_at_solution_) archive(f_);
   if (!factorised) return;
   archive(matrix_);
   if (!growth_check_) return;

@@ -24,12 +24,14 @@ namespace fde {
 // than another iteration. The ratio of successive increments is no substitute: a component that is small
 // beside the others does not show in it.
 //
-// The initial guess is y = known + kappa f, with f extrapolated from the last five steps. It is accepted
-// where the first increment is at most a tenth of its distance from the step before. The factorised matrix is
-// reused from step to step. It is recomputed at the iterate where an increment is more than a twentieth of
-// the one before, or where reuse has become too expensive (JacobianReuse). The guess is rejected where
-// increments do not halve, and where the determinant of a new matrix differs in sign from that at the last
-// solution: two solutions that meet and vanish (as those of y = known + kappa y^2, before y is infinite)
+// The initial guess is y = known + kappa f, with f extrapolated from the last steps (Extrapolation). Without
+// algebraic rows it is the solution where every equation holds with it to a quarter of the tolerance: where
+// the solution is smooth, a step takes one evaluation of f and no iteration. Otherwise the iteration starts
+// from it where the first increment is at most a tenth of its distance from the step before. The factorised
+// matrix is reused from step to step. It is recomputed at the iterate where an increment is more than a
+// twentieth of the one before, or where reuse has become too expensive (JacobianReuse). The guess is rejected
+// where increments do not halve, and where the determinant of a new matrix differs in sign from that at the
+// last solution: two solutions that meet and vanish (as those of y = known + kappa y^2, before y is infinite)
 // differ in this sign.
 //
 // After a rejected guess the iteration restarts from the y that was passed, the solution at the step before,
@@ -58,6 +60,10 @@ class NewtonSolver {
   // or the step is too large for a growing mode.
   SolveStatus solve(Run& run, const StepEquations& step, Out y);
 
+  // f(t, y) at the solution y of the last solve(); evaluated only where solve() has not. The reference is
+  // valid until the next call.
+  const Vec& rhs_at_solution(Run& run, double t, In y);
+
   // Replaces an error of the equations by its effect on the solution, (1 - kappa df/dy)^(-1) error. The
   // matrix is about that of the last step solved.
   void apply_inverse(Vec& error) const { matrix_->solve(error); }
@@ -72,18 +78,25 @@ class NewtonSolver {
  private:
   bool solve_nonlinear(Run& run, const StepEquations& step, Out y);
   bool solve_linear(Run& run, const StepEquations& step, Out y);
-  // Iterates from the extrapolated path, of at least one step, with the kept factors. Returns false, with y
-  // unchanged, where the guess or the factors are rejected.
+  // Iterates from iterate_, the guess, with the kept factors; f_ is f there. Returns false, with y unchanged,
+  // where the guess or the factors are rejected.
   bool iterate_with_kept_factors(Run& run, const StepEquations& step, Out y);
   // Factorises the matrix at iterate_, where f_ is f. Returns false where the determinant has changed its
   // sign.
   bool refactorise(Run& run, const StepEquations& step);
-  // Whether the equations hold at y up to rounding. Sets f_ to f(t, y).
+  // Adds J increment_ to f_, J the Jacobian of the factors: f_ is then f at iterate_, up to a part of the
+  // last increment, which is below the tolerance.
+  void add_increment_of_rhs(const StepEquations& step);
+  // Replaces y by iterate_; true.
+  bool accept_iterate(Out y) const;
+  // Whether the equations hold at y up to rounding, also stored in f_is_at_solution_. Sets f_ to f(t, y).
   bool is_solved_to_rounding(Run& run, const StepEquations& step, In y);
-  // Sets y to known + kappa f with f extrapolated, and to extrapolated unknowns of algebraic rows;
+  // Sets iterate_ to known + kappa f with f extrapolated, and to extrapolated unknowns of algebraic rows;
   // append_to_extrapolation() adds the values at a solution y.
-  void extrapolate_guess(const StepEquations& step, Vec& y);
+  void extrapolate_guess(const StepEquations& step);
   void append_to_extrapolation(const StepEquations& step, In y);
+  // Selects the number of points that would have given the best guess of y.
+  void choose_points_to_extrapolate_from(const StepEquations& step, In y);
   // Newton's method from y with a new matrix in each iteration; where it fails, from the result of
   // pseudo-time steps, or from y = known + kappa f where y has no finite derivatives.
   bool iterate_from_previous(Run& run, const StepEquations& step, Out y);
@@ -109,7 +122,9 @@ class NewtonSolver {
   JacobianReuse jacobian_reuse_;
   Extrapolation extrapolation_;
   int determinant_sign_ = 0;  // sign of the determinant at the last solution; 0: there was none
-  Vec f_, increment_, iterate_;
+  Vec f_, increment_, residual_, iterate_;
+  int missed_guesses_ = 0;         // extrapolated guesses that were not the solution, since the last choice
+  bool f_is_at_solution_ = false;  // f_ is f(t, y) at the result of the last solve()
   // Of a linear problem: the kappa for which the matrix is factorised, and whether the equations can be
   // solved.
   std::optional<Vec> factorised_for_;

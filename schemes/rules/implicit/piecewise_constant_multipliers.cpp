@@ -75,8 +75,7 @@ class StepwiseMultipliers {
     return {.tables = weight_tables(problem_, families::trapezoid),
             .known = [this](double t, In convolved, In /*previous*/, In kappa,
                             Out known) { begin_step(t, convolved, kappa, known); },
-            .sample = [this](Run& /*run*/, double t, In y, In /*previous*/,
-                             Out sample) { end_step(t, y, sample); },
+            .sample = [this](double t, In y, In /*previous*/, Out sample) { end_step(t, y, sample); },
             .recorded_result = [this](In y, Out recorded) { extrapolate_multipliers(y, recorded); },
             .state =
                 [this](Archive& archive) {

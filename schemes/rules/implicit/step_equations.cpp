@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
-#include "fdebench/schemes/problem/componentwise.hpp"
 
 namespace fde {
 namespace {
@@ -26,17 +25,17 @@ RowScales::RowScales(const Problem& problem)
 }
 
 void compute_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest) {
-  for_each_row(rest.size(), [&](Eigen::Index i) { rest[i] = step.known[i] + step.kappa[i] * f[i] - y[i]; });
+  for_each_row(rest.size(), [&](Eigen::Index i) {
+    rest.coeffRef(i) = step.known.coeff(i) + step.kappa.coeff(i) * f.coeff(i) - y.coeff(i);
+  });
   for (const auto i : rows.algebraic) rest[i] = rows.scale[i] * f[i];
 }
 
 bool equations_hold(const StepEquations& step, In f, In y, double tolerance) {
-  for (Eigen::Index i = 0; i < y.size(); ++i) {
-    const double part = step.kappa[i] * f[i], terms = std::abs(step.known[i]) + std::abs(part);
-    const double rest = std::abs(step.known[i] + part - y[i]);
-    if (!(rest <= tolerance * terms && std::isfinite(terms))) return false;
-  }
-  return true;
+  bool hold = true;
+  for (Eigen::Index i = 0; i < y.size() && hold; ++i)
+    hold = equation_holds(step.known.coeff(i), step.kappa.coeff(i) * f.coeff(i), y.coeff(i), tolerance);
+  return hold;
 }
 
 double relative_norm(const RowScales& rows, In increment, In y) {
@@ -46,8 +45,8 @@ double relative_norm(const RowScales& rows, In increment, In y) {
   const auto of = [](double part, double size) { return part / std::max(size, smallest); };
   double size = 0.0, part = 0.0;
   for_each_component(y.size(), [&](Eigen::Index i) {
-    size = larger(size, rows.mass[i] * std::abs(y[i]));
-    part = larger(part, rows.mass[i] * std::abs(increment[i]));
+    size = larger(size, rows.mass.coeff(i) * std::abs(y.coeff(i)));
+    part = larger(part, rows.mass.coeff(i) * std::abs(increment.coeff(i)));
   });
   double largest = of(part, size);
   for (const auto i : rows.algebraic) {

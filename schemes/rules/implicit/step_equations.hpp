@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "fdebench/schemes/problem/archive.hpp"
@@ -34,8 +35,13 @@ struct RowScales {
 // Sets rest to the residual of the scaled equations at y. f: f(t, y).
 void compute_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest);
 
-// Whether each equation holds to the tolerance, relative to its terms known_i and kappa_i f_i. Precondition:
-// no row is algebraic.
+// Whether known + part = y, part = kappa f, holds to the tolerance, relative to the two terms.
+inline bool equation_holds(double known, double part, double y, double tolerance) {
+  const double terms = std::abs(known) + std::abs(part);
+  return std::abs(known + part - y) <= tolerance * terms && std::isfinite(terms);
+}
+
+// Whether each equation holds to the tolerance. Precondition: no row is algebraic.
 bool equations_hold(const StepEquations& step, In f, In y, double tolerance);
 
 // The largest increment relative to |y|, both measured as described at NewtonSolver.

@@ -53,7 +53,7 @@ Trajectory solve_integrated_equations(const Problem& problem, const Grid& grid, 
     first = first_steps_of(run, equations, problem, stepped, grid, options.tolerance, ending);
   for (; n <= grid.steps && ending == SolveStatus::finished; ++n) {
     run.offer_checkpoint(state);
-    equations.push(t, y, run.rhs(t, y));
+    equations.push(t, y, newton.rhs_at_solution(run, t, y));
     t = grid.time(n);
     if (n <= first.cols()) {
       y = first.col(n - 1);

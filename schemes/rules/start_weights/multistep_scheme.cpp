@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/step_factors.hpp"
-#include "fdebench/schemes/problem/componentwise.hpp"
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/rules/start_weights/start_correction.hpp"
 #include "fdebench/schemes/rules/start_weights/starting_procedure.hpp"
@@ -40,7 +40,6 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   const TaylorPart taylor(problem);
   NewtonSolver newton(problem, options.tolerance);
   Run run(problem, options, grid.steps);
-  run.cost().history = name(history->kind());
   run.cost().starting_weights = first_steps + 1;
 
   Matrix first;
@@ -52,6 +51,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   const auto begin_history = [&] {
     history = make_history(options.history, {of_rows}, step_plan(grid), options.tolerance);
     run.cost().history_bytes = history->bytes() + correction.bytes();
+    run.cost().history = name(history->kind());
   };
   const StateArchiver state = [&](Archive& archive) {
     if (!history) begin_history();
@@ -75,7 +75,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   if (!history) begin_history();
   for (; n <= grid.steps; ++n) {
     run.offer_checkpoint(state);
-    const Vec& f = run.rhs(t, y);
+    const Vec& f = newton.rhs_at_solution(run, t, y);
     history->push(t, f);
     correction.push(f);
     t = grid.time(n);
@@ -86,7 +86,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
       history->convolve(t, 0, convolved);
       correction.add(n, convolved);
       taylor.at(t, known);
-      for_each_component(known.size(), [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
+      for_each_row(known.size(), [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
       if (const SolveStatus ending = newton.solve(run, {t, kappa, known}, y);
           ending != SolveStatus::finished) {
         run.fail(ending, t);

@@ -60,6 +60,18 @@ TEST_P(RobustNewton, TakesLittleMoreThanOneIterationWhereAllIsSmooth) {
   }
 }
 
+// In shorter steps the guess is mostly the solution, and f is known there.
+TEST_P(RobustNewton, EvaluatesOnceAStepWhereAllIsSmooth) {
+  constexpr int steps = 1 << 17;
+  for (const auto* id : {"pendulum", "brusselator"}) {
+    const Problem problem = scene_of(id).problem;
+    if (unsupported_reason(*GetParam(), problem, Grid{problem.end, steps})) continue;
+    const auto path = run(problem, {problem.end, steps});
+    EXPECT_LT(path.cost.rhs_calls, 1.2 * steps) << id;
+    EXPECT_LT(path.cost.newton_iterations, 0.5 * steps) << id;
+  }
+}
+
 // y' = 1 up to y(5) = 5, which solves all later steps. The extrapolated guess is 6, close to other solutions
 // of the backward Euler step y = 5 + f(y): y = 6.1 with the cubic f, y = 6.06 with the square one, where 1 -
 // f'(y) has another sign than at 5.
