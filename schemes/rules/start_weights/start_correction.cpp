@@ -75,6 +75,9 @@ void StartingCorrection::compute_block(int n) {
       for (int k = 0; k < block; ++k) values[k] += (n + k) % 2 == 0 ? other[k] : -other[k];
     }
     sums_.col(i) = values.matrix();
+    const Matrix& decaying = of_row(i).pieces[piece].decaying;
+    const Eigen::Index row = n - 1 - static_cast<Eigen::Index>(begin);
+    if (row < decaying.rows()) sums_.col(i) += decaying.middleRows(row, block) * f_.col(i);
   }
 }
 
@@ -96,7 +99,8 @@ std::size_t StartingCorrection::bytes() const {
   auto doubles = f_.size() + smooth_.size() + alternating_.size() + sums_.size();
   for (const auto& weights : of_orders_) {
     doubles += weights->tabulated.size();
-    for (const auto& piece : weights->pieces) doubles += piece.smooth.size() + piece.alternating.size();
+    for (const auto& piece : weights->pieces)
+      doubles += piece.smooth.size() + piece.alternating.size() + piece.decaying.size();
   }
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }
