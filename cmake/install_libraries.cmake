@@ -35,7 +35,7 @@ function(install_pkg_config name what needs libraries)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/fdebench.pc.in ${file} @ONLY)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
 endfunction()
-install_pkg_config(schemes "Schemes for fractional differential equations" "eigen3 fmt mpfr"
+install_pkg_config(schemes "Schemes for fractional differential equations" "eigen3 fmt"
   "-lfde_schemes -lfde_problem -lfde_base")
 install_pkg_config(special_functions "Mittag-Leffler functions, of matrices too, and Prabhakar's function"
   "eigen3 fmt mpfr" "-lfde_special_functions -lfde_base -lmpc")

@@ -58,25 +58,32 @@ void StartingCorrection::add(int n, Out sums) {
 void StartingCorrection::compute_block(int n) {
   first_ = n;
   if (n > near_) load_piece(n);
-  if (one_column_a_row_ && n <= near_) {
-    for (Eigen::Index i = 0; i < rows(); ++i)
-      sums_.row(i) = (tabulated(of_row(i), n) * f_.row(i).transpose()).transpose();
-  } else if (one_column_a_row_) {
-    sums_.topRows(rows()) = values(coefficients_, n).transpose();
+  if (one_column_a_row_) {
+    sums_.topRows(rows()) = values(n, rows()).transpose();
+    for (Eigen::Index i = 0; i < rows(); ++i) {
+      const auto stored = stored_rows(of_row(i), n);
+      sums_.row(i).head(stored.rows()) += (stored * f_.row(i).transpose()).transpose();
+    }
   } else {
-    const Matrix weights =
-        (n <= near_ ? tabulated(*of_orders_.front(), n) : values(coefficients_, n)).transpose();
+    Matrix weights = values(n, count());
+    const auto stored = stored_rows(*of_orders_.front(), n);
+    weights.topRows(stored.rows()) += stored;
     sums_.setZero();
-    multiply_add(f_.rows(), count(), block, f_, weights, sums_);
+    multiply_add(f_.rows(), count(), block, f_, Matrix(weights.transpose()), sums_);
   }
 }
 
-Matrix StartingCorrection::tabulated(const StartingWeights& weights, int n) {
-  return weights.tabulated.middleRows(n - 1, block);
+Eigen::Block<const Matrix> StartingCorrection::stored_rows(const StartingWeights& weights, int n) const {
+  const bool near = n <= near_;
+  const Matrix& all = near ? weights.tabulated : weights.pieces[piece_].decaying;
+  const Eigen::Index row = std::min(n - 1 - (near ? 0 : static_cast<Eigen::Index>(begin_)), all.rows());
+  return all.block(row, 0, std::min(all.rows() - row, block), all.cols());
 }
 
-Matrix StartingCorrection::values(const ChebyshevPiece& coefficients, int n) const {
-  const Eigen::Index degrees = coefficients.smooth.rows(), columns = coefficients.smooth.cols();
+Matrix StartingCorrection::values(int n, Eigen::Index columns) const {
+  Matrix sums = Matrix::Zero(block, columns);
+  if (n <= near_) return sums;
+  const Eigen::Index degrees = coefficients_.smooth.rows();
   const Vec x =
       2.0 * (Vec::LinSpaced(block, n, n + static_cast<double>(block - 1)).array() - begin_) / begin_ - 1.0;
   Matrix polynomials(block, degrees);
@@ -84,32 +91,31 @@ Matrix StartingCorrection::values(const ChebyshevPiece& coefficients, int n) con
   polynomials.col(1) = x;
   for (Eigen::Index k = 2; k < degrees; ++k)
     polynomials.col(k) = 2.0 * x.cwiseProduct(polynomials.col(k - 1)) - polynomials.col(k - 2);
-  Matrix sums = Matrix::Zero(block, columns);
-  multiply_add(block, degrees, columns, polynomials, coefficients.smooth, sums);
-  if (coefficients.alternating.size() > 0) {
+  multiply_add(block, degrees, columns, polynomials, coefficients_.smooth, sums);
+  if (coefficients_.alternating.size() > 0) {
     for (Eigen::Index k = 0; k < block; ++k) {
       if ((n + k) % 2 != 0) polynomials.row(k) *= -1.0;
     }
-    multiply_add(block, degrees, columns, polynomials, coefficients.alternating, sums);
+    multiply_add(block, degrees, columns, polynomials, coefficients_.alternating, sums);
   }
   return sums;
 }
 
 // Loads the coefficients of the piece with step n > near_.
 void StartingCorrection::load_piece(double n) {
-  std::size_t piece = 0;
+  piece_ = 0;
   double begin = near_;
-  for (; 2.0 * begin < n; begin *= 2.0) ++piece;
+  for (; 2.0 * begin < n; begin *= 2.0) ++piece_;
   if (begin == begin_) return;
   begin_ = begin;
-  coefficients_ = of_orders_.front()->pieces[piece];
+  coefficients_ = of_orders_.front()->pieces[piece_];
   if (!one_column_a_row_) return;
   const bool alternates = std::ranges::any_of(
-      of_orders_, [&](const auto& weights) { return weights->pieces[piece].alternating.size() > 0; });
+      of_orders_, [&](const auto& weights) { return weights->pieces[piece_].alternating.size() > 0; });
   coefficients_.smooth.resize(coefficients_.smooth.rows(), rows());
   coefficients_.alternating.setZero(alternates ? coefficients_.smooth.rows() : 0, rows());
   for (Eigen::Index i = 0; i < rows(); ++i) {
-    const auto& of = of_row(i).pieces[piece];
+    const auto& of = of_row(i).pieces[piece_];
     coefficients_.smooth.col(i) = of.smooth * f_.row(i).transpose();
     if (of.alternating.size() > 0) coefficients_.alternating.col(i) = of.alternating * f_.row(i).transpose();
   }
@@ -119,7 +125,8 @@ std::size_t StartingCorrection::bytes() const {
   auto doubles = f_.size() + coefficients_.smooth.size() + coefficients_.alternating.size() + sums_.size();
   for (const auto& weights : of_orders_) {
     doubles += weights->tabulated.size();
-    for (const auto& piece : weights->pieces) doubles += piece.smooth.size() + piece.alternating.size();
+    for (const auto& piece : weights->pieces)
+      doubles += piece.smooth.size() + piece.alternating.size() + piece.decaying.size();
   }
   return sizeof(double) * static_cast<std::size_t>(doubles);
 }

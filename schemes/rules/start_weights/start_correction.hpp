@@ -42,10 +42,11 @@ class StartingCorrection {
   using ChebyshevPiece = StartingWeights::ChebyshevPiece;
   void compute_block(int n);
   void load_piece(double n);
-  // The weights of the block from step n on, one column a sample, of a tabulated step.
-  [[nodiscard]] static Matrix tabulated(const StartingWeights& weights, int n);
-  // The sums of coefficients (its columns) at the steps of the block from n on.
-  [[nodiscard]] Matrix values(const ChebyshevPiece& coefficients, int n) const;
+  // The weights of the block from step n on that are stored step by step, one row a step: those of a
+  // tabulated step, otherwise the decaying part as far as there is one.
+  [[nodiscard]] Eigen::Block<const Matrix> stored_rows(const StartingWeights& weights, int n) const;
+  // The sums of coefficients_ (its columns) at the steps of the block from n on; 0 for tabulated steps.
+  [[nodiscard]] Matrix values(int n, Eigen::Index columns) const;
   [[nodiscard]] Eigen::Index rows() const { return std::ssize(row_); }
   [[nodiscard]] const StartingWeights& of_row(Eigen::Index i) const {
     return *of_orders_[row_[static_cast<std::size_t>(i)]];
@@ -59,6 +60,7 @@ class StartingCorrection {
   Eigen::Index pushed_ = 0;                                        // number of columns set
   bool one_column_a_row_ = false;                                  // coefficients_: of C F, else of C
   ChebyshevPiece coefficients_;                                    // of this piece
+  std::size_t piece_ = 0;                                          // its index, from step n = near_ on
   double begin_ = 0.0;                                             // first step of this piece
   int first_ = 0;                                                  // step of the block in sums_; 0: none yet
   Matrix sums_;                                                    // rows, padded, x block

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/start_weights/start_weights.hpp"
 
-#include <cmath>
 #include <map>
 #include <mutex>
-#include <numbers>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -14,30 +12,6 @@
 
 namespace fde {
 namespace {
-
-constexpr int degree = 21;  // for a function with its only singularity at n = 0: (3 + sqrt 8)^-22 = 1e-17
-
-// Chebyshev coefficients from the values at the Chebyshev points, one row a point.
-Matrix coefficients(const Matrix& values) {
-  const auto count = values.rows();
-  Matrix transform(count, count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    for (Eigen::Index i = 0; i < count; ++i) {
-      transform(k, i) = (k == 0 ? 1.0 : 2.0) / static_cast<double>(count) *
-                        std::cos(static_cast<double>(k) * (static_cast<double>(i) + 0.5) * std::numbers::pi /
-                                 static_cast<double>(count));
-    }
-  }
-  return transform * values;
-}
-
-// The Chebyshev points of [1, 2].
-std::vector<double> chebyshev_points() {
-  std::vector<double> points;
-  for (int i = 0; i <= degree; ++i)
-    points.push_back(1.5 + 0.5 * std::cos((i + 0.5) * std::numbers::pi / (degree + 1)));
-  return points;
-}
 
 // The number of pieces for n up to `steps`.
 std::size_t pieces_for(int steps, Eigen::Index near) {
@@ -85,15 +59,11 @@ std::shared_ptr<const StartingWeights> starting_weights(const WeightTable& table
   if (known) {
     *made = **known;
   } else {
-    made->equations = std::make_shared<const StartingWeightEquations>(table, powers, chebyshev_points());
+    made->equations = starting_weight_equations(table, powers);
     made->tabulated = made->equations->tabulated_weights();
   }
-  while (made->pieces.size() < pieces_for(steps, made->tabulated.rows())) {
-    auto piece = made->equations->asymptotic_weights(made->pieces.size());
-    piece.smooth = coefficients(piece.smooth);
-    if (piece.alternating.size() > 0) piece.alternating = coefficients(piece.alternating);
-    made->pieces.push_back(std::move(piece));
-  }
+  while (made->pieces.size() < pieces_for(steps, made->tabulated.rows()))
+    made->pieces.push_back(made->equations->asymptotic_weights(made->pieces.size()));
   made->seconds += thread_seconds() - start;
   count_table(made.get(), made->seconds);
   kept.put(key, made);
@@ -106,7 +76,7 @@ UsablePowers usable_powers(const WeightTable& table, const std::vector<double>& 
   auto known = kept.get(key);
   if (!known) {
     const double start = thread_seconds();
-    const auto usable = StartingWeightEquations::usable(table, powers, max_growth);
+    const auto usable = count_usable(table, powers, max_growth);
     known = std::make_shared<const std::pair<UsablePowers, double>>(usable, thread_seconds() - start);
     kept.put(key, *known);
   }

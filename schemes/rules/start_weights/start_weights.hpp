@@ -16,15 +16,16 @@ class StartingWeightEquations;
 //   sum_{j<s} W(n, j) j^p = e_p(n) = Gamma(p+1)/Gamma(p+g+1) n^(p+g) / kappa - sum_{j<=n} w(n-j) j^p,
 // scaled like w, so that the newest sample has weight 1. Source: Lubich 1986, section 4.
 //
-// The equations are ill-conditioned and their right-hand sides cancel, so both are computed in
-// multiprecision; W(n, j) is accurate to rounding for every n. For n <= K the sum is evaluated directly; for
+// The equations are ill-conditioned and their right-hand sides cancel, so both are computed in sums of
+// several doubles; W(n, j) is accurate to rounding for every n. For n <= K the sum is evaluated directly; for
 // larger n its asymptotic expansion, which is smooth in n, is stored as Chebyshev polynomials on [K 2^i, K
-// 2^(i+1)]. Derivation: docs/schemes.md.
+// 2^(i+1)], and the part of W(n, j) that decays exponentially beside it. Derivation: docs/schemes.md.
 struct StartingWeights {
   // Chebyshev coefficients on one interval, one column a j: W(n, j) = smooth + (-1)^n alternating; the second
-  // is empty where the rule has no alternating part.
+  // is empty where the rule has no alternating part. The first rows have W(n, j) - smooth, one row a step,
+  // which decays exponentially.
   struct ChebyshevPiece {
-    Matrix smooth, alternating;
+    Matrix smooth, alternating, decaying;
   };
 
   Matrix tabulated;                                          // W(n, j) in row n-1, for n up to K
@@ -35,7 +36,7 @@ struct StartingWeights {
 
 // The starting weights for these powers of f and n up to `steps`. Preconditions: table.family->multistep is
 // set; powers[0] = 0, powers increase. The result is cached by rule, order and powers, because the
-// computation takes milliseconds. Thread-safe.
+// computation takes longer than many a solve. Thread-safe.
 std::shared_ptr<const StartingWeights> starting_weights(const WeightTable& table,
                                                         const std::vector<double>& powers, int steps);
 
@@ -48,8 +49,5 @@ struct UsablePowers {
   double growth;
 };
 UsablePowers usable_powers(const WeightTable& table, const std::vector<double>& powers);
-
-// Decimal digits in which starting weights are computed.
-inline constexpr int starting_weight_digits = 70;
 
 }  // namespace fde

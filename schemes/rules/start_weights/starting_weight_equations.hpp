@@ -8,15 +8,12 @@
 
 namespace fde {
 
-// Solves the equations of the starting weights in multiprecision (number_series.hpp). This header does not
-// include the multiprecision headers.
+// Solves the equations of the starting weights: in double-doubles, or in 70 digits where the powers are so
+// close to each other that 31 digits are too few.
 class StartingWeightEquations {
  public:
-  // asymptotic_weights evaluates at these points, 1 <= point <= 2. Precondition: table.family->multistep is
-  // set.
-  StartingWeightEquations(const WeightTable& table, const std::vector<double>& powers,
-                          const std::vector<double>& points);
-  ~StartingWeightEquations();
+  StartingWeightEquations() = default;
+  virtual ~StartingWeightEquations() = default;
   StartingWeightEquations(const StartingWeightEquations&) = delete;
   StartingWeightEquations& operator=(const StartingWeightEquations&) = delete;
   StartingWeightEquations(StartingWeightEquations&&) = delete;
@@ -25,22 +22,18 @@ class StartingWeightEquations {
   // W(n, j) for n = 1 ... K, one row a step, one column a j, from the defining sums. From K on the asymptotic
   // expansions are accurate to rounding: the contributions of all other singularities of the generating
   // function have decayed.
-  [[nodiscard]] Matrix tabulated_weights() const;
+  [[nodiscard]] virtual Matrix tabulated_weights() const = 0;
 
-  // W(x, j) at x = K 2^piece point, one row a point, one column a j, by the expansions at zeta = 1 and at -1,
-  // which extend W to real x.
-  [[nodiscard]] StartingWeights::ChebyshevPiece asymptotic_weights(std::size_t piece) const;
-
-  // As usable_powers, with the bound `most` of the growth.
-  static UsablePowers usable(const WeightTable& table, const std::vector<double>& powers, double most);
-
- private:
-  struct Numbers;
-  struct Expansions;
-  struct PowersAt;
-  std::unique_ptr<Numbers> numbers_;
-  std::unique_ptr<Expansions> expansions_;
-  std::vector<PowersAt> points_;
+  // W on [K 2^piece, K 2^(piece+1)], by the expansions at the singularities of the generating function.
+  // Thread-safe.
+  [[nodiscard]] virtual StartingWeights::ChebyshevPiece asymptotic_weights(std::size_t piece) const = 0;
 };
+
+// Precondition: table.family->multistep is set.
+std::shared_ptr<const StartingWeightEquations> starting_weight_equations(const WeightTable& table,
+                                                                         const std::vector<double>& powers);
+
+// As usable_powers, with the bound `most` of the growth.
+UsablePowers count_usable(const WeightTable& table, const std::vector<double>& powers, double most);
 
 }  // namespace fde
