@@ -40,7 +40,6 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   const TaylorPart taylor(problem);
   NewtonSolver newton(problem, options.tolerance);
   Run run(problem, options, grid.steps);
-  run.cost().history = name(history->kind());
   run.cost().starting_weights = first_steps + 1;
 
   Matrix first;
@@ -52,6 +51,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   const auto begin_history = [&] {
     history = make_history(options.history, {of_rows}, step_plan(grid), options.tolerance);
     run.cost().history_bytes = history->bytes() + correction.bytes();
+    run.cost().history = name(history->kind());
   };
   const StateArchiver state = [&](Archive& archive) {
     if (!history) begin_history();
