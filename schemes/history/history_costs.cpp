@@ -19,7 +19,7 @@ constexpr double block = MemoryTables::block, recent = MemoryTables::recent;
 // ns, measured with AVX-512 on an EPYC (Zen 5) by fde_histories --benchmark_filter=choice.
 constexpr double weight_by_formula = 440.0, weight_by_recurrence = 20.0, filter_coefficient = 55.0;
 constexpr double sum_of_exponentials = 11'500.0, node_of_sum = 430.0, node_of_step = 2.3;
-constexpr double interval_weight = 55.0, step_factor_of_table = 200.0;  // of variable steps
+constexpr double interval_weight = 55.0, step_factor_of_table = 190.0;  // of variable steps
 
 // The distinct tables of a run with the number of their uses, over all sums and components.
 std::vector<std::pair<WeightTable, double>> counted(const WeightTables& tables) {
@@ -68,9 +68,9 @@ double wide_filter_cost(const WeightTable& table, double uses, double steps, dou
   const double lags = std::ceil(exact / block) * block;
   const double nodes = lags < longest ? exponential_count(longest / lags, tolerance) : 0.0;
   const double blocks = std::floor(steps / block), multiply_adds = lags + 2.0 * nodes + recent + block / 2;
-  return (lags + block) * (weight_by_recurrence + block) + nodes * node_of_sum +
+  return (lags + block) * (weight_by_recurrence + 10.0) + nodes * node_of_sum +
          (nodes > 0.0 ? sum_of_exponentials : 0.0) + steps * 60.0 +
-         uses * (25.0 + blocks * block * multiply_adds / 60.0 + steps * 1.5);
+         uses * (blocks * block * multiply_adds / 60.0 + steps);
 }
 
 // The weights and starts of an ExponentialMemory; those of two parts follow from recurrences.
@@ -150,14 +150,15 @@ HistoryCosts variable_step_costs(const WeightTables& tables, const StepPlan& pla
     if (integral_order(table) == 0.0) continue;
     if (std::ranges::find(orders, integral_order(table)) == orders.end()) {
       orders.push_back(integral_order(table));
-      costs.direct += pairs_of_steps * interval_weight + steps * 300.0;
+      const double powers = acts_on_running_sums(table) ? 1.6 : 1.0;  // running integrals have further powers
+      costs.direct += powers * pairs_of_steps * interval_weight + steps * 130.0;
     }
-    costs.direct += step_factor_of_table * steps + uses * (steps * 8.0 + pairs_of_steps * 2.7);
+    costs.direct += step_factor_of_table * steps + uses * (steps * 2.0 + pairs_of_steps * 2.1);
     if (std::ranges::find(exponents, kernel_exponent(table)) == exponents.end()) {
       exponents.push_back(kernel_exponent(table));
       costs.exponentials += sum_of_exponentials + nodes * 100.0 + steps * nodes * node_of_step;
     }
-    costs.exponentials += uses * (50.0 + steps * nodes * 0.37);
+    costs.exponentials += uses * (150.0 + steps * nodes * 0.4);
   }
   return costs;
 }

@@ -11,6 +11,7 @@
 #include "fdebench/schemes/history/block_kernels.hpp"
 #include "fdebench/schemes/history/exponential_memory.hpp"
 #include "fdebench/schemes/history/history.hpp"
+#include "fdebench/schemes/history/parallel_for_rows.hpp"
 
 namespace {
 
