@@ -17,7 +17,7 @@ TEST(SceneRegistry, HasTheIdsOfItsScenesInOrder) {
 }
 
 TEST(SceneRegistry, SharesItsScenesWithCopies) {
-  const SceneRegistry copy = built_in_scenes();
+  const SceneRegistry copy(built_in_scenes(), nullptr);
   EXPECT_EQ(find_scene("pendulum", copy), find_scene("pendulum"));
   EXPECT_EQ(&copy.named("pendulum"), find_scene("pendulum"));
 }
