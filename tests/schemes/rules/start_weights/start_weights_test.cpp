@@ -8,6 +8,8 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
@@ -186,6 +188,32 @@ TEST_P(Multistep, StartWeightsGrowNoMoreThanAllowed) {
     EXPECT_LE(start.growth, max_growth);
     EXPECT_GT(start.next, start.powers.back());
   }
+}
+
+double condition(const ComplexMatrix& matrix) {
+  const Eigen::JacobiSVD<ComplexMatrix> values(matrix);
+  return values.singularValues().maxCoeff() / values.singularValues().minCoeff();
+}
+
+// SylvesterFactors uses the eigenvectors of the 2 x 2 blocks of a Schur form only: those of the weights of
+// all first steps would lose up to six digits.
+TEST_P(Multistep, ConditionOfPairsIsSmall) {
+  double of_pairs = 1.0, of_all = 1.0;
+  for (const double order : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.3, 1.5, 1.7, 1.9}) {
+    const auto powers = powers_of(order).powers;
+    const auto steps = std::ssize(powers) - 1;
+    const StartingCorrection correction({{GetParam(), order}}, powers, 64);
+    const Matrix weights = correction.first_weights(0).rightCols(steps);
+    of_all = std::max(of_all, condition(Eigen::EigenSolver<Matrix>(weights).eigenvectors()));
+    const Matrix schur = Eigen::RealSchur<Matrix>(weights.transpose()).matrixT();
+    for (Eigen::Index i = 0; i + 1 < steps; ++i) {
+      if (schur(i + 1, i) == 0.0) continue;
+      const Eigen::EigenSolver<Matrix> block(schur.block(i, i, 2, 2));
+      of_pairs = std::max(of_pairs, condition(block.eigenvectors()));
+    }
+  }
+  fmt::print("{}: of pairs {:.2g}, of all {:.2g}\n", GetParam()->id, of_pairs, of_all);
+  EXPECT_LT(of_pairs, 1e3);
 }
 
 INSTANTIATE_TEST_SUITE_P(, Multistep, testing::ValuesIn(rules), name_of);
