@@ -50,6 +50,14 @@ std::vector<WeightTable> parts_of(const WeightTable& table) {
   return {{family.smooth_part, table.order}, {family.alternating_part, table.order}};
 }
 
+// The first touch of an array of so many doubles. Smaller arrays are in memory that the process has used
+// before; the C library returns larger ones to the system.
+double first_touch(double doubles) {
+  constexpr double largest_kept = 0x1p25, touched_byte = 0.4;
+  const double bytes = sizeof(double) * doubles;
+  return bytes > largest_kept ? bytes * touched_byte : 0.0;
+}
+
 double weight_cost(const WeightTable& table) {
   return table.family->first_weights != nullptr ? weight_by_recurrence : weight_by_formula;
 }
@@ -68,7 +76,8 @@ double wide_filter_cost(const WeightTable& table, double uses, double steps, dou
   const double lags = std::ceil(exact / block) * block;
   const double nodes = lags < longest ? exponential_count(longest / lags, tolerance) : 0.0;
   const double blocks = std::floor(steps / block), multiply_adds = lags + 2.0 * nodes + recent + block / 2;
-  return (lags + block) * (weight_by_recurrence + 10.0) + nodes * node_of_sum +
+  return first_touch(uses * (lags + block)) + 2.0 * first_touch(uses * nodes) +
+         (lags + block) * (weight_by_recurrence + 10.0) + nodes * node_of_sum +
          (nodes > 0.0 ? sum_of_exponentials : 0.0) + steps * 60.0 +
          uses * (blocks * block * multiply_adds / 60.0 + steps);
 }
@@ -94,7 +103,7 @@ double multiply_add(double bytes) {
 double direct_cost(const WeightTables& tables, double steps) {
   const double components = static_cast<double>(tables.front().size());
   const double each = multiply_add(sizeof(double) * components * steps);
-  double cost = 800.0 + 10.0 * components + steps * (8.0 + components);
+  double cost = 800.0 + 10.0 * components + steps * (8.0 + components) + first_touch(steps * components);
   for (const auto& [table, uses] : counted(tables)) {
     const bool own_start = table.family->first_sample_coefficient != nullptr;
     cost += steps * (weight_cost(table) + (own_start ? start_cost(table) : 0.0));
@@ -127,9 +136,11 @@ double exponentials_cost(const WeightTables& tables, double steps, double tolera
       const std::tuple kernel{kernel_exponent(table), acts_on_running_sums(table),
                               table.family == whole.family->alternating_part};
       double multiply_adds = nodes + recent + block / 2;
+      cost += first_touch(uses * block);
       if (std::ranges::find(kernels, kernel) == kernels.end()) {
         kernels.push_back(kernel);
         if (needs_exponentials) cost += sum_of_exponentials + nodes * node_of_sum;
+        cost += first_touch(components * (recent + block)) + 2.0 * first_touch(components * nodes);
         multiply_adds += nodes;
       }
       cost += uses * (blocks * block * multiply_adds / 60.0 + steps * (wide ? 0.9 : 2.0)) +

@@ -71,11 +71,13 @@ void choice(benchmark::State& state, HistoryKind kind, const WeightFamily& famil
 
 // choice/<family>/<grid>/<components>/<steps>/<kind>: what `auto` takes, beside both kinds.
 void add_choices(const auto& add) {
-  for (const auto* family : {&families::l1, &families::trapezoid, &families::bdf2}) {
+  for (const auto* family :
+       {&families::l1, &families::trapezoid, &families::grunwald_letnikov, &families::bdf2}) {
     for (const double grading : {1.0, 2.0}) {
       if (grading > 1.0 && family->endpoint_values == nullptr) continue;
-      for (const Eigen::Index count : {1, 16, 256, 10'000}) {
-        for (const int steps : {16, 48, 128, 512}) {
+      for (const Eigen::Index count : {1, 16, 64, 2000, 100'000}) {
+        for (const int steps : {16, 24, 31, 48, 64, 96, 192, 512, 1024}) {
+          if (count > 2000 && steps > 96) continue;
           for (const auto kind : {HistoryKind::automatic, HistoryKind::direct, HistoryKind::exponentials}) {
             add(fmt::format("choice/{}/{}/{}/{}/{}", family->id, grading > 1.0 ? "graded" : "uniform", count,
                             steps, name(kind)),
