@@ -66,6 +66,8 @@ void ExponentialHistory::drop_identity_lists() {
       use.all = std::ssize(use.components) == size_ && groups_[use.group].columns.are_all(size_);
       if (use.all) use.components = {};
     }
+    sum.is_one_table = sum.constants.empty() && sum.filtered.empty() && sum.uses.size() == 1 &&
+                       sum.uses.front().all && !sum.uses.front().alternates;
   }
   for (auto& group : groups_) {
     group.all = !group.running_sums && !group.alternates && group.columns.are_all(size_);
@@ -155,14 +157,19 @@ void ExponentialHistory::begin(In sample) {
 
 void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) const {
   const Sum& of = sums_.begin()[static_cast<std::ptrdiff_t>(sum)];
+  const auto first = of.uses.begin();
+  if (of.is_one_table) {
+    memories_.begin()[static_cast<std::ptrdiff_t>(first->group)].convolve(first->table, result.data());
+    return;
+  }
   for (const auto& [i, start, constant] : of.constants) {
     result[i] = start * first_[i] + constant * totals_[i];
   }
   for (const auto& [i, filter, column] : of.filtered) result[i] = filtered_[filter].convolved(column);
   for (const auto& use : of.uses) {
-    const ExponentialMemory& memory = memories_.begin()[static_cast<std::ptrdiff_t>(use.group)];
+    const ExponentialMemory& memory = memories_[use.group];
     if (use.all && !use.alternates) {
-      memory.convolve(use.table, result);
+      memory.convolve(use.table, result.data());
       continue;
     }
     const auto convolved = memory.convolved(use.table);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "fdebench/schemes/history/first_sample_weights.hpp"
 #include "fdebench/schemes/problem/archive.hpp"
 
@@ -28,9 +30,9 @@ class WideMemory {
   [[nodiscard]] const double* sums(Eigen::Index table, Eigen::Index /*position*/) const {
     return current_.col(table).data();
   }
-  // Sets result to them.
-  void convolve(Eigen::Index table, Eigen::Index position, Out result) const {
-    result = Eigen::Map<const Vec>(sums(table, position), components_);
+  // Writes them to result.
+  void convolve(Eigen::Index table, Eigen::Index position, double* result) const {
+    std::copy_n(sums(table, position), components_, result);
   }
   static constexpr Eigen::Index stride() { return 1; }
   [[nodiscard]] Eigen::Index components() const { return components_; }
