@@ -7,7 +7,7 @@
 namespace fde {
 namespace {
 
-void subtract(In a, In b, Out difference) {
+void subtract(In a, In b, Vec& difference) {
   for_each_row(a.size(), [from = a.data(), less = b.data(), to = difference.data()](Eigen::Index i) {
     to[i] = from[i] - less[i];
   });
@@ -20,8 +20,8 @@ Trajectory solve_l1(const Problem& problem, const Grid& grid, const Options& opt
       problem, grid, options,
       {.tables = weight_tables(problem, families::l1),
        .known = [](double /*t*/, In convolved, In previous, In /*kappa*/,
-                   Out known) { subtract(previous, convolved, known); },
-       .sample = [](double /*t*/, In y, In previous, Out sample) { subtract(y, previous, sample); }});
+                   Vec& known) { subtract(previous, convolved, known); },
+       .sample = [](double /*t*/, In y, In previous, Vec& sample) { subtract(y, previous, sample); }});
 }
 
 // Piecewise linear interpolation of y: h^(2-g).

@@ -68,6 +68,8 @@ void ExponentialHistory::drop_identity_lists() {
   for (auto& sum : sums_) {
     for (auto& use : sum.uses) drop_list(use, groups_[use.group].columns);
     for (auto& use : sum.filtered) drop_list(use, filters_[use.group].columns);
+    sum.is_one_table = sum.constants.empty() && sum.filtered.empty() && sum.uses.size() == 1 &&
+                       sum.uses.front().all && !sum.uses.front().alternates;
   }
   const auto drop_columns = [&](auto& part, bool unchanged) {
     part.all = unchanged && part.columns.are_all(size_);
@@ -166,6 +168,11 @@ void ExponentialHistory::begin(In sample) {
 
 void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) const {
   const Sum& of = sums_.begin()[static_cast<std::ptrdiff_t>(sum)];
+  const auto first = of.uses.begin();
+  if (of.is_one_table) {
+    memories_.begin()[static_cast<std::ptrdiff_t>(first->group)].convolve(first->table, result.data());
+    return;
+  }
   for (const auto& [i, start, constant] : of.constants) {
     result[i] = start * first_[i] + constant * totals_[i];
   }
@@ -178,9 +185,9 @@ void ExponentialHistory::convolve(double /*t*/, std::size_t sum, Out result) con
         filtered_[use.group]);
   }
   for (const auto& use : of.uses) {
-    const ExponentialMemory& memory = memories_.begin()[static_cast<std::ptrdiff_t>(use.group)];
+    const ExponentialMemory& memory = memories_[use.group];
     if (use.all && !use.alternates) {
-      memory.convolve(use.table, result);
+      memory.convolve(use.table, result.data());
       continue;
     }
     const auto convolved = memory.convolved(use.table);

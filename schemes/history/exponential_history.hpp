@@ -73,6 +73,7 @@ class ExponentialHistory final : public History {
     std::vector<Constant> constants{};
     std::vector<TableUse> uses{};
     std::vector<TableUse> filtered{};
+    bool is_one_table = false;  // the only part is one table for all components, with equal signs
   };
   void drop_identity_lists();
   void begin(In sample);

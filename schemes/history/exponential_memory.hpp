@@ -51,8 +51,9 @@ class ExponentialMemory {
         memory_);
   }
 
-  // The same, written to result.
-  void convolve(Eigen::Index table, Out result) const {
+  // The same, written to `result`, an array: a view that is passed on by value is copied by one load of its
+  // two members just after they have been stored, which stalls the processor.
+  void convolve(Eigen::Index table, double* result) const {
     if (const auto* narrow = std::get_if<NarrowMemory>(&memory_)) {
       narrow->convolve(table, position_, result);
     } else {

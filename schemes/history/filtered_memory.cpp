@@ -9,9 +9,8 @@ namespace {
 
 // phi_L, ..., phi_2, with zeros in front.
 Vec reversed_tail(const std::vector<double>& filter) {
-  constexpr Eigen::Index together = 4 * lanes;  // the unrolled length of dot_product
   const auto count = std::max<std::ptrdiff_t>(std::ssize(filter) - 2, 0);
-  Vec tail = Vec::Zero((count + together - 1) / together * together);
+  Vec tail = Vec::Zero((count + lanes - 1) / lanes * lanes);
   for (Eigen::Index i = 1; i <= count; ++i) tail[tail.size() - i] = filter[static_cast<std::size_t>(i) + 1];
   return tail;
 }

@@ -33,10 +33,14 @@ void NarrowMemory::push(const MemoryTables& tables, Eigen::Index position, In sa
     add_outer_product(tables.count, tables.inner.data() + column * tables.inner.rows(), sample.data(),
                       sums_.cols(), block, {sums_.data() + first, sums_.rows()});
   }
-  if (position + 1 == block) {
+  if (column + 1 == recent) end_group(tables, position + 1, start);
+}
+
+void NarrowMemory::end_group(const MemoryTables& tables, Eigen::Index next, const FirstSampleWeights& start) {
+  if (next == block) {
     advance_block(tables, start);
-  } else if ((position + 1) % recent == 0) {
-    add_recent(tables, position + 1);
+  } else {
+    add_recent(tables, next);
   }
 }
 

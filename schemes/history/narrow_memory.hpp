@@ -24,10 +24,11 @@ class NarrowMemory {
   [[nodiscard]] const double* sums(Eigen::Index table, Eigen::Index position) const {
     return sums_.data() + table * block + position;
   }
-  // Sets result to them.
-  void convolve(Eigen::Index table, Eigen::Index position, Out result) const {
-    for_each_component(result.size(), [values = sums(table, position), stride = stride(),
-                                       to = result.data()](Eigen::Index i) { to[i] = values[i * stride]; });
+  // Writes them to result, one after the other.
+  void convolve(Eigen::Index table, Eigen::Index position, double* result) const {
+    for_each_component(components(), [=, values = sums(table, position), stride = stride()](Eigen::Index i) {
+      result[i] = values[i * stride];
+    });
   }
   [[nodiscard]] Eigen::Index stride() const { return sums_.rows(); }
   [[nodiscard]] Eigen::Index components() const { return sums_.cols(); }
@@ -38,6 +39,9 @@ class NarrowMemory {
  private:
   static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;
 
+  // The work after the last step of a group of `recent`. Not inlined: most steps need none of it.
+  [[gnu::noinline]] void end_group(const MemoryTables& tables, Eigen::Index next,
+                                   const FirstSampleWeights& start);
   void add_recent(const MemoryTables& tables, Eigen::Index position);
   void advance_block(const MemoryTables& tables, const FirstSampleWeights& start);
   void add_exact(const FirstSampleWeights& start);

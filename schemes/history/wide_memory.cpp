@@ -78,7 +78,7 @@ void WideMemory::push(const MemoryTables& tables, Eigen::Index position, In samp
 }
 
 // The sums are completed with the samples of their own group of `recent` steps, in the order of the steps.
-void WideMemory::convolve(Eigen::Index table, Eigen::Index position, Out result) const {
+void WideMemory::convolve(Eigen::Index table, Eigen::Index position, double* result) const {
   const Eigen::Index newest = position % recent, oldest = position - newest;
   parallel_for_rows(components_, strip, [&](Eigen::Index part, Eigen::Index rows) {
     alignas(64) std::array<double, tile> sum;
@@ -87,14 +87,15 @@ void WideMemory::convolve(Eigen::Index table, Eigen::Index position, Out result)
       std::copy_n(rows_of(sums_, table * block + position, first).data, count, sum.data());
       multiply_add(count, newest, 1, rows_of(samples_, recent + oldest, first),
                    {&inner_(0, table * recent + newest), recent}, {sum.data(), tile});
-      std::copy_n(sum.data(), real, result.data() + first);
+      std::copy_n(sum.data(), real, result + first);
     }
   });
 }
 
 const double* WideMemory::sums(Eigen::Index table, Eigen::Index position) const {
   current_.resize(components_, tables_);
-  if (!current_is_known_[static_cast<std::size_t>(table)]) convolve(table, position, current_.col(table));
+  if (!current_is_known_[static_cast<std::size_t>(table)])
+    convolve(table, position, current_.col(table).data());
   current_is_known_[static_cast<std::size_t>(table)] = true;
   return current_.col(table).data();
 }

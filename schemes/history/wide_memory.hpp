@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "fdebench/schemes/history/first_sample_weights.hpp"
 #include "fdebench/schemes/problem/archive.hpp"
 
@@ -23,8 +25,8 @@ class WideMemory {
   // block.
   void push(const MemoryTables& tables, Eigen::Index position, In sample, const FirstSampleWeights& start);
 
-  // Sets result to the sums of a table at the next step, one value a component.
-  void convolve(Eigen::Index table, Eigen::Index position, Out result) const;
+  // Writes the sums of a table at the next step to result, one value a component.
+  void convolve(Eigen::Index table, Eigen::Index position, double* result) const;
 
   // The same in components() contiguous values. They are computed in the first call after a push.
   [[nodiscard]] const double* sums(Eigen::Index table, Eigen::Index position) const;

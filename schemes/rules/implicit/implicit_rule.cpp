@@ -35,7 +35,7 @@ class HistoryOfRows {
   }
 
   // Sets the sums at time t of the rows with a history; the other entries are unchanged.
-  void convolve(double t, Out result) {
+  void convolve(double t, Vec& result) {
     if (result.size() == buffer_.size()) return history_->convolve(t, 0, result);
     history_->convolve(t, 0, buffer_);
     for (Eigen::Index r = 0; r < buffer_.size(); ++r) result[row(r)] = buffer_[r];
@@ -54,7 +54,7 @@ class HistoryOfRows {
 ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family) {
   return {
       .tables = weight_tables(problem, family),
-      .known = [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Out known) {
+      .known = [taylor = TaylorPart(problem)](double t, In convolved, In /*previous*/, In kappa, Vec& known) {
         taylor.at(t, known);
         for_each_row(known.size(), [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
       }};

@@ -54,7 +54,7 @@ SolveStatus NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
   return y.allFinite() ? SolveStatus::not_converged : SolveStatus::non_finite;
 }
 
-bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
+bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out& y) {
   const bool first = extrapolation_.empty();
   if (!first) {
     extrapolate_guess(step);
@@ -75,7 +75,7 @@ bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out y) {
   return true;
 }
 
-bool NewtonSolver::iterate_with_kept_factors(Run& run, const StepEquations& step, Out y) {
+bool NewtonSolver::iterate_with_kept_factors(Run& run, const StepEquations& step, Out& y) {
   const auto& rows = matrix_->rows();
   for_each_row(y.size(), [&](Eigen::Index i) { increment_[i] = iterate_[i] - y[i]; });
   // The first increment is judged as if an increment of this size had led to the guess.
@@ -114,7 +114,7 @@ void NewtonSolver::add_increment_of_rhs(const StepEquations& step) {
   f_is_at_solution_ = true;
 }
 
-bool NewtonSolver::accept_iterate(Out y) const {
+bool NewtonSolver::accept_iterate(Out& y) {
   copy_rows(y.size(), iterate_.data(), y.data());
   return true;
 }
@@ -201,7 +201,7 @@ bool NewtonSolver::iterate_past_infinite_derivatives(Run& run, const StepEquatio
   return failed();
 }
 
-bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out y) {
+bool NewtonSolver::solve_linear(Run& run, const StepEquations& step, Out& y) {
   const auto is_factorised = [&] {
     return holds_for_each_row(y.size(),
                               [&](Eigen::Index i) { return (*factorised_for_)[i] == step.kappa[i]; });

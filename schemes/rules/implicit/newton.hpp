@@ -76,11 +76,11 @@ class NewtonSolver {
   [[nodiscard]] std::string_view linear_solver() const { return matrix_->solver(); }
 
  private:
-  bool solve_nonlinear(Run& run, const StepEquations& step, Out y);
-  bool solve_linear(Run& run, const StepEquations& step, Out y);
+  bool solve_nonlinear(Run& run, const StepEquations& step, Out& y);
+  bool solve_linear(Run& run, const StepEquations& step, Out& y);
   // Iterates from iterate_, the guess, with the kept factors; f_ is f there. Returns false, with y unchanged,
   // where the guess or the factors are rejected.
-  bool iterate_with_kept_factors(Run& run, const StepEquations& step, Out y);
+  bool iterate_with_kept_factors(Run& run, const StepEquations& step, Out& y);
   // Factorises the matrix at iterate_, where f_ is f. Returns false where the determinant has changed its
   // sign.
   bool refactorise(Run& run, const StepEquations& step);
@@ -88,7 +88,7 @@ class NewtonSolver {
   // last increment, which is below the tolerance.
   void add_increment_of_rhs(const StepEquations& step);
   // Replaces y by iterate_; true.
-  bool accept_iterate(Out y) const;
+  bool accept_iterate(Out& y);
   // Whether the equations hold at y up to rounding, also stored in f_is_at_solution_. Sets f_ to f(t, y).
   bool is_solved_to_rounding(Run& run, const StepEquations& step, In y);
   // Sets iterate_ to known + kappa f with f extrapolated, and to extrapolated unknowns of algebraic rows;
