@@ -49,15 +49,15 @@ void solve(benchmark::State& state, Subject& subject, const Scheme& scheme, int 
 void many_unknowns(benchmark::State& state, int threads) {
   const auto& makers = built_in_scenes();
   const auto maker = std::ranges::find(makers, "fractional_diffusion", &SceneFactory::id);
-  constexpr int unknowns = 1'000'000, steps = 200;
+  constexpr double unknowns = 1e6;
+  constexpr int steps = 200;
   const Scene scene = make_scene(*maker, {{"components", unknowns}});
   const Options options{.threads = threads, .output_times = {1.0}};
   Trajectory path;
   for (auto _ : state) path = find_scheme("l1")->solve(scene.problem, Grid{1.0, steps}, options);
   if (path.status != SolveStatus::finished) state.SkipWithError("not finished");
-  state.counters["per_unknown_and_step"] =
-      benchmark::Counter(static_cast<double>(unknowns) * steps,
-                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_unknown_and_step"] = benchmark::Counter(
+      unknowns * steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 }  // namespace
