@@ -101,7 +101,7 @@ double multiply_add(double bytes) {
 
 // Every step is a dot product with all samples before it.
 double direct_cost(const WeightTables& tables, double steps) {
-  const double components = static_cast<double>(tables.front().size());
+  const auto components = static_cast<double>(tables.front().size());
   const double each = multiply_add(sizeof(double) * components * steps);
   double cost = 800.0 + 10.0 * components + steps * (8.0 + components) + first_touch(steps * components);
   for (const auto& [table, uses] : counted(tables)) {
@@ -114,7 +114,7 @@ double direct_cost(const WeightTables& tables, double steps) {
 
 // The multiply-adds of docs/history.md, section 3.
 double exponentials_cost(const WeightTables& tables, double steps, double tolerance) {
-  const double components = static_cast<double>(tables.front().size());
+  const auto components = static_cast<double>(tables.front().size());
   const bool wide = components >= ExponentialMemory::fewest_wide;
   const bool needs_exponentials = ExponentialMemory::needs_exponentials(static_cast<Eigen::Index>(steps));
   const double nodes = needs_exponentials ? exponential_count(steps / recent, tolerance) : 0.0;

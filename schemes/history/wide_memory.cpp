@@ -40,7 +40,7 @@ ConstBlock WideMemory::rows_of(const Matrix& all, Eigen::Index column, Eigen::In
   return {all.col(first / strip).data() + column * pitch_ + first % strip, pitch_};
 }
 
-Block WideMemory::rows_of(Matrix& all, Eigen::Index column, Eigen::Index first) {
+Block WideMemory::rows_of(Matrix& all, Eigen::Index column, Eigen::Index first) const {
   return {all.col(first / strip).data() + column * pitch_ + first % strip, pitch_};
 }
 

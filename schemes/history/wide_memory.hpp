@@ -47,7 +47,7 @@ class WideMemory {
 
   // The rows from `first` on of a column of samples_ or sums_, and the distance to the next column.
   [[nodiscard]] ConstBlock rows_of(const Matrix& all, Eigen::Index column, Eigen::Index first) const;
-  Block rows_of(Matrix& all, Eigen::Index column, Eigen::Index first);
+  Block rows_of(Matrix& all, Eigen::Index column, Eigen::Index first) const;
   // The following functions are for the `count` rows of the tile from `first` on.
   void add_exact(const FirstSampleWeights& start, Eigen::Index first, Eigen::Index count);
   void add_recent(Eigen::Index position, Eigen::Index first, Eigen::Index count);
