@@ -96,9 +96,9 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
   Subcommand::exclude(points, every);
   command.option("--field", arguments->run.field, "a CSV of all unknowns at the times that are printed");
   add_options(command, arguments->run.settings);
-  command.option(
-      "--threads", arguments->run.threads,
-      "among which the memory term of many unknowns is shared, default 1; the same bits for any number");
+  command.option("--threads", arguments->run.threads,
+                 "among which the unknowns of a step are shared where they are many, default 1; the same "
+                 "bits for any number");
   command.option("--checkpoint", arguments->run.checkpoint,
                  "a file that keeps the state of the run: the same command goes on from it");
   command.option("--checkpoint-every", arguments->run.checkpoint_every,

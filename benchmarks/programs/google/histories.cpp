@@ -127,7 +127,7 @@ void many_components(benchmark::State& state, Eigen::Index count, int threads) {
   for (auto _ : state) {
     for (int n = 0; n < steps_of_run; ++n) {
       memory.push(tables, n % MemoryTables::block, sample, start);
-      memory.convolve(0, (n + 1) % MemoryTables::block, sums);
+      memory.convolve(0, (n + 1) % MemoryTables::block, sums.data());
     }
     benchmark::DoNotOptimize(sums.data());
   }

@@ -33,8 +33,11 @@ StartingPowers starting_powers(const WeightFamily& family, std::vector<double> o
   orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
   steps.push_back(1.0);
   const double last = family.multistep->rate - 1.0;
-  // Multiples of the smallest step are as many powers as are needed.
-  const double enough = (most_powers + 1.0) * (std::ranges::min(steps) + 2.0 * power_separation);
+  // Multiples of the smallest step that makes another power are as many powers as are needed.
+  double smallest = 1.0;
+  for (const double step : steps)
+    if (step > power_separation) smallest = std::min(smallest, step);
+  const double enough = (most_powers + 1.0) * (smallest + 2.0 * power_separation);
   const auto sums = power_lattice({0.0}, steps, std::min(last + 2.0, enough));
   StartingPowers start{{}, 0.0, 0.0};
   for (const double power : sums) {

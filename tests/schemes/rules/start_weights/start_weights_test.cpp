@@ -226,6 +226,16 @@ TEST(StartingPowers, AreTheSumsOfTheOrders) {
   EXPECT_DOUBLE_EQ(start.next, 1.3);
 }
 
+// An order within the separation of powers adds none: 0 and its multiples count as one power.
+TEST(StartingPowers, AreThoseOfTheOtherOrdersWhereOneIsTiny) {
+  for (const double tiny : {1e-300, 1e-12, 0.9e-5, 1e-5}) {
+    EXPECT_EQ(starting_powers(families::bdf2, {tiny}, {tiny}).powers, (std::vector<double>{0.0, 1.0})) << tiny;
+    EXPECT_EQ(starting_powers(families::bdf2, {0.5, tiny}, {0.5, tiny}).powers,
+              starting_powers(families::bdf2, {0.5}, {0.5}).powers)
+        << tiny;
+  }
+}
+
 // D^g y = Gamma(p+1)/Gamma(p+1-g) t^(p-g) has the solution t^p, which schemes with a starting weight for p -
 // g reproduce exactly.
 TEST(StartingWeights, MakeSchemesExactForTheirPowers) {
