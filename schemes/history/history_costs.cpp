@@ -21,12 +21,14 @@ constexpr double weight_by_formula = 440.0, weight_by_recurrence = 20.0, filter_
 constexpr double sum_of_exponentials = 11'500.0, node_of_sum = 430.0, node_of_step = 2.3;
 constexpr double interval_weight = 55.0, step_factor_of_table = 190.0;  // of variable steps
 
-// The distinct tables of a run with the number of their uses, over all sums and components.
-std::vector<std::pair<WeightTable, double>> counted(const WeightTables& tables) {
+// The distinct tables of a run, except those that is_free, with the number of their uses, over all sums and
+// components.
+template <class Predicate>
+std::vector<std::pair<WeightTable, double>> counted(const WeightTables& tables, Predicate is_free) {
   std::vector<std::pair<WeightTable, double>> uses;
   for (const auto& of_sum : tables) {
     for (const auto& table : of_sum) {
-      if (constant_weight(table)) continue;
+      if (is_free(table)) continue;
       auto found = std::ranges::find(uses, table, [](const auto& use) { return use.first; });
       if (found == uses.end()) found = uses.insert(found, {table, 0.0});
       ++found->second;
@@ -34,6 +36,9 @@ std::vector<std::pair<WeightTable, double>> counted(const WeightTables& tables) 
   }
   return uses;
 }
+
+// With equal steps constant weights are a running sum.
+bool has_constant_weight(const WeightTable& table) { return constant_weight(table).has_value(); }
 
 // The number of exponentials of a kernel for times whose ratio is at most this.
 double exponential_count(double ratio, double tolerance) {
@@ -104,7 +109,7 @@ double direct_cost(const WeightTables& tables, double steps) {
   const auto components = static_cast<double>(tables.front().size());
   const double each = multiply_add(sizeof(double) * components * steps);
   double cost = 800.0 + 10.0 * components + steps * (8.0 + components) + first_touch(steps * components);
-  for (const auto& [table, uses] : counted(tables)) {
+  for (const auto& [table, uses] : counted(tables, has_constant_weight)) {
     const bool own_start = table.family->first_sample_coefficient != nullptr;
     cost += steps * (weight_cost(table) + (own_start ? start_cost(table) : 0.0));
     cost += uses * steps * (6.0 + each * steps / 2);
@@ -121,7 +126,7 @@ double exponentials_cost(const WeightTables& tables, double steps, double tolera
   const double blocks = std::floor((steps - 1.0) / block);
   double cost = 1250.0 + 25.0 * components;
   std::vector<std::tuple<long double, bool, bool>> kernels;
-  for (const auto& [whole, uses] : counted(tables)) {
+  for (const auto& [whole, uses] : counted(tables, has_constant_weight)) {
     if (whole.family->smooth_part != nullptr) cost += uses * (25.0 + steps * (components < 5e3 ? 3.0 : 20.0));
     if (whole.family->filter != nullptr && wide) {
       cost += wide_filter_cost(whole, uses, steps, tolerance);
@@ -153,12 +158,13 @@ double exponentials_cost(const WeightTables& tables, double steps, double tolera
 // With variable steps a weight costs a power, and an exponential new factors in each step.
 HistoryCosts variable_step_costs(const WeightTables& tables, const StepPlan& plan, double tolerance) {
   const double steps = plan.max_steps(), pairs_of_steps = steps * steps / 2;
-  const double nodes = exponential_count(2.0 * plan.end / plan.min_step, tolerance);
+  const double most_nodes = exponential_count(2.0 * plan.end / plan.min_step, tolerance);
+  const auto has_no_memory = [](const WeightTable& table) { return integral_order(table) == 0.0; };
   HistoryCosts costs{500.0, 500.0};
   std::vector<double> orders;
   std::vector<long double> exponents;
-  for (const auto& [table, uses] : counted(tables)) {
-    if (integral_order(table) == 0.0) continue;
+  for (const auto& [table, uses] : counted(tables, has_no_memory)) {
+    const double nodes = kernel_exponent(table) == 1.0L ? 1.0 : most_nodes;  // a constant kernel
     if (std::ranges::find(orders, integral_order(table)) == orders.end()) {
       orders.push_back(integral_order(table));
       const double powers = acts_on_running_sums(table) ? 1.6 : 1.0;  // running integrals have further powers
@@ -167,7 +173,8 @@ HistoryCosts variable_step_costs(const WeightTables& tables, const StepPlan& pla
     costs.direct += step_factor_of_table * steps + uses * (steps * 2.0 + pairs_of_steps * 2.1);
     if (std::ranges::find(exponents, kernel_exponent(table)) == exponents.end()) {
       exponents.push_back(kernel_exponent(table));
-      costs.exponentials += sum_of_exponentials + nodes * 100.0 + steps * nodes * node_of_step;
+      costs.exponentials +=
+          (nodes > 1.0 ? sum_of_exponentials : 0.0) + nodes * 100.0 + steps * nodes * node_of_step;
     }
     costs.exponentials += uses * (150.0 + steps * nodes * 0.4);
   }

@@ -81,7 +81,8 @@ template <class Real>
 std::optional<UsablePowers> usable_in(const WeightTable& table, const std::vector<double>& powers,
                                       double most, bool has_finer) {
   constexpr std::size_t first_steps = 24;
-  constexpr double needed = 1e-7;  // relative accuracy of the growth
+  constexpr double needed = 1e-7;    // relative accuracy of the growth
+  constexpr double smallest = 1e-8;  // growth that matters: for orders near 0 all W are near 0
   const std::size_t last = std::max(first_steps, powers.size());
   WeightEquations<Real> equations(table, powers, last);
   Numbers<Real> weights(equations.stride);
@@ -95,7 +96,8 @@ std::optional<UsablePowers> usable_in(const WeightTable& table, const std::vecto
       for (std::size_t j = 0; j <= k; ++j) sum += std::abs(weights.rounded(j));
       growth = std::max(growth, sum / std::max(1.0, std::pow(static_cast<double>(n), table.order - 1.0)));
     }
-    const bool known = equations.size_of_terms(last, k + 1, weights) * rounding<Real>() <= needed * growth;
+    const bool known = equations.size_of_terms(last, k + 1, weights) * rounding<Real>() <=
+                       needed * std::max(growth, smallest);
     if (!known && has_finer) return std::nullopt;
     if (k > 0 && (!known || growth > most)) break;
     usable = {k + 1, growth};

@@ -101,6 +101,17 @@ TEST(AutomaticHistory, NeedsNoExponentialsForManyComponentsInAFewSteps) {
   EXPECT_EQ(chosen(l1_of(1), steps_of(4, 2.0)), HistoryKind::direct);
 }
 
+// The kernel of order 1 is constant, and that of order 2 acts on running sums: one exponential for any number
+// of steps that differ.
+TEST(AutomaticHistory, RemembersWholeOrdersInOneExponential) {
+  for (const double whole : {1.0, 2.0}) {
+    for (const int steps : {200, 20'000}) {
+      EXPECT_EQ(chosen({{{&families::trapezoid, whole}}}, steps_of(steps, 2.0)), HistoryKind::exponentials)
+          << whole << ' ' << steps;
+    }
+  }
+}
+
 TEST(AutomaticHistory, IsWhatTheHistoryOfARunSays) {
   for (const int steps : {16, 512}) {
     for (const auto kind : {HistoryKind::automatic, HistoryKind::direct, HistoryKind::exponentials}) {
