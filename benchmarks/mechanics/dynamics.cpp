@@ -99,11 +99,14 @@ std::set<double> Dynamics::constraint_orders() const {
   return orders;
 }
 
-bool Dynamics::has_integrated_form() const {
+std::optional<double> Dynamics::force_order_with_memory_rates() const {
   const auto orders = constraint_orders();
-  const bool needs_rates = !orders.empty() && *orders.rbegin() < 1.0;
-  if (needs_rates && std::ranges::any_of(system_.memory, [](const auto& term) { return term.order > 1.0; }))
-    return false;
+  if (orders.empty() || *orders.rbegin() > 1.0) return std::nullopt;
+  const auto above = std::ranges::find_if(system_.memory, [](const auto& term) { return term.order > 1.0; });
+  return above == system_.memory.end() ? std::nullopt : std::optional(above->order);
+}
+
+bool Dynamics::is_affine() const {
   auto others = system_.v();
   const auto memory = system_.w();
   others.insert(others.end(), memory.begin(), memory.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <set>
 
 #include "fdebench/benchmarks/mechanics/mechanical_system.hpp"
@@ -32,10 +33,11 @@ class Dynamics {
   [[nodiscard]] bool has_constraints() const { return !value_.empty(); }
   // The orders, other than 1, of the memory terms in constraints.
   [[nodiscard]] std::set<double> constraint_orders() const;
-  // Whether v is a function of P v, t, q and w: the constraints are affine in the velocity, with R a function
-  // of t and q, and no force has a derivative of order above 1 beside memory terms of orders below 1 in the
-  // constraints, since its row D^(2 - order) w = v' would contain their w'.
-  [[nodiscard]] bool has_integrated_form() const;
+  // Whether constraints are affine in the velocity, with R a function of t and q.
+  [[nodiscard]] bool is_affine() const;
+  // The order above 1 of a derivative in a force, beside memory terms of orders below 1 in the constraints:
+  // its row D^(2 - order) w = v' contains their w'.
+  [[nodiscard]] std::optional<double> force_order_with_memory_rates() const;
 
   // lambda that compensates a defect of df/dt, the acceleration G^-1 R^T lambda, and this for compensation.
   [[nodiscard]] Expressions multiplier(const Expressions& defect) const;

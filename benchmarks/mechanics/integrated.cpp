@@ -36,6 +36,8 @@ Expressions turned(const ExpressionMatrix& projector, const Dynamics& dynamics) 
 }  // namespace
 
 PosedEquations integrated_equations(const Dynamics& dynamics) {
+  if (const auto order = dynamics.force_order_with_memory_rates())
+    return {.ill_posed_reason = refused_as_memory_rate(*order)};
   const auto& system = dynamics.system();
   const auto& algebra = dynamics.algebra();
   auto& pool = algebra.pool();

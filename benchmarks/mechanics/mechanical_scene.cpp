@@ -108,7 +108,7 @@ Scene mechanical_scene(const MechanicalSystem& system, const FormulationChoice& 
 std::vector<Formulation> formulations_of(const MechanicalSystem& system, ExpressionPool& pool) {
   if (system.constraints.empty()) return {};
   const Algebra algebra(pool);
-  return Dynamics(system, algebra).has_integrated_form() ? all_formulations() : unprojected_formulations();
+  return Dynamics(system, algebra).is_affine() ? all_formulations() : unprojected_formulations();
 }
 
 }  // namespace fde::bench::mechanics

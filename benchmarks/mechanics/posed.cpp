@@ -37,12 +37,19 @@ PosedEquations posed(const Dynamics& dynamics, const FormulationChoice& choice) 
 }
 
 Formulation reference_formulation(const Dynamics& dynamics) {
-  if (dynamics.has_integrated_form()) {
-    const bool exists = !is_above_one(dynamics) || integrated_above_one(dynamics).ill_posed_reason.empty();
-    return exists ? Formulation::integrated : Formulation::multiplier;
-  }
-  return acceleration_equations(dynamics, 0.0).ill_posed_reason.empty() ? Formulation::acceleration
-                                                                        : Formulation::multiplier;
+  const bool above_one = is_above_one(dynamics);
+  const bool is_integrated = above_one ? integrated_above_one(dynamics).ill_posed_reason.empty()
+                                       : !dynamics.force_order_with_memory_rates();
+  if (dynamics.is_affine() && is_integrated) return Formulation::integrated;
+  const bool is_accelerated = !above_one && acceleration_equations(dynamics, 0.0).ill_posed_reason.empty();
+  return is_accelerated ? Formulation::acceleration : Formulation::multiplier;
+}
+
+std::string refused_as_memory_rate(double order) {
+  return fmt::format(
+      "formulation = integrated: must be multiplier, acceleration or stabilised where a force contains a "
+      "derivative of order {} beside one of an order below 1 in a constraint",
+      order);
 }
 
 std::string refused_as_singular(Formulation formulation, double order) {

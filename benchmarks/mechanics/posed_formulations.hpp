@@ -10,8 +10,8 @@
 // not for these.
 namespace fde::bench::mechanics {
 
-// For constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w) (Tarasov & Zaslavsky 38;
-// precondition: has_integrated_form):
+// For constraints that are affine in the velocity, f = a(t, q) v + beta(t, q, w) (Tarasov & Zaslavsky 38),
+// and no force_order_with_memory_rates:
 //   q' = v = P z - a^# beta,  z' = P (free acceleration) + P' v,  and the rows of w,
 // with the projector P = I - a^# a, a^# = G^-1 a^T (a G^-1 a^T)^-1. z(0) = P v(0). For constant a and f = a.v
 // + b.w - C0 this is q' = z - A w, z' = -P grad u with A = a b^T/|a|^2, and no term is singular.
@@ -50,6 +50,7 @@ PosedEquations posed(const Dynamics& dynamics, const FormulationChoice& choice);
 // of this order along a^#.
 std::string refused_as_singular(Formulation formulation, double order);
 std::string refused_as_unaligned(double order);
+std::string refused_as_memory_rate(double order);
 std::string refused_as_unbounded_force(Formulation formulation, double order);
 
 // The formulation in which a reference is computed: integrated if it exists, otherwise acceleration where it

@@ -36,6 +36,7 @@ constexpr double shortest_inverse = 1e9;
 NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
     : problem_(problem),
       tolerance_(tolerance),
+      unseen_(std::min(tolerance, std::numeric_limits<double>::epsilon())),
       matrix_(make_newton_matrix(problem)),
       jacobian_reuse_(static_cast<int>(2 * problem.size())),
       extrapolation_(problem.size()),
@@ -58,7 +59,7 @@ bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out& y) 
   const bool first = extrapolation_.empty();
   if (!first) {
     extrapolate_guess(step);
-    if (is_solved_to_rounding(run, step, iterate_)) {
+    if (is_solved_to(unseen_, run, step, iterate_)) {
       extrapolation_.push(step.t, f_);
       return accept_iterate(y);
     }
@@ -91,8 +92,8 @@ bool NewtonSolver::iterate_with_kept_factors(Run& run, const StepEquations& step
     const double now = relative_norm(rows, increment_, iterate_);
     const bool rounding = iteration > 1 && stagnates(now, last);
     if (!(now <= last / 2) && !rounding) return false;
-    if (now <= tolerance_) add_increment_of_rhs(step);
-    if (now <= tolerance_ || (rounding && fresh) || is_solved_to_rounding(run, step, iterate_)) {
+    if (now <= unseen_) add_increment_of_rhs(step);
+    if (now <= tolerance_ || (rounding && fresh) || is_solved_to(tolerance_, run, step, iterate_)) {
       jacobian_reuse_.record_step(iteration);
       return accept_iterate(y);
     }
@@ -127,10 +128,10 @@ bool NewtonSolver::refactorise(Run& run, const StepEquations& step) {
   return before == 0 || before == determinant_sign_;
 }
 
-bool NewtonSolver::is_solved_to_rounding(Run& run, const StepEquations& step, In y) {
+bool NewtonSolver::is_solved_to(double tolerance, Run& run, const StepEquations& step, In y) {
   run.rhs(step.t, y, f_);
   f_is_at_solution_ =
-      matrix_->rows().algebraic.empty() && equations_hold(step, f_, y, part_of_tolerance * tolerance_);
+      matrix_->rows().algebraic.empty() && equations_hold(step, f_, y, part_of_tolerance * tolerance);
   return f_is_at_solution_;
 }
 
@@ -231,7 +232,7 @@ bool NewtonSolver::iterate(Run& run, const StepEquations& step, Out y, int most_
     ++*run.cost().newton_iterations;
     const double now = relative_norm(matrix_->rows(), increment_, y);
     if (std::isnan(now)) return false;
-    if (now <= tolerance_ || stagnates(now, last) || is_solved_to_rounding(run, step, y)) return true;
+    if (now <= tolerance_ || stagnates(now, last) || is_solved_to(tolerance_, run, step, y)) return true;
     if (now >= last) ++setbacks;
     last = now;
   }

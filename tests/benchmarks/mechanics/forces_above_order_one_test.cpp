@@ -49,9 +49,33 @@ TEST(ForcesAboveOrderOne, HaveOneMotionInTheAccelerationAndTheMultiplierForm) {
 }
 
 TEST(ForcesAboveOrderOne, HaveNoIntegratedForm) {
-  EXPECT_NE(refusal(masses_with_velocity(0.0), "integrated").find("formulation"), std::string::npos);
+  EXPECT_EQ(
+      refusal(masses_with_velocity(0.0), "integrated"),
+      "formulation = integrated: must be multiplier, acceleration or stabilised where a force contains a "
+      "derivative of order 1.7 beside one of an order below 1 in a constraint");
   const Scene by_default = scene_of_mechanical_file(masses_with_velocity(0.0));
   EXPECT_GT(by_default.smoothness.unmeasured.size(), 0U);  // the rows D^order v of the acceleration form
+}
+
+// The order may be a parameter, whose value decides.
+TEST(ForcesAboveOrderOne, AreToldByTheValuesOfParameters) {
+  std::string file = masses_with_velocity(0.0);
+  file.replace(file.find("1.7"), 3, "p");
+  const auto with = [&](const std::string& at_default) {
+    return std::string(file).insert(file.find('['), "[parameters]\np = " + at_default + "\n");
+  };
+  const auto accepts = [](const std::string& text, double p) {
+    try {
+      scene_of_mechanical_file(text, {{"p", p}, {"formulation", "integrated"}});
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+    return true;
+  };
+  for (const char* at_default : {"0.6", "1.6"}) {
+    EXPECT_TRUE(accepts(with(at_default), 0.6)) << at_default;
+    EXPECT_FALSE(accepts(with(at_default), 1.6)) << at_default;
+  }
 }
 
 // With v(0) != 0 v' starts like t^-0.4, which is no right-hand side of a row.

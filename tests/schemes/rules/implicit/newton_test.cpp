@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "support/implicit_schemes.hpp"
@@ -75,6 +76,18 @@ TEST_P(RobustNewton, EvaluatesOnceAStepWhereAllIsSmooth) {
 // y' = 1 up to y(5) = 5, which solves all later steps. The extrapolated guess is 6, close to other solutions
 // of the backward Euler step y = 5 + f(y): y = 6.1 with the cubic f, y = 6.06 with the square one, where 1 -
 // f'(y) has another sign than at 5.
+// y' = 1000 max(0, 1/2 - y) - 1/5 comes to rest at 0.4998. Extrapolated guesses go on below 1/2, and what a
+// loose tolerance leaves of their equations must not add up.
+TEST(GuessOfNewton, DoesNotAddUpWhatALooseToleranceAllows) {
+  const Problem stopped{.components = {{1.0, {1.0}}},
+                        .rhs = [](double, In y, Out f) { f[0] = 1000.0 * std::max(0.0, 0.5 - y[0]) - 0.2; },
+                        .end = 4.0};
+  for (const auto* scheme : {"bdf2", "bdf3", "bdf5", "grunwald_letnikov"}) {
+    const double end = solve(scheme, stopped, 50, {.tolerance = 1e-2}).y(0, 50);
+    EXPECT_NEAR(end, 0.4998, 1e-2) << scheme;
+  }
+}
+
 TEST(GuessOfNewton, DoesNotLeadToAnotherSolution) {
   const auto cubic = [](double y) { return -20.0 * (y - 5.0) * (y - 5.6) * (y - 6.2); };
   const auto square = [](double y) { return 100.0 * (y - 5.0) * (y - 6.05); };
