@@ -89,8 +89,8 @@ class NewtonSolver {
   void add_increment_of_rhs(const StepEquations& step);
   // Replaces y by iterate_; true.
   bool accept_iterate(Out& y);
-  // Whether the equations hold at y up to a part of the tolerance, also stored in f_is_at_solution_. Sets f_ to
-  // f(t, y).
+  // Whether the equations hold at y up to a part of the tolerance, also stored in f_is_at_solution_. Sets f_
+  // to f(t, y).
   bool is_solved_to(double tolerance, Run& run, const StepEquations& step, In y);
   // Sets iterate_ to known + kappa f with f extrapolated, and to extrapolated unknowns of algebraic rows;
   // append_to_extrapolation() adds the values at a solution y.
@@ -119,8 +119,8 @@ class NewtonSolver {
 
   const Problem& problem_;
   double tolerance_;
-  // What may remain of an equation, or of an increment, without another evaluation of f: rounding at most, also
-  // where the tolerance is larger. The memory term would take what is missed for f, and add it up.
+  // What may remain of an equation, or of an increment, without another evaluation of f: rounding at most,
+  // also where the tolerance is larger. The memory term would take what is missed for f, and add it up.
   double unseen_;
   std::unique_ptr<NewtonMatrix> matrix_;
   JacobianReuse jacobian_reuse_;
