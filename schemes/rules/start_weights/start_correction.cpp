@@ -62,12 +62,13 @@ void StartingCorrection::compute_block(int n) {
     sums_.topRows(rows()) = values(n, rows()).transpose();
     for (Eigen::Index i = 0; i < rows(); ++i) {
       const auto stored = stored_rows(of_row(i), n);
+      if (stored.rows() == 0) continue;
       sums_.row(i).head(stored.rows()) += (stored * f_.row(i).transpose()).transpose();
     }
   } else {
     Matrix weights = values(n, count());
     const auto stored = stored_rows(*of_orders_.front(), n);
-    weights.topRows(stored.rows()) += stored;
+    if (stored.rows() > 0) weights.topRows(stored.rows()) += stored;
     sums_.setZero();
     multiply_add(f_.rows(), count(), block, f_, Matrix(weights.transpose()), sums_);
   }

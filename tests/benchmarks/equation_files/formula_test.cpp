@@ -17,20 +17,10 @@
 namespace fde::bench {
 namespace {
 
-FormulaNames names_of(ExpressionPool& pool) {
-  return {.resolve = [&pool](std::string_view name) -> std::optional<Expression> {
-            if (name == "t") return pool.variable(0);
-            if (name == "x") return pool.variable(1);
-            if (name == "y") return pool.variable(2);
-            return std::nullopt;
-          },
-          .accepted_names = {"t", "x", "y"}};
-}
-
 // The value at t = 0.7, x = 0.3, y = -1.2.
 double value_of(const std::string& text) {
   ExpressionPool pool(NumberStorage::values);
-  const auto formula = read_formula(text, names_of(pool), pool);
+  const auto formula = read_formula(text, names_of_t_x_y(pool), pool);
   return Program(pool, {formula}, 2)(0.7, (Vec(2) << 0.3, -1.2).finished());
 }
 
@@ -73,7 +63,7 @@ class Derivative : public testing::TestWithParam<std::string> {};
 
 TEST_P(Derivative, IsThatOfTheDifferences) {
   ExpressionPool pool(NumberStorage::values);
-  const auto formula = read_formula(GetParam(), names_of(pool), pool);
+  const auto formula = read_formula(GetParam(), names_of_t_x_y(pool), pool);
   const Vec y = (Vec(2) << 0.3, -1.2).finished();
   for (int variable = 1; variable <= 2; ++variable) {
     const double h = 0x1p-17;
@@ -98,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(OfEveryOperation, Derivative,
 
 TEST(ExpressionPool, AreMadeOnce) {
   ExpressionPool pool(NumberStorage::values);
-  const auto names = names_of(pool);
+  const auto names = names_of_t_x_y(pool);
   EXPECT_EQ(read_formula("sin(x)*y", names, pool), read_formula("(sin( x ))*y", names, pool));
 }
 
@@ -121,7 +111,7 @@ TEST_P(FormulaFaults, SayWhatAndWhere) {
   const auto& [text, what, place] = GetParam();
   ExpressionPool pool(NumberStorage::values);
   try {
-    read_formula(text, names_of(pool), pool);
+    read_formula(text, names_of_t_x_y(pool), pool);
     FAIL() << text;
   } catch (const FormulaError& fault) {
     EXPECT_EQ(std::string(fault.what()).find(what), 0U) << fault.what();
@@ -152,12 +142,12 @@ TEST(FormulaFaults, OfDeepBracketsEndsAtOnce) {
   for (const std::string& text :
        {std::string(9'000, '('), std::string(19'000, '-'), std::string(100'000, '(')}) {
     ExpressionPool pool(NumberStorage::values);
-    EXPECT_THROW(read_formula(text, names_of(pool), pool), FormulaError);
+    EXPECT_THROW(read_formula(text, names_of_t_x_y(pool), pool), FormulaError);
   }
   std::string powers = "x";
   for (int i = 0; i < 5'000; ++i) powers += "^x";
   ExpressionPool pool(NumberStorage::values);
-  EXPECT_THROW(read_formula(powers, names_of(pool), pool), FormulaError);
+  EXPECT_THROW(read_formula(powers, names_of_t_x_y(pool), pool), FormulaError);
 }
 
 }  // namespace

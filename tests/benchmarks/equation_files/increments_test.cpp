@@ -20,20 +20,10 @@
 namespace fde::bench {
 namespace {
 
-FormulaNames names_of(ExpressionPool& pool) {
-  return {.resolve = [&pool](std::string_view name) -> std::optional<Expression> {
-            if (name == "t") return pool.variable(0);
-            if (name == "x") return pool.variable(1);
-            if (name == "y") return pool.variable(2);
-            return std::nullopt;
-          },
-          .accepted_names = {"t", "x", "y"}};
-}
-
 // The formula in z = (x - 0.3, y + 1.2) at t = 0.7; nullopt: no constants cancel.
 std::optional<double> in_increments_at(const std::string& text, double x, double y) {
   ExpressionPool pool(NumberStorage::values);
-  const auto formula = read_formula(text, names_of(pool), pool);
+  const auto formula = read_formula(text, names_of_t_x_y(pool), pool);
   const auto shifted = in_increments({formula}, (Vec(2) << 0.3, -1.2).finished(), pool);
   if (!shifted) return std::nullopt;
   return Program(pool, *shifted, 2)(0.7, (Vec(2) << x, y).finished());
@@ -56,7 +46,7 @@ TEST(Increments, AgreeWithTheFormula) {
   for (const std::string text :
        {"x - 0.3 + t", "(x - 0.3)*(2 - 3*y)/(1 + x) + t - 1", "exp(y + 1.2)*x - (x - 0.3)^2.5 - sin(x/2)",
         "2*(x - 0.3) + 3*(4 - y) - t*x"}) {
-    const auto formula = read_formula(text, names_of(pool), pool);
+    const auto formula = read_formula(text, names_of_t_x_y(pool), pool);
     const double value = Program(pool, {formula}, 2)(0.7, (Vec(2) << x + 0.3, y - 1.2).finished());
     const auto shifted = in_increments_at(text, x, y);
     ASSERT_TRUE(shifted) << text;
