@@ -257,18 +257,18 @@ TEST(AWrongWeight, IsCaughtByTheRate) {
   Scheme wrong = *find_scheme("product_trapezoidal");
   wrong.solve = on_grid([](const Problem& problem, const Grid& grid, const Options& options) {
     Vec last = Vec::Zero(problem.size());
-    return solve_implicit(
-        problem, grid, options,
-        {.tables = weight_tables(problem, families::trapezoid),
-         .known =
-             [&](double t, In convolved, In, In kappa, Out known) {
-               known = taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
-             },
-         .sample =
-             [&](double t, In y, In, Out sample) {
-               problem.rhs(t, y, sample);
-               last = sample;
-             }});
+    return solve_implicit(problem, grid, options,
+                          {.tables = weight_tables(problem, families::trapezoid),
+                           .known =
+                               [&](double t, In convolved, In, In kappa, Out known) {
+                                 known =
+                                     taylor_part(problem, t) + kappa.cwiseProduct(convolved + 0.01 * last);
+                               },
+                           .sample =
+                               [&](double t, In y, In, Out sample) {
+                                 problem.rhs(t, y, sample);
+                                 last = sample;
+                               }});
   });
   const RateScene smooth{"power_5", "power", {{"gamma", 0.5}, {"p", 2.5}}, 1.0};
   const Fit right = fit_rate(error_points({smooth, find_scheme("product_trapezoidal")}, Norm::end));
