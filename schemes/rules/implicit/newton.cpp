@@ -61,7 +61,8 @@ bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out& y) 
     extrapolate_guess(step);
     if (is_solved_to(unseen_, run, step, iterate_)) {
       extrapolation_.push(step.t, f_);
-      return accept_iterate(y);
+      copy_rows(y.size(), iterate_.data(), y.data());
+      return true;
     }
     ++missed_guesses_;
   }
@@ -95,7 +96,8 @@ bool NewtonSolver::iterate_with_kept_factors(Run& run, const StepEquations& step
     if (now <= unseen_) add_increment_of_rhs(step);
     if (now <= tolerance_ || (rounding && fresh) || is_solved_to(tolerance_, run, step, iterate_)) {
       jacobian_reuse_.record_step(iteration);
-      return accept_iterate(y);
+      copy_rows(y.size(), iterate_.data(), y.data());
+      return true;
     }
     const bool slow = iteration > 1 && now > slowest * last;
     if (slow && recompute && !rounding) return false;
@@ -113,11 +115,6 @@ void NewtonSolver::add_increment_of_rhs(const StepEquations& step) {
     f_.coeffRef(i) += (increment_.coeff(i) - residual_.coeff(i)) / step.kappa.coeff(i);
   });
   f_is_at_solution_ = true;
-}
-
-bool NewtonSolver::accept_iterate(Out& y) {
-  copy_rows(y.size(), iterate_.data(), y.data());
-  return true;
 }
 
 bool NewtonSolver::refactorise(Run& run, const StepEquations& step) {

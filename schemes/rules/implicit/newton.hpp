@@ -25,14 +25,14 @@ namespace fde {
 // beside the others does not show in it.
 //
 // The initial guess is y = known + kappa f, with f extrapolated from the last steps (Extrapolation). Without
-// algebraic rows it is the solution where every equation holds with it to a quarter of the tolerance: where
-// the solution is smooth, a step takes one evaluation of f and no iteration. Otherwise the iteration starts
-// from it where the first increment is at most a tenth of its distance from the step before. The factorised
-// matrix is reused from step to step. It is recomputed at the iterate where an increment is more than a
-// twentieth of the one before, or where reuse has become too expensive (JacobianReuse). The guess is rejected
-// where increments do not halve, and where the determinant of a new matrix differs in sign from that at the
-// last solution: two solutions that meet and vanish (as those of y = known + kappa y^2, before y is infinite)
-// differ in this sign.
+// algebraic rows it is the solution where every equation holds with it to a quarter of the tolerance, or of
+// the default tolerance if that is smaller: where the solution is smooth, a step takes one evaluation of f
+// and no iteration. Otherwise the iteration starts from it where the first increment is at most a tenth of
+// its distance from the step before. The factorised matrix is reused from step to step. It is recomputed at
+// the iterate where an increment is more than a twentieth of the one before, or where reuse has become too
+// expensive (JacobianReuse). The guess is rejected where increments do not halve, and where the determinant
+// of a new matrix differs in sign from that at the last solution: two solutions that meet and vanish (as
+// those of y = known + kappa y^2, before y is infinite) differ in this sign.
 //
 // After a rejected guess the iteration restarts from the y that was passed, the solution at the step before,
 // with a new matrix in each iteration. Where three increments are no smaller than those before them, as when
@@ -85,10 +85,8 @@ class NewtonSolver {
   // sign.
   bool refactorise(Run& run, const StepEquations& step);
   // Adds J increment_ to f_, J the Jacobian of the factors: f_ is then f at iterate_, up to a part of the
-  // last increment, which is below the tolerance.
+  // last increment. Precondition: the increment is at most unseen_.
   void add_increment_of_rhs(const StepEquations& step);
-  // Replaces y by iterate_; true.
-  bool accept_iterate(Out& y);
   // Whether the equations hold at y up to a part of the tolerance, also stored in f_is_at_solution_. Sets f_
   // to f(t, y).
   bool is_solved_to(double tolerance, Run& run, const StepEquations& step, In y);
