@@ -17,18 +17,6 @@ using Json = nlohmann::ordered_json;
 constexpr int schema_version = 1;
 constexpr auto index_id = "fdebench.index";
 
-constexpr std::string_view name_of(ColumnType type) {
-  switch (type) {
-    case ColumnType::integer:
-      return "integer";
-    case ColumnType::text:
-      return "string";
-    case ColumnType::number:
-      break;
-  }
-  return "number";
-}
-
 Json generator() {
   const Session session = this_session();
   return {{"name", "fdebench"}, {"version", session.version}, {"commit", session.commit}};
@@ -36,11 +24,11 @@ Json generator() {
 
 Json schema_of(const TableKind& kind, const TableMetadata& facts) {
   Json columns = Json::array();
-  for (const auto& [name, meaning, unit, type, required] : facts.columns) {
-    columns.push_back({{"name", name},
-                       {"meaning", meaning},
-                       {"unit", type == ColumnType::text ? "" : unit},
-                       {"type", name_of(type)}});
+  for (const auto& column : facts.columns) {
+    columns.push_back({{"name", column.name},
+                       {"meaning", column.description},
+                       {"unit", unit_of(column)},
+                       {"type", type_name(column)}});
   }
   return {{"id", schema_id(kind)}, {"version", schema_version}, {"columns", columns}};
 }
@@ -91,6 +79,20 @@ void require_version(const std::string& name, const Json& schema) {
 }
 
 }  // namespace
+
+std::string_view type_name(const TableColumn& column) {
+  switch (column.type) {
+    case ColumnType::integer:
+      return "integer";
+    case ColumnType::text:
+      return "string";
+    case ColumnType::number:
+      break;
+  }
+  return "number";
+}
+
+std::string unit_of(const TableColumn& column) { return column.type == ColumnType::text ? "" : column.unit; }
 
 std::string schema_id(const TableKind& kind) { return fmt::format("fdebench.{}", kind.id); }
 

@@ -38,6 +38,10 @@ std::string write_index(const std::vector<IndexEntry>& tables);
 // The table files listed in an index. Throws like parse_description().
 std::vector<std::string> parse_index(const std::string& name, std::string_view text);
 
+// The type of a column, the same word in descriptions and in the data package, and its unit, "" of texts.
+std::string_view type_name(const TableColumn& column);
+std::string unit_of(const TableColumn& column);
+
 // Schema id in the descriptions of a kind: "fdebench.mittag_leffler".
 std::string schema_id(const TableKind& kind);
 

@@ -15,6 +15,7 @@
 #include <system_error>
 #include <thread>
 
+#include "fdebench/benchmarks/reference_data/data_package.hpp"
 #include "fdebench/benchmarks/reference_data/description.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
@@ -39,6 +40,7 @@ fs::path normal(const fs::path& folder) {
 
 std::set<std::string> names_of(const std::vector<TableSpec>& tables) {
   std::set<std::string> names{index_name, checksums_name};
+  names.insert(package_file_names.begin(), package_file_names.end());
   for (const auto& table : tables) names.insert({table.stem() + ".csv", table.stem() + ".json"});
   return names;
 }
@@ -131,6 +133,7 @@ FolderFiles compute_files(const std::vector<TableSpec>& tables, const TableProgr
     files[stem + ".json"] = write_description(*tables[i].kind, tables[i].of, made[i], index.back().checksum);
   }
   files[index_name] = write_index(index);
+  files.merge(package_files(tables, files));
   Checksums checksums;
   for (const auto& [name, text] : files) checksums[name] = sha256(text);
   files[checksums_name] = write_checksums(checksums);

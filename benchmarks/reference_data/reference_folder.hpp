@@ -27,8 +27,8 @@ std::vector<TableSpec> planned_tables(const std::vector<SceneVariant>& scenes);
 // Progress callback: `done` of `total` tables, `what` is the last one. Called by one thread at a time.
 using TableProgress = std::function<void(std::size_t done, std::size_t total, const std::string& what)>;
 
-// File contents by file name: a .csv and a .json per table, index.json and SHA256SUMS. The same build gives
-// the same bytes with any number of threads.
+// File contents by file name: a .csv and a .json per table, index.json, the files of the data package and
+// SHA256SUMS. The same build gives the same bytes with any number of threads.
 using FolderFiles = std::map<std::string, std::string>;
 FolderFiles compute_files(const std::vector<TableSpec>& tables, const TableProgress& progress);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,7 +20,9 @@ struct TableColumn {
   std::string name, description;
   std::string unit = "1";  // scenes and functions here are dimensionless
   ColumnType type = ColumnType::number;
-  bool required = true;  // a table without this column is rejected
+  bool required = true;   // a table without this column is rejected
+  bool argument = false;  // the arguments of a row determine its values
+  std::optional<int> minimum{}, maximum{};
 };
 
 // Metadata of a table.

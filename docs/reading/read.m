@@ -1,3 +1,6 @@
-header = strsplit(fgetl(fopen("reference/data/trajectories/relaxation.csv")), ",");
-rows = dlmread("reference/data/trajectories/relaxation.csv", ",", 1, 0);
+folder = "reference/data";
+package = jsondecode(fileread([folder "/datapackage.json"]));
+path = package.resources(strcmp({package.resources.name}, "trajectories.relaxation")).path;
+header = strsplit(fgetl(fopen([folder "/" path])), ",");
+rows = dlmread([folder "/" path], ",", 1, 0);
 fprintf("%.15g\n", rows(rows(:, 1) == 1, strcmp(header, "y")));

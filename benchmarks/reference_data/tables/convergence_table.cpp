@@ -39,18 +39,28 @@ TableMetadata facts(const SceneVariant& of) {
       .bound = "of the reference at the end, against which the errors are measured",
       .digits = double_digits,
       .columns = {
-          {.name = "scheme", .description = "id of the scheme", .type = ColumnType::text},
-          {.name = "steps", .description = "number of steps", .type = ColumnType::integer},
-          {.name = "h", .description = "step size", .required = false},
-          {.name = "error_end", .description = "largest error over the columns at the last time"},
+          {.name = "scheme", .description = "id of the scheme", .type = ColumnType::text, .argument = true},
+          {.name = "steps",
+           .description = "number of steps",
+           .type = ColumnType::integer,
+           .argument = true,
+           .minimum = 1},
+          {.name = "h", .description = "step size", .required = false, .minimum = 0},
+          {.name = "error_end",
+           .description = "largest error over the columns at the last time",
+           .minimum = 0},
           {.name = "error_maximum",
            .description = "largest error over the columns and all steps",
-           .required = false},
+           .required = false,
+           .minimum = 0},
           {.name = "expected_rate_end", .description = "theoretical rate at a fixed time", .required = false},
           {.name = "expected_rate_maximum",
            .description = "theoretical rate in the maximum norm",
            .required = false},
-          {.name = "bound", .description = "bound of the reference at the end", .required = false}}};
+          {.name = "bound",
+           .description = "bound of the reference at the end",
+           .required = false,
+           .minimum = 0}}};
 }
 
 // The runs of one scene, which share cached reference values.

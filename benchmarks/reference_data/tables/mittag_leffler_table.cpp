@@ -26,13 +26,23 @@ TableMetadata facts(const SceneVariant& /*of*/) {
           "Mathematical Functions, section 10.46",
       .bound = "of |E - (re + i im)|, the rounding of the texts included",
       .digits = table_digits,
-      .columns = {{.name = "alpha", .description = "first parameter, in (0, 5], taken as the decimal it is"},
-                  {.name = "beta", .description = "second parameter, taken as the decimal it is"},
-                  {.name = "re_z", .description = "real part of the argument, taken as the decimal it is"},
-                  {.name = "im_z", .description = "imaginary part of the argument", .required = false},
-                  {.name = "re", .description = "real part of E_{alpha,beta}(z)"},
-                  {.name = "im", .description = "imaginary part of E_{alpha,beta}(z)", .required = false},
-                  {.name = "bound", .description = "bound of the absolute error", .required = false}}};
+      .columns = {
+          {.name = "alpha",
+           .description = "first parameter, in (0, 5], taken as the decimal it is",
+           .argument = true,
+           .minimum = 0,
+           .maximum = 5},
+          {.name = "beta", .description = "second parameter, taken as the decimal it is", .argument = true},
+          {.name = "re_z",
+           .description = "real part of the argument, taken as the decimal it is",
+           .argument = true},
+          {.name = "im_z",
+           .description = "imaginary part of the argument",
+           .required = false,
+           .argument = true},
+          {.name = "re", .description = "real part of E_{alpha,beta}(z)"},
+          {.name = "im", .description = "imaginary part of E_{alpha,beta}(z)", .required = false},
+          {.name = "bound", .description = "bound of the absolute error", .required = false, .minimum = 0}}};
 }
 
 ComputedTable make(const SceneVariant& of) {

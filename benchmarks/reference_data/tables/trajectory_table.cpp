@@ -49,12 +49,13 @@ TableMetadata facts(const SceneVariant& of) {
                    ? "the largest over the columns, of the absolute error, the rounding of the texts included"
                    : "an estimate, the largest over the columns, of the absolute error",
       .digits = exact ? table_digits : double_digits,
-      .columns = {{.name = "t", .description = "time"}}};
+      .columns = {{.name = "t", .description = "time", .argument = true, .minimum = 0}}};
   for (const auto& name : scene.outputs.names) {
     facts.columns.push_back(
         {.name = name, .description = fmt::format("{} of the scene at t", name), .required = false});
   }
-  facts.columns.push_back({.name = "bound", .description = "bound of the absolute error", .required = false});
+  facts.columns.push_back(
+      {.name = "bound", .description = "bound of the absolute error", .required = false, .minimum = 0});
   return facts;
 }
 

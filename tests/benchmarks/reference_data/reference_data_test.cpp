@@ -10,6 +10,7 @@
 #include <set>
 
 #include "benchmarks/reference_data/example_tables.hpp"
+#include "fdebench/benchmarks/reference_data/data_package.hpp"
 #include "fdebench/benchmarks/reference_data/data_table.hpp"
 #include "fdebench/benchmarks/reference_data/tables/mittag_leffler_points.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
@@ -54,6 +55,24 @@ TEST(ReferenceData, IsDescribed) {
               HasSubstr(sha256(csv) + "  trajectories/relaxation,gamma=0.2.csv\n"));
 }
 
+// tests/data_package reads the package in the repository.
+TEST(ReferenceData, IsAPackageOfItsTables) {
+  const auto package = nlohmann::json::parse(example_files().at("datapackage.json"));
+  ASSERT_EQ(package["resources"].size(), example_tables().size());
+  for (std::size_t i = 0; i < example_tables().size(); ++i) {
+    const auto& resource = package["resources"][i];
+    const auto& csv = example_files().at(example_tables()[i].stem() + ".csv");
+    EXPECT_EQ(resource["name"], resource_name(example_tables()[i]));
+    EXPECT_EQ(resource["path"], example_tables()[i].stem() + ".csv");
+    EXPECT_EQ(resource["bytes"], csv.size());
+    EXPECT_EQ(resource["hash"], "sha256:" + sha256(csv));
+  }
+  EXPECT_EQ(resource_name(example_tables().at(1)), "trajectories.relaxation-gamma-0.2");
+  EXPECT_THAT(example_files().at("CITATION.cff"),
+              HasSubstr("\nversion: " + package["version"].dump() + "\n"));
+  EXPECT_EQ(example_files().at("LICENSE"), read_file(fs::path(FDE_SOURCE_DIR) / "LICENSE"));
+}
+
 // t^2 at t = 12 is exactly 144.
 TEST(ReferenceData, HasFiftyDigits) {
   EXPECT_THAT(example_files().at("trajectories/power.csv"),
@@ -64,7 +83,7 @@ TEST(ReferenceData, HasFiftyDigits) {
 TEST(ReferenceDocs, ShowTheExamplesThatAreTested) {
   const fs::path docs = fs::path(FDE_SOURCE_DIR) / "docs";
   const auto page = read_file(docs / "reference_data.md");
-  for (const auto* name : {"read.py", "read.jl", "read.m"})
+  for (const auto* name : {"read.py", "read.jl", "read.m", "read.R"})
     EXPECT_THAT(page, HasSubstr("\n" + read_file(docs / "reading" / name) + "```\n")) << name;
 }
 
