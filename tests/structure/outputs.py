@@ -46,13 +46,15 @@ def same_line(shown, printed):
     return all(abs(a - b) <= 1e-6 * max(abs(a), abs(b)) + 1e-13 for a, b in pairs)
 
 
-def same(shown, printed):
-    """Whether lines are those shown, "..." standing for any number of them."""
+def aligned(shown, printed):
+    """The printed lines in place of those shown, "..." standing for any number of them; None where they differ."""
     if not shown:
-        return not printed
+        return None if printed else []
     if shown[0] == REST[0]:
-        return any(same(shown[1:], printed[k:]) for k in range(len(printed) + 1))
-    return bool(printed) and same_line(shown[0], printed[0]) and same(shown[1:], printed[1:])
+        rests = (aligned(shown[1:], printed[k:]) for k in range(len(printed) + 1))
+        return next((REST + rest for rest in rests if rest is not None), None)
+    rest = aligned(shown[1:], printed[1:]) if printed and same_line(shown[0], printed[0]) else None
+    return rest if rest is None else printed[:1] + rest
 
 
 def first_words(answer):
@@ -68,7 +70,17 @@ def python_with_numpy():
     return None
 
 
-def faults(page, fdebench):
+def now(command, shown, printed):
+    """What the page has to show of what was printed; None where that is not what it shows."""
+    if not shown or "fdebench choose" not in command:
+        return aligned(shown, printed) if shown else []
+    if not printed or first_words(shown[0]) != first_words(printed[0]):
+        return None
+    return printed[: shown.index(REST[0])] + REST if REST[0] in shown else printed
+
+
+def runs(page, fdebench):
+    """Runs the blocks of a page: (block, (command, what the page has to show, what was printed) of each of its commands)."""
     python = python_with_numpy()
     with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as programs:
         Path(folder, "docs").symlink_to(ROOT / "docs")
@@ -76,25 +88,36 @@ def faults(page, fdebench):
         if python:
             Path(programs, "python3").write_text(f'#!/bin/sh\nexec {python} "$@"\n')
             Path(programs, "python3").chmod(0o755)
-        path = os.pathsep.join([programs, os.environ["PATH"]])
+        environment = {**os.environ, "PATH": os.pathsep.join([programs, os.environ["PATH"]]), "FDEBENCH_CACHE": ""}
         for block in BLOCK.findall(page.read_text()):
             parts = commands(block)
             if not any(shown for _, shown in parts) or ("python3" in block and not python):
                 continue
+            outcomes = []
             for command, shown in parts:
-                done = subprocess.run(["bash", "-c", command], cwd=folder, env={**os.environ, "PATH": path, "FDEBENCH_CACHE": ""},
-                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+                done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdout=subprocess.PIPE,
+                                      stderr=subprocess.STDOUT, text=True, check=False)
                 printed = done.stdout.splitlines()
-                wanted = shown
-                if shown and "fdebench choose" in command:
-                    wanted, printed = [first_words(shown[0])], [first_words(printed[0])]
-                if shown and not same(wanted, printed):
-                    yield f"{page.relative_to(ROOT)}: {command}: prints\n  " + "\n  ".join(printed[:20])
+                outcomes.append((command, now(command, shown, printed), printed))
+            yield block, outcomes
+
+
+def fault(page, command, printed):
+    return f"{page.relative_to(ROOT)}: {command}: prints\n  " + "\n  ".join(printed[:20])
+
+
+def faults(page, fdebench):
+    for _, outcomes in runs(page, fdebench):
+        yield from (fault(page, command, printed) for command, shown, printed in outcomes if shown is None)
+
+
+def pages_to_run():
+    return [page for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))] if page.name not in ELSEWHERE]
 
 
 def main(fdebench, *names):
-    pages = [ROOT / name for name in names] or [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-    found = [fault for page in pages if page.name not in ELSEWHERE for fault in faults(page, fdebench)]
+    pages = [ROOT / name for name in names] or pages_to_run()
+    found = [line for page in pages for line in faults(page, fdebench)]
     print(*(found or ["every command prints what its page shows"]), sep="\n")
     return bool(found)
 
