@@ -3,11 +3,14 @@
 
 >>> import fdebench
 >>> solution = fdebench.solve("pendulum", "product_trapezoidal", 1024)
->>> solution.times, solution["phi"]
+>>> solution
+Solution(phi, Dbeta_phi, dphi, Dalpha_phi, energy at 1025 times)
 >>> fdebench.exact("relaxation", [0.5, 1.0])["y"]
->>> fdebench.choose("relaxation", error=1e-6)["scheme"]
+array([0.52315658, 0.42758358])
+>>> fdebench.choose("relaxation", error=1e-6)["command"]
+'fdebench solve relaxation --scheme ...'
 
-scenes() and schemes() list what there is; Problem is an equation of one's own.
+``scenes()`` and ``schemes()`` list what there is; ``Problem`` is an equation of one's own.
 """
 
 from . import _core

@@ -121,7 +121,8 @@ class Problem(_Posed):
     ``jacobian``, if given, returns the matrix of their derivatives, row i those of rhs[i]: without it implicit schemes take
     differences. ``jumps`` are times at which rhs jumps.
 
-    ``exact`` and ``choose`` compute a reference by two methods that share nothing; it is kept with the problem.
+    ``exact`` and ``choose`` compute a reference by two methods that share nothing; it is kept with the problem. Raises ValueError
+    and TypeError naming the argument, its value and what is allowed; exceptions of ``rhs`` pass through a solve.
     """
 
     def __init__(
@@ -181,7 +182,13 @@ def _usual_names(count: int) -> list[str]:
 
 @dataclass(frozen=True)
 class Scheme:
-    """A scheme, and what it takes; ``needs`` are the facts that ``fdebench schemes --needs`` shows."""
+    """A scheme, and what it takes; ``needs`` are the facts that ``fdebench schemes --needs`` shows.
+
+    >>> schemes()[0].title
+    'Fractional Adams predictor-corrector'
+    >>> schemes()[0].needs["implicit"]
+    False
+    """
 
     id: str
     title: str
@@ -190,17 +197,29 @@ class Scheme:
 
 
 def scenes() -> list[Scene]:
-    """All scenes, with their default parameters."""
+    """All scenes, with their default parameters.
+
+    >>> scenes()[0]
+    Scene('relaxation')
+    """
     return [Scene(facts["id"]) for facts in scene_facts()]
 
 
 def scene_facts() -> list[dict[str, Any]]:
-    """Title, source, parameters with what is allowed, end and columns of all scenes, as ``fdebench scenes --json`` has them."""
+    """Title, source, parameters with what is allowed, end and columns of all scenes, as ``fdebench scenes --json`` has them.
+
+    >>> scene_facts()[0]["title"]
+    'Fractional relaxation'
+    """
     return json.loads(_core.command(["scenes", "--json"], None))
 
 
 def schemes() -> list[Scheme]:
-    """All schemes."""
+    """All schemes.
+
+    >>> [scheme.id for scheme in schemes() if not scheme.needs["takes_grid"]]
+    ['spectral_collocation', ...]
+    """
     known = json.loads(_core.command(["schemes", "--json"], None))
     return [Scheme(facts.pop("id"), facts.pop("title"), facts.pop("source"), facts) for facts in known]
 

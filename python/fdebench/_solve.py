@@ -23,6 +23,13 @@ class Solution(Mapping[str, NDArray[numpy.float64]]):
     ``values`` has a row for each time and a column for each name. ``cost`` has what the solve used: seconds, calls of the
     right-hand side, memory, the rate that theory expects. ``warning`` says what speaks against the numbers, "" if nothing does.
     ``events``: the name of the event at each time, where events were requested; otherwise None.
+
+    >>> from fdebench import solve
+    >>> solution = solve("relaxation", "l1", 64)
+    >>> solution.names, solution.times[-1], solution.values.shape
+    (['y'], 1.0, (65, 1))
+    >>> solution.cost["rhs"]
+    64
     """
 
     def __init__(self, names: list[str], times: NDArray[numpy.float64], values: NDArray[numpy.float64], warning: str, cost: str,
@@ -73,6 +80,14 @@ def solve(
 
     Other threads run meanwhile, and Ctrl-C ends it. Raises ValueError for what cannot be solved, NumericalFailure for a
     solve that did not come to its end; warns with DoubtfulResult.
+
+    >>> solve("relaxation", "product_trapezoidal", 4096, grid="graded:2", at=1.0)["y"].round(7)
+    array([0.4275836])
+    >>> solve("pendulum", "spectral_collocation", accuracy=1e-6, points=3).times
+    array([ 0., 10., 20.])
+    >>> riccati = Problem(orders=[0.9], initial=[0.0], rhs=lambda t, y: 1 - y**2, end=1.0)
+    >>> round(float(solve(riccati, "bdf4", 256)["y"][-1]), 6)
+    0.754589
     """
     known = _known(scene)
     is_own = isinstance(known, Problem)
@@ -110,6 +125,10 @@ def choose(
     grid, steps, error, seconds, runner_up, ...; of a problem of one's own ``command`` is None. Raises NumericalFailure where no
     run is within the accuracy. Solve what was found with ``solve(..., steps, grid=grid)``, or with ``accuracy=asked`` where
     ``asked`` is not None: a scheme that chooses its own steps.
+
+    >>> answer = choose("relaxation", error=1e-4, seconds=5)
+    >>> answer["error"] < 1e-4, sorted(answer)[:4]
+    (True, ['accuracy', 'asked', 'command', 'error'])
     """
     options = ["--error", repr(_real("error", error)), "--norm", norm, "--scale", scale, "--runs", runs, "--json"]
     if columns is not None:
