@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: MIT
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { join } from "node:path";
 import { test } from "node:test";
+import { violations } from "./accessible.js";
 import { drawAll, SCREENSHOTS, settled, withPage } from "./browser.js";
 
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+// Of charts the frame, not each mark.
+const marks = [["svg.marks > g"]];
 
 const widerThanTheWindow = (page) =>
   page.evaluate(() => [...document.querySelectorAll("body *")]
     .filter((node) => node.getBoundingClientRect().right > innerWidth + 1 && !node.closest(".frame, nav, svg, details:not([open])"))
     .map((node) => `${node.tagName} ${node.className}: ${node.textContent.slice(0, 40)}`).slice(0, 5));
-
-// What axe-core calls serious or critical: labels, contrast, roles, what a keyboard reaches. Of charts the frame, not each mark.
-async function violations(page) {
-  const found = await page.evaluate(() => globalThis.axe.run({ exclude: [["svg.marks > g"]] }, { resultTypes: ["violations"] }));
-  return found.violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
-    .map(({ id, nodes }) => `${id}: ${nodes.length} times, ${nodes[0].target} ${nodes[0].failureSummary}`);
-}
 
 // A4 with its margins, upright and across.
 const paper = { upright: 695, across: 1022 };
@@ -43,7 +36,6 @@ for (const dark of [false, true]) {
   const colours = dark ? "dark" : "light";
   test(`nothing is cut off, and everyone can read it: ${colours}`, () =>
     withPage({ dark, address: "#scene-pendulum" }, async (page) => {
-      await page.evaluate(axe);
       await (dark ? settled : drawAll)(page);
       for (const width of dark ? [1280, 400] : [1280, 700, 400]) {
         await page.setViewportSize({ width, height: 900 });
@@ -53,7 +45,7 @@ for (const dark of [false, true]) {
         await settled(page);
         await page.screenshot({ path: join(SCREENSHOTS, `first_${width}_${colours}.png`) });
         await page.locator('[id="scene-pendulum"]').screenshot({ path: join(SCREENSHOTS, `scene_${width}_${colours}.png`) });
-        if (width === (dark ? 1280 : 400)) assert.deepEqual(await violations(page), [], `at ${width} pixels`);
+        if (width === (dark ? 1280 : 400)) assert.deepEqual(await violations(page, marks), [], `at ${width} pixels`);
       }
     }));
 }
