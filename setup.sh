@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Installs what fdebench needs from Debian's packages and npm: setup.sh for the solver, its sweep and its page; with --tests
-# also what the tests need, with --lint what .ci/lint needs, with --clang what the presets clang and fuzz need. Does nothing, in
+# also what the tests need, with --site what the documentation as a site needs (250 MB), with --lint what .ci/lint needs, with --clang what the presets clang and fuzz need. Does nothing, in
 # about a second, when nothing is missing.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -26,10 +26,11 @@ for option in "$@"; do
       command -v chromium >/dev/null || packages+=(chromium)
       npm_folders+=(tests/browser)
       ;;
+    --site) packages+=(mkdocs-material doxygen) ;;
     --lint) packages+=(clang-format clang-tidy libclang-dev llvm-dev python3) ;;
     --clang) packages+=(clang libclang-rt-dev) ;;
     *)
-      echo "setup.sh: $option: no such option; there are --tests, --lint and --clang" >&2
+      echo "setup.sh: $option: no such option; there are --tests, --site, --lint and --clang" >&2
       exit 2
       ;;
   esac
