@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Installs what fdebench needs from Debian's packages and npm: setup.sh for the solver, its sweep and its page; with --tests
-# also what the tests need, with --site what the documentation as a site needs (250 MB), with --lint what .ci/lint needs, with --clang what the presets clang and fuzz need. Does nothing, in
-# about a second, when nothing is missing.
+# also what the tests and the site need, with --lint what .ci/lint needs, with --clang what the presets clang and fuzz need. Does
+# nothing, in about a second, when nothing is missing.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -21,16 +21,17 @@ for option in "$@"; do
       packages+=(libbenchmark-dev libgtest-dev libgmock-dev libflint-dev libflint-arb-dev)
       # Of the Python module and its tests.
       packages+=(dpkg-dev file python3 python3-dev pybind11-dev python3-numpy python3-pytest python3-mpmath python3-matplotlib)
+      # Of the site.
+      packages+=(mkdocs-material doxygen)
       python3 -c "import jsonschema" 2>/dev/null || packages+=(python3-jsonschema)
       command -v octave-cli >/dev/null || packages+=(octave)
       command -v chromium >/dev/null || packages+=(chromium)
       npm_folders+=(tests/browser)
       ;;
-    --site) packages+=(mkdocs-material doxygen) ;;
     --lint) packages+=(clang-format clang-tidy libclang-dev llvm-dev python3) ;;
     --clang) packages+=(clang libclang-rt-dev) ;;
     *)
-      echo "setup.sh: $option: no such option; there are --tests, --site, --lint and --clang" >&2
+      echo "setup.sh: $option: no such option; there are --tests, --lint and --clang" >&2
       exit 2
       ;;
   esac

@@ -5,7 +5,7 @@
 BUILD is the build folder of cmake, with the program, the Python module and the figures. HEADERS is a file that lists the installed
 headers. RESULTS are those of the map. The pages are copied into one folder, which has the paths of the repository, so that
 their links hold; MkDocs makes the site from it. Each `console` block is run, and the site shows what it printed; the build ends where
-that differs from what the page shows. --quick copies the blocks as they are. Needs mkdocs-material and doxygen: ./setup.sh --site.
+that differs from what the page shows. --quick copies the blocks as they are. Needs mkdocs-material and doxygen: ./setup.sh --tests.
 """
 
 import json
