@@ -96,6 +96,8 @@ def programs():
     yield "docs/library.md", ROOT / "tests/embedding/relaxes.cpp"
     for program in (ROOT / "docs/examples/outside").glob("*.cpp"):
         yield "docs/special_functions.md" if program.stem == "functions" else "docs/library.md", program
+    for equation in (ROOT / "docs/examples").glob("*.toml"):
+        yield "docs/gallery.md", equation
 
 
 def faults():
