@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libgsl-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
+packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
   libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev libtomlplusplus-dev)
 # Machine code of equation files; on other processors they are interpreted.
 [ "$(dpkg --print-architecture)" != amd64 ] || packages+=(libasmjit-dev)
@@ -18,7 +18,7 @@ command -v npm >/dev/null || packages+=(npm)
 for option in "$@"; do
   case $option in
     --tests)
-      packages+=(libbenchmark-dev libgtest-dev libgmock-dev libflint-dev libflint-arb-dev)
+      packages+=(libbenchmark-dev libgtest-dev libgmock-dev libgsl-dev libflint-dev libflint-arb-dev)
       # Of the Python module and its tests.
       packages+=(dpkg-dev file python3 python3-dev pybind11-dev python3-numpy python3-pytest python3-mpmath python3-matplotlib)
       # Of the site.

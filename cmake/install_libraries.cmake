@@ -46,4 +46,4 @@ if(TARGET asmjit::asmjit)
   set(machine_code " -lasmjit -lpthread -lrt")
 endif()
 install_pkg_config(benchmarks "Scenes, measures and the search for the cheapest scheme"
-  "fdebench-schemes fdebench-reference gsl libcrypto tomlplusplus" "-lfde_benchmarks${machine_code}")
+  "fdebench-schemes fdebench-reference libcrypto tomlplusplus" "-lfde_benchmarks${machine_code}")

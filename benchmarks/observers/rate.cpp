@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/rate.hpp"
 
-#include <gsl/gsl_fit.h>
-#include <gsl/gsl_statistics_double.h>
-
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace fde::bench {
@@ -13,6 +12,11 @@ namespace {
 
 constexpr double rounding = 1e-12;
 constexpr std::size_t fewest_points = 3;
+
+Eigen::VectorXd from_mean(const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::ArrayXd> array(values.data(), std::ssize(values));
+  return array - array.mean();
+}
 
 }  // namespace
 
@@ -26,10 +30,9 @@ Fit fit_rate(std::span<const ErrorSample> points) {
     y.push_back(std::log(error));
   }
   if (x.size() < fewest_points) return {};
-  double intercept = 0, slope = 0, c00 = 0, c01 = 0, c11 = 0, residual = 0;
-  gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept, &slope, &c00, &c01, &c11, &residual);
-  return {.slope = slope,
-          .correlation = gsl_stats_correlation(x.data(), 1, y.data(), 1, x.size()),
+  const Eigen::VectorXd dx = from_mean(x), dy = from_mean(y);
+  return {.slope = dx.dot(dy) / dx.squaredNorm(),
+          .correlation = dx.dot(dy) / (dx.norm() * dy.norm()),
           .points = x.size()};
 }
 

@@ -187,7 +187,7 @@ void plot(const PlotArguments& arguments, const Streams& streams, const SceneReg
                                {"kind", "error_maximum_mixed"},
                                {"columns", columns},
                                {"schemes", arguments.schemes},
-                               {"modules", FDEBENCH_NODE_MODULES},
+                               {"vega", assets::vega()},
                                {"out", on_paper ? drawn.path().string() : out.string()}}
                     .dump());
   const TemporaryFile said(".txt");

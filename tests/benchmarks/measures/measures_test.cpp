@@ -2,8 +2,10 @@
 #include "fdebench/benchmarks/measures/measures.hpp"
 
 #include <gsl/gsl_errno.h>
+#include <gsl/gsl_fit.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_odeiv2.h>
+#include <gsl/gsl_statistics_double.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -205,6 +208,26 @@ TEST(FitRate, StopsAtRounding) {
 }
 
 // Comparisons with GSL, which shares no code with fdebench.
+
+TEST(FitRate, IsGslsLineAndCorrelation) {
+  std::mt19937_64 random(39);
+  std::normal_distribution<double> scatter;
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<ErrorSample> points;
+    std::vector<double> x, y;
+    for (int k = 0; k < 3 + trial % 20; ++k) {
+      points.push_back({std::exp2(-k), std::exp(scatter(random))});
+      x.push_back(std::log(points.back().h));
+      y.push_back(std::log(points.back().error));
+    }
+    double intercept = 0, slope = 0, c00 = 0, c01 = 0, c11 = 0, residual = 0;
+    gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept, &slope, &c00, &c01, &c11, &residual);
+    const Fit fit = fit_rate(points);
+    EXPECT_EQ(fit.points, x.size());
+    EXPECT_NEAR(fit.slope, slope, 1e-14);
+    EXPECT_NEAR(fit.correlation, gsl_stats_correlation(x.data(), 1, y.data(), 1, x.size()), 1e-14);
+  }
+}
 
 // Solves a problem of integer orders by GSL's Runge-Kutta-Prince-Dormand (8,9).
 Vec integrate_by_gsl(const Problem& problem) {
