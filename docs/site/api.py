@@ -12,17 +12,23 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree
-from collections import defaultdict
+from collections import Counter, defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-LIBRARIES = {  # page: the folder of its headers; the first that fits
-    "special_functions": "reference/special_functions",
-    "reference": "reference",
-    "schemes": "schemes",
-    "benchmarks": "benchmarks",
-    "c": "c",
+# page: its title, the folder of its headers; the first that fits
+LIBRARIES = {
+    "special_functions": ("C++: special functions", "reference/special_functions/"),
+    "reference": ("C++: reference", "reference/"),
+    "schemes": ("C++: schemes", "schemes/"),
+    "benchmarks": ("C++: benchmarks", "benchmarks/"),
+    "c": ("C", ""),
 }
+INTRODUCTION = {
+    False: "The headers of `fdebench::{page}`. Names are in the namespace `fde`. How to link it: [from C++](../docs/library.md).",
+    True: "How to use it: [from C](../docs/c.md).",
+}
+COMMENT = re.compile(r"//|/\*| \*")
 LINE = 80  # characters that a signature may have in one line
 ANNOTATION = re.compile(r"(: |-> )'([^']*)'")  # inspect quotes those that are not evaluated
 WORD = re.compile(r"\w+")
@@ -72,25 +78,35 @@ def declared(headers, folder):
 
 
 def paragraphs(lines, declarations):
-    """The paragraphs of a header, (first line, lines); a blank line within a declaration ends none."""
+    """The paragraphs of a header, (first line, lines): from a blank line or a comment to the next, but for those within a declaration."""
     within = {line for first, last in declarations for line in range(first, last + 1)}
     first = 1
     for number, line in enumerate([*lines, ""], 1):
-        if not line.strip() and number not in within:
-            if number > first:
-                yield first, lines[first - 1 : number - 1]
-            first = number + 1
+        is_blank = not line.strip()
+        is_new = is_blank or (COMMENT.match(line) and number > first and not COMMENT.match(lines[number - 2]))
+        if is_new and number not in within:
+            yield first, lines[first - 1 : number - 1]
+            first = number + is_blank
 
 
 def prose(comment):
     """Markdown of the text of a comment; its indented lines are formulas."""
     text = []
     for line in comment:
-        if line.startswith("  ") and not line.lstrip().startswith("- ") and not (text and text[-1].startswith("- ")):
-            text += ["", "    " + line.strip(), ""]
-        else:
-            text.append(re.sub(r"([*_<\[])(?=[^`]*(?:`[^`]*`[^`]*)*$)", r"\\\1", line))
+        is_formula = line.startswith("  ") and not line.lstrip().startswith("- ") and not (text and text[-1].startswith("- "))
+        if text and is_formula != text[-1].startswith("    "):
+            text.append("")
+        text.append(f"    {line.strip()}" if is_formula else re.sub(r"([*_<\[])(?=[^`]*(?:`[^`]*`[^`]*)*$)", r"\\\1", line))
     return "\n".join(text)
+
+
+def public(code):
+    """The lines of a class without those that only its members see."""
+    is_private = False
+    for line in code:
+        is_private = line == " private:" or (is_private and line[:1] in {" ", ""})
+        if not is_private:
+            yield line
 
 
 def entries(header, declarations):
@@ -99,21 +115,24 @@ def entries(header, declarations):
         names = [name for (line, _), name in sorted(declarations.items()) if first <= line < first + len(lines)]
         lines = [line for line in lines if not re.match(r"#|namespace|}  // namespace|extern \"C\"", line)]
         comment = []
-        while lines and lines[0].startswith("//"):
-            comment.append(re.sub(r"^// ?", "", lines.pop(0)))
+        while lines and COMMENT.match(lines[0]):
+            comment.append(re.sub(r"^(// ?|/\* ?| \*(?!/) ?)|\*/$", "", lines.pop(0)))
         if names and lines:
-            yield list(dict.fromkeys(names)), comment, lines
+            yield list(dict.fromkeys(names)), comment, list(public(lines))
 
 
-def page_of_headers(title, headers, declarations, about, places):
-    text = [f"# {title}", ""]
+def page_of_headers(page, headers, declarations, about, places):
+    text = [f"# {LIBRARIES[page][0]}", "", INTRODUCTION[page == "c"].format(page=page), ""]
+    anchors = Counter()
     for header in headers:
-        included = Path(header).name if header.startswith("c/") else f"fdebench/{header}"
+        included = Path(header).name if page == "c" else f"fdebench/{header}"
         text += [f"## {Path(header).name}", "", f"`#include <{included}>`" + (f": {about[header]}" if header in about else ""), ""]
         for names, comment, code in entries(header, declarations[header]):
-            text += ["### " + ", ".join(f"`{name}`" for name in names) + f" {{#{anchor(names[0])}}}", "", prose(comment), ""]
+            anchors[names[0]] += 1
+            own = anchor(names[0]) + (f"-{anchors[names[0]]}" if anchors[names[0]] > 1 else "")
+            text += ["### " + ", ".join(f"`{name}`" for name in names) + f" {{#{own}}}", "", prose(comment), ""]
             text += ["```cpp", *code, "```", ""]
-            used = [word for word in dict.fromkeys(WORD.findall("\n".join(code))) if word in places and word not in names]
+            used = [word for word in dict.fromkeys(WORD.findall("\n".join(code))) if word in places and f"#{own}" not in places[word]]
             links = [f"[`{word}`]({places[word]})" for word in used if word[0].isupper()]
             text += ["Uses " + ", ".join(links) + ".", ""] if links else []
     return "\n".join(text)
@@ -125,15 +144,14 @@ def write_headers(pages, headers, folder):
     about = dict(DECLARED_ABOUT.findall((ROOT / "docs/library.md").read_text()))
     of_page = defaultdict(list)
     for header in headers:
-        of_page[next(page for page, start in LIBRARIES.items() if header.startswith(start + "/"))].append(header)
+        of_page[next(page for page, (_, start) in LIBRARIES.items() if header.startswith(start))].append(header)
     places = {}
     for page, its_headers in of_page.items():
         for header in its_headers:
             for names, _, _ in entries(header, declarations[header]):
                 places |= {name.split("::")[-1]: f"{page}.md#{anchor(names[0])}" for name in names}
     for page, its_headers in of_page.items():
-        title = "C" if page == "c" else "C++: " + page.replace("_", " ")
-        (pages / f"{page}.md").write_text(page_of_headers(title, its_headers, declarations, about, places))
+        (pages / f"{page}.md").write_text(page_of_headers(page, its_headers, declarations, about, places))
 
 
 # Python
