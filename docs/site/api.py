@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Pages of the interfaces: of C++ and C from the installed headers and their comments, of Python from docstrings and annotations.
 
-A paragraph of a header that declares something becomes an entry: the names as its heading, its comment as text, its declarations as they
-stand. Doxygen says which lines declare which names.
+A paragraph of a header that declares something becomes an entry: the names as its heading, its comment as text, its declarations
+as they stand. Doxygen says which lines declare which names.
 """
 
 import dataclasses
@@ -30,7 +30,8 @@ INTRODUCTION = {
 }
 COMMENT = re.compile(r"//|/\*| \*")
 LINE = 80  # characters that a signature may have in one line
-ANNOTATION = re.compile(r"(: |-> )'([^']*)'")  # inspect quotes those that are not evaluated
+ANNOTATION = re.compile(r"(: |-> )(?:ForwardRef\()?'([^']*)'\)?")  # inspect quotes those that are not evaluated
+EXAMPLE = re.compile(r"^>>> .*\n?(?:.+\n?)*", re.MULTILINE)
 WORD = re.compile(r"\w+")
 DECLARED_ABOUT = re.compile(r"^\| `fdebench/(\S+)` \| [^|]* \| (.*) \|$", re.MULTILINE)  # in docs/library.md
 DOXYFILE = """INPUT = {headers}
@@ -78,7 +79,7 @@ def declared(headers, folder):
 
 
 def paragraphs(lines, declarations):
-    """The paragraphs of a header, (first line, lines): from a blank line or a comment to the next, but for those within a declaration."""
+    """(first line, lines) of the paragraphs of a header. They begin at blank lines and comments outside of declarations."""
     within = {line for first, last in declarations for line in range(first, last + 1)}
     first = 1
     for number, line in enumerate([*lines, ""], 1):
@@ -132,8 +133,8 @@ def page_of_headers(page, headers, declarations, about, places):
             own = anchor(names[0]) + (f"-{anchors[names[0]]}" if anchors[names[0]] > 1 else "")
             text += ["### " + ", ".join(f"`{name}`" for name in names) + f" {{#{own}}}", "", prose(comment), ""]
             text += ["```cpp", *code, "```", ""]
-            used = [word for word in dict.fromkeys(WORD.findall("\n".join(code))) if word in places and f"#{own}" not in places[word]]
-            links = [f"[`{word}`]({places[word]})" for word in used if word[0].isupper()]
+            used = [word for word in dict.fromkeys(WORD.findall("\n".join(code))) if word[0].isupper() and word in places]
+            links = [f"[`{word}`]({places[word]})" for word in used if not places[word].endswith(f"#{own}")]
             text += ["Uses " + ", ".join(links) + ".", ""] if links else []
     return "\n".join(text)
 
@@ -160,20 +161,23 @@ def write_headers(pages, headers, folder):
 def docstring(thing):
     """Its docstring as Markdown: double backticks are code there, too; an example stands by itself."""
     text = inspect.getdoc(thing) or sys.exit(f"{thing}: has no docstring")
-    return re.sub(r"(?:^>>> .*\n?(?:^(?!\n).+\n?)*)+", lambda example: f"```pycon\n{example[0].rstrip()}\n```\n", text, flags=re.MULTILINE)
+    return EXAMPLE.sub(lambda example: f"```pycon\n{example[0].rstrip()}\n```\n", text)
 
 
 def signature(name, thing):
     if inspect.isclass(thing) and issubclass(thing, BaseException):
         return f"{name}({thing.__base__.__name__})"
-    written = ANNOTATION.sub(r"\1\2", str(inspect.signature(thing)))
+    written = ANNOTATION.sub(r"\1\2", str(inspect.signature(thing))).removesuffix(" -> None")
     if len(name) + len(written) <= LINE:
         return name + written
-    parameters = inspect.signature(thing).parameters.values()
-    lines = [ANNOTATION.sub(r"\1\2", str(parameter)) for parameter in parameters]
-    starred = next((i for i, parameter in enumerate(parameters) if parameter.kind is parameter.KEYWORD_ONLY), None)
-    if starred is not None:
-        lines.insert(starred, "*")
+    lines, before = [], None
+    for parameter in inspect.signature(thing).parameters.values():
+        if before is parameter.POSITIONAL_ONLY is not parameter.kind:
+            lines.append("/")
+        if before is not parameter.KEYWORD_ONLY is parameter.kind:
+            lines.append("*")
+        lines.append(ANNOTATION.sub(r"\1\2", str(parameter)))
+        before = parameter.kind
     result = written[written.rindex(") ->") :] if ") ->" in written else ")"
     return f"{name}(\n" + "".join(f"    {line},\n" for line in lines) + result
 
@@ -182,8 +186,8 @@ def members(cls):
     """What a class gives beside its constructor: properties, fields of a record."""
     fields = [field.name for field in dataclasses.fields(cls)] if dataclasses.is_dataclass(cls) else getattr(cls, "_fields", [])
     yield from ((name, None) for name in fields)
-    for base in reversed(cls.__mro__[:-1]):
-        yield from ((name, value) for name, value in vars(base).items() if isinstance(value, property) and base.__module__.startswith("fdebench"))
+    for base in reversed([base for base in cls.__mro__ if base.__module__.startswith("fdebench")]):
+        yield from ((name, value) for name, value in vars(base).items() if isinstance(value, property))
 
 
 def write_python(pages, folder):
@@ -195,7 +199,8 @@ def write_python(pages, folder):
         if not callable(thing):
             continue
         kind = "class " if inspect.isclass(thing) else ""
-        text += [f"## `{name}` {{#{anchor(name)}}}", "", "```python", kind + signature(name, thing), "```", "", docstring(thing), ""]
+        text += [f"## `{name}` {{#{anchor(name)}}}", "", "```python", kind + signature(name, thing), "```", ""]
+        text += [docstring(thing), ""]
         rows = [f"| `{member}` | {inspect.getdoc(value) if value else ''} |" for member, value in members(thing)] if kind else []
         text += ["| attribute | |", "|---|---|", *rows, ""] if rows else []
     (pages / "python.md").write_text("\n".join(text))

@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: MIT
 """build.py BUILD SITE HEADERS RESULTS [--quick]: writes the documentation as a site to the folder SITE.
 
-BUILD is the build folder of cmake, with the program, the Python module and the figures. HEADERS is a file that lists the installed
-headers. RESULTS are those of the map. The pages are copied into one folder, which has the paths of the repository, so that
-their links hold; MkDocs makes the site from it. Each `console` block is run, and the site shows what it printed; the build ends where
-that differs from what the page shows. --quick copies the blocks as they are. Needs mkdocs-material and doxygen: ./setup.sh --tests.
+BUILD is the build folder of cmake, with the program, the Python module and the figures. HEADERS is a file that lists the
+installed headers. RESULTS are those of the map. The pages are copied into one folder, which has the paths of the repository,
+so that their links hold; MkDocs makes the site from it. Each `console` block is run, and the site shows what it printed; the
+build ends where that differs from what the page shows. --quick copies the blocks as they are and leaves out the notebooks.
+Needs mkdocs-material and doxygen: ./setup.sh --tests.
 """
 
+import importlib.util
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -122,6 +125,15 @@ def assemble(pages, build, quick):
     (pages / "reference/data/README.md").write_text(data_page(ROOT / "reference/data"))
 
 
+def run_notebooks(pages, work, build):
+    """Pages of the notebooks, with what their cells print and draw; none without nbconvert."""
+    for notebook in (ROOT / "docs/examples").glob("*.ipynb") if importlib.util.find_spec("nbconvert") else []:
+        copied = shutil.copy(notebook, work)
+        command = [sys.executable, "-m", "nbconvert", "--log-level", "ERROR", "--execute", "--to", "markdown", copied]
+        environment = {**os.environ, "PYTHONPATH": str(build / "python")}
+        subprocess.run([*command, "--output-dir", pages / "docs/examples"], check=True, env=environment)
+
+
 def configuration(pages):
     """mkdocs.yml without the entries whose page does not exist."""
     lines = (HERE / "mkdocs.yml").read_text().splitlines()
@@ -144,6 +156,8 @@ def main(build, site, headers, results, *options):
     pages = work / "docs"
     pages.mkdir(parents=True)
     assemble(pages, build, "--quick" in options)
+    if "--quick" not in options:
+        run_notebooks(pages, work, build)
     (pages / "api").mkdir()
     api.write(pages / "api", Path(headers).read_text().split(), work / "doxygen", build / "python")
     (pages / "map.md").write_text(map_page(Path(results)))
