@@ -16,6 +16,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import api
@@ -29,6 +30,7 @@ FRONT = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md"]
 LINK = re.compile(r"(?<=\]\()(?!https?:|#)([^)\s#]+)(?=[)#])")
 CODE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 NAMED_FENCE = re.compile(r"^(```\w+) (\S+)$", re.MULTILINE)
+FIGURE = re.compile(r"^```sh\n((?:(?!```).*\n)+)```\n\n!\[[^]]*\]\(plots/(\S+\.svg)\)", re.MULTILINE)
 ENTRY = re.compile(r"^ *- .*: (\S+\.md)$")
 
 
@@ -47,6 +49,16 @@ def rerun(page, text, program):
             lines += ["$ " + command.replace("\n", "\n> "), *shown]
         text = text.replace(f"```console\n{block}```", "```console\n" + "\n".join(lines) + "\n```")
     return text
+
+
+def draw(text, program, plots):
+    """Draws the figures of a page that stand below the commands that draw them."""
+    for commands, figure in FIGURE.findall(text):
+        if f"--out {figure}" in commands:
+            environment = {**os.environ, "PATH": os.pathsep.join([str(program.parent), os.environ["PATH"]])}
+            with tempfile.TemporaryDirectory() as folder:
+                subprocess.run(["bash", "-ec", commands], cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=True)
+                shutil.copy(Path(folder, figure), plots)
 
 
 def table_of(folder):
@@ -117,10 +129,11 @@ def assemble(pages, build, quick):
                 copy(linked.relative_to(ROOT), pages)
         if not quick and page in outputs.pages_to_run():
             text = rerun(page, text, build / "fdebench")
+            draw(text, build / "fdebench", pages / "docs/plots")
         (pages / name).parent.mkdir(parents=True, exist_ok=True)
         (pages / name).write_text(NAMED_FENCE.sub(r'\1 title="\2"', text))
-    for figure in (build / "plots").glob("*.svg"):
-        shutil.copyfile(figure, pages / "docs/plots" / figure.name)
+    for figure in (build / "plots").rglob("*.svg"):
+        shutil.copyfile(figure, pages / "docs/plots" / figure.relative_to(build / "plots"))
     shutil.copytree(ROOT / "reference/data", pages / "reference/data", dirs_exist_ok=True)
     (pages / "reference/data/README.md").write_text(data_page(ROOT / "reference/data"))
 
