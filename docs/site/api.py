@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Pages of the interfaces: of C++ and C from the installed headers and their comments, of Python from docstrings and annotations.
 
-A paragraph of a header that declares something becomes an entry: the names as its heading, its comment as text, its declarations as they
-stand. Doxygen says which lines declare which names.
+A paragraph of a header that declares something becomes an entry: the names as its heading, its comment as text, its declarations
+as they stand. Doxygen says which lines declare which names.
 """
 
 import dataclasses
@@ -12,19 +12,26 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree
-from collections import defaultdict
+from collections import Counter, defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-LIBRARIES = {  # page: the folder of its headers; the first that fits
-    "special_functions": "reference/special_functions",
-    "reference": "reference",
-    "schemes": "schemes",
-    "benchmarks": "benchmarks",
-    "c": "c",
+# page: its title, the folder of its headers; the first that fits
+LIBRARIES = {
+    "special_functions": ("C++: special functions", "reference/special_functions/"),
+    "reference": ("C++: reference", "reference/"),
+    "schemes": ("C++: schemes", "schemes/"),
+    "benchmarks": ("C++: benchmarks", "benchmarks/"),
+    "c": ("C", ""),
 }
+INTRODUCTION = {
+    False: "The headers of `fdebench::{page}`. Names are in the namespace `fde`. How to link it: [from C++](../docs/library.md).",
+    True: "How to use it: [from C](../docs/c.md).",
+}
+COMMENT = re.compile(r"//|/\*| \*")
 LINE = 80  # characters that a signature may have in one line
-ANNOTATION = re.compile(r"(: |-> )'([^']*)'")  # inspect quotes those that are not evaluated
+ANNOTATION = re.compile(r"(: |-> )(?:ForwardRef\()?'([^']*)'\)?")  # inspect quotes those that are not evaluated
+EXAMPLE = re.compile(r"^>>> .*\n?(?:.+\n?)*", re.MULTILINE)
 WORD = re.compile(r"\w+")
 DECLARED_ABOUT = re.compile(r"^\| `fdebench/(\S+)` \| [^|]* \| (.*) \|$", re.MULTILINE)  # in docs/library.md
 DOXYFILE = """INPUT = {headers}
@@ -72,25 +79,35 @@ def declared(headers, folder):
 
 
 def paragraphs(lines, declarations):
-    """The paragraphs of a header, (first line, lines); a blank line within a declaration ends none."""
+    """(first line, lines) of the paragraphs of a header. They begin at blank lines and comments outside of declarations."""
     within = {line for first, last in declarations for line in range(first, last + 1)}
     first = 1
     for number, line in enumerate([*lines, ""], 1):
-        if not line.strip() and number not in within:
-            if number > first:
-                yield first, lines[first - 1 : number - 1]
-            first = number + 1
+        is_blank = not line.strip()
+        is_new = is_blank or (COMMENT.match(line) and number > first and not COMMENT.match(lines[number - 2]))
+        if is_new and number not in within:
+            yield first, lines[first - 1 : number - 1]
+            first = number + is_blank
 
 
 def prose(comment):
     """Markdown of the text of a comment; its indented lines are formulas."""
     text = []
     for line in comment:
-        if line.startswith("  ") and not line.lstrip().startswith("- ") and not (text and text[-1].startswith("- ")):
-            text += ["", "    " + line.strip(), ""]
-        else:
-            text.append(re.sub(r"([*_<\[])(?=[^`]*(?:`[^`]*`[^`]*)*$)", r"\\\1", line))
+        is_formula = line.startswith("  ") and not line.lstrip().startswith("- ") and not (text and text[-1].startswith("- "))
+        if text and is_formula != text[-1].startswith("    "):
+            text.append("")
+        text.append(f"    {line.strip()}" if is_formula else re.sub(r"([*_<\[])(?=[^`]*(?:`[^`]*`[^`]*)*$)", r"\\\1", line))
     return "\n".join(text)
+
+
+def public(code):
+    """The lines of a class without those that only its members see."""
+    is_private = False
+    for line in code:
+        is_private = line == " private:" or (is_private and line[:1] in {" ", ""})
+        if not is_private:
+            yield line
 
 
 def entries(header, declarations):
@@ -99,22 +116,25 @@ def entries(header, declarations):
         names = [name for (line, _), name in sorted(declarations.items()) if first <= line < first + len(lines)]
         lines = [line for line in lines if not re.match(r"#|namespace|}  // namespace|extern \"C\"", line)]
         comment = []
-        while lines and lines[0].startswith("//"):
-            comment.append(re.sub(r"^// ?", "", lines.pop(0)))
+        while lines and COMMENT.match(lines[0]):
+            comment.append(re.sub(r"^(// ?|/\* ?| \*(?!/) ?)|\*/$", "", lines.pop(0)))
         if names and lines:
-            yield list(dict.fromkeys(names)), comment, lines
+            yield list(dict.fromkeys(names)), comment, list(public(lines))
 
 
-def page_of_headers(title, headers, declarations, about, places):
-    text = [f"# {title}", ""]
+def page_of_headers(page, headers, declarations, about, places):
+    text = [f"# {LIBRARIES[page][0]}", "", INTRODUCTION[page == "c"].format(page=page), ""]
+    anchors = Counter()
     for header in headers:
-        included = Path(header).name if header.startswith("c/") else f"fdebench/{header}"
+        included = Path(header).name if page == "c" else f"fdebench/{header}"
         text += [f"## {Path(header).name}", "", f"`#include <{included}>`" + (f": {about[header]}" if header in about else ""), ""]
         for names, comment, code in entries(header, declarations[header]):
-            text += ["### " + ", ".join(f"`{name}`" for name in names) + f" {{#{anchor(names[0])}}}", "", prose(comment), ""]
+            anchors[names[0]] += 1
+            own = anchor(names[0]) + (f"-{anchors[names[0]]}" if anchors[names[0]] > 1 else "")
+            text += ["### " + ", ".join(f"`{name}`" for name in names) + f" {{#{own}}}", "", prose(comment), ""]
             text += ["```cpp", *code, "```", ""]
-            used = [word for word in dict.fromkeys(WORD.findall("\n".join(code))) if word in places and word not in names]
-            links = [f"[`{word}`]({places[word]})" for word in used if word[0].isupper()]
+            used = [word for word in dict.fromkeys(WORD.findall("\n".join(code))) if word[0].isupper() and word in places]
+            links = [f"[`{word}`]({places[word]})" for word in used if not places[word].endswith(f"#{own}")]
             text += ["Uses " + ", ".join(links) + ".", ""] if links else []
     return "\n".join(text)
 
@@ -125,15 +145,14 @@ def write_headers(pages, headers, folder):
     about = dict(DECLARED_ABOUT.findall((ROOT / "docs/library.md").read_text()))
     of_page = defaultdict(list)
     for header in headers:
-        of_page[next(page for page, start in LIBRARIES.items() if header.startswith(start + "/"))].append(header)
+        of_page[next(page for page, (_, start) in LIBRARIES.items() if header.startswith(start))].append(header)
     places = {}
     for page, its_headers in of_page.items():
         for header in its_headers:
             for names, _, _ in entries(header, declarations[header]):
                 places |= {name.split("::")[-1]: f"{page}.md#{anchor(names[0])}" for name in names}
     for page, its_headers in of_page.items():
-        title = "C" if page == "c" else "C++: " + page.replace("_", " ")
-        (pages / f"{page}.md").write_text(page_of_headers(title, its_headers, declarations, about, places))
+        (pages / f"{page}.md").write_text(page_of_headers(page, its_headers, declarations, about, places))
 
 
 # Python
@@ -142,20 +161,23 @@ def write_headers(pages, headers, folder):
 def docstring(thing):
     """Its docstring as Markdown: double backticks are code there, too; an example stands by itself."""
     text = inspect.getdoc(thing) or sys.exit(f"{thing}: has no docstring")
-    return re.sub(r"(?:^>>> .*\n?(?:^(?!\n).+\n?)*)+", lambda example: f"```pycon\n{example[0].rstrip()}\n```\n", text, flags=re.MULTILINE)
+    return EXAMPLE.sub(lambda example: f"```pycon\n{example[0].rstrip()}\n```\n", text)
 
 
 def signature(name, thing):
     if inspect.isclass(thing) and issubclass(thing, BaseException):
         return f"{name}({thing.__base__.__name__})"
-    written = ANNOTATION.sub(r"\1\2", str(inspect.signature(thing)))
+    written = ANNOTATION.sub(r"\1\2", str(inspect.signature(thing))).removesuffix(" -> None")
     if len(name) + len(written) <= LINE:
         return name + written
-    parameters = inspect.signature(thing).parameters.values()
-    lines = [ANNOTATION.sub(r"\1\2", str(parameter)) for parameter in parameters]
-    starred = next((i for i, parameter in enumerate(parameters) if parameter.kind is parameter.KEYWORD_ONLY), None)
-    if starred is not None:
-        lines.insert(starred, "*")
+    lines, before = [], None
+    for parameter in inspect.signature(thing).parameters.values():
+        if before is parameter.POSITIONAL_ONLY is not parameter.kind:
+            lines.append("/")
+        if before is not parameter.KEYWORD_ONLY is parameter.kind:
+            lines.append("*")
+        lines.append(ANNOTATION.sub(r"\1\2", str(parameter)))
+        before = parameter.kind
     result = written[written.rindex(") ->") :] if ") ->" in written else ")"
     return f"{name}(\n" + "".join(f"    {line},\n" for line in lines) + result
 
@@ -164,8 +186,8 @@ def members(cls):
     """What a class gives beside its constructor: properties, fields of a record."""
     fields = [field.name for field in dataclasses.fields(cls)] if dataclasses.is_dataclass(cls) else getattr(cls, "_fields", [])
     yield from ((name, None) for name in fields)
-    for base in reversed(cls.__mro__[:-1]):
-        yield from ((name, value) for name, value in vars(base).items() if isinstance(value, property) and base.__module__.startswith("fdebench"))
+    for base in reversed([base for base in cls.__mro__ if base.__module__.startswith("fdebench")]):
+        yield from ((name, value) for name, value in vars(base).items() if isinstance(value, property))
 
 
 def write_python(pages, folder):
@@ -177,7 +199,8 @@ def write_python(pages, folder):
         if not callable(thing):
             continue
         kind = "class " if inspect.isclass(thing) else ""
-        text += [f"## `{name}` {{#{anchor(name)}}}", "", "```python", kind + signature(name, thing), "```", "", docstring(thing), ""]
+        text += [f"## `{name}` {{#{anchor(name)}}}", "", "```python", kind + signature(name, thing), "```", ""]
+        text += [docstring(thing), ""]
         rows = [f"| `{member}` | {inspect.getdoc(value) if value else ''} |" for member, value in members(thing)] if kind else []
         text += ["| attribute | |", "|---|---|", *rows, ""] if rows else []
     (pages / "python.md").write_text("\n".join(text))

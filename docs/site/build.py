@@ -2,17 +2,21 @@
 # SPDX-License-Identifier: MIT
 """build.py BUILD SITE HEADERS RESULTS [--quick]: writes the documentation as a site to the folder SITE.
 
-BUILD is the build folder of cmake, with the program, the Python module and the figures. HEADERS is a file that lists the installed
-headers. RESULTS are those of the map. The pages are copied into one folder, which has the paths of the repository, so that
-their links hold; MkDocs makes the site from it. Each `console` block is run, and the site shows what it printed; the build ends where
-that differs from what the page shows. --quick copies the blocks as they are. Needs mkdocs-material and doxygen: ./setup.sh --tests.
+BUILD is the build folder of cmake, with the program, the Python module and the figures. HEADERS is a file that lists the
+installed headers. RESULTS are those of the map. The pages are copied into one folder, which has the paths of the repository,
+so that their links hold; MkDocs makes the site from it. Each `console` block is run, and the site shows what it printed; the
+build ends where that differs from what the page shows. --quick copies the blocks as they are and leaves out the notebooks.
+Needs mkdocs-material and doxygen: ./setup.sh --tests.
 """
 
+import importlib.util
 import json
+import os
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import api
@@ -26,6 +30,7 @@ FRONT = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md"]
 LINK = re.compile(r"(?<=\]\()(?!https?:|#)([^)\s#]+)(?=[)#])")
 CODE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 NAMED_FENCE = re.compile(r"^(```\w+) (\S+)$", re.MULTILINE)
+FIGURE = re.compile(r"^```sh\n((?:(?!```).*\n)+)```\n\n!\[[^]]*\]\(plots/(\S+\.svg)\)", re.MULTILINE)
 ENTRY = re.compile(r"^ *- .*: (\S+\.md)$")
 
 
@@ -44,6 +49,16 @@ def rerun(page, text, program):
             lines += ["$ " + command.replace("\n", "\n> "), *shown]
         text = text.replace(f"```console\n{block}```", "```console\n" + "\n".join(lines) + "\n```")
     return text
+
+
+def draw(text, program, plots):
+    """Draws the figures of a page that stand below the commands that draw them."""
+    for commands, figure in FIGURE.findall(text):
+        if f"--out {figure}" in commands:
+            environment = {**os.environ, "PATH": os.pathsep.join([str(program.parent), os.environ["PATH"]])}
+            with tempfile.TemporaryDirectory() as folder:
+                subprocess.run(["bash", "-ec", commands], cwd=folder, env=environment, stdout=subprocess.DEVNULL, check=True)
+                shutil.copy(Path(folder, figure), plots)
 
 
 def table_of(folder):
@@ -114,12 +129,22 @@ def assemble(pages, build, quick):
                 copy(linked.relative_to(ROOT), pages)
         if not quick and page in outputs.pages_to_run():
             text = rerun(page, text, build / "fdebench")
+            draw(text, build / "fdebench", pages / "docs/plots")
         (pages / name).parent.mkdir(parents=True, exist_ok=True)
         (pages / name).write_text(NAMED_FENCE.sub(r'\1 title="\2"', text))
-    for figure in (build / "plots").glob("*.svg"):
-        shutil.copyfile(figure, pages / "docs/plots" / figure.name)
+    for figure in (build / "plots").rglob("*.svg"):
+        shutil.copyfile(figure, pages / "docs/plots" / figure.relative_to(build / "plots"))
     shutil.copytree(ROOT / "reference/data", pages / "reference/data", dirs_exist_ok=True)
     (pages / "reference/data/README.md").write_text(data_page(ROOT / "reference/data"))
+
+
+def run_notebooks(pages, work, build):
+    """Pages of the notebooks, with what their cells print and draw; none without nbconvert."""
+    for notebook in (ROOT / "docs/examples").glob("*.ipynb") if importlib.util.find_spec("nbconvert") else []:
+        copied = shutil.copy(notebook, work)
+        command = [sys.executable, "-m", "nbconvert", "--log-level", "ERROR", "--execute", "--to", "markdown", copied]
+        environment = {**os.environ, "PYTHONPATH": str(build / "python")}
+        subprocess.run([*command, "--output-dir", pages / "docs/examples"], check=True, env=environment)
 
 
 def configuration(pages):
@@ -144,6 +169,8 @@ def main(build, site, headers, results, *options):
     pages = work / "docs"
     pages.mkdir(parents=True)
     assemble(pages, build, "--quick" in options)
+    if "--quick" not in options:
+        run_notebooks(pages, work, build)
     (pages / "api").mkdir()
     api.write(pages / "api", Path(headers).read_text().split(), work / "doxygen", build / "python")
     (pages / "map.md").write_text(map_page(Path(results)))

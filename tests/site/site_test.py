@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""site_test.py FDEBENCH HEADERS FOLDER BUILD...: builds a small site in FOLDER by the command BUILD, follows its links and tries it in
-Chromium. Exit code 77, for skipped, where Chromium, node or the packages of tests/browser are missing."""
+"""site_test.py FDEBENCH HEADERS FOLDER BUILD...: builds a small site in FOLDER by the command BUILD, follows its links and tries
+it in Chromium. Exit code 77, for skipped, where Chromium, node or the packages of tests/browser are missing."""
 
 import os
 import shutil
@@ -21,7 +21,7 @@ SKIPPED = 77
 RESULTS.unlink(missing_ok=True)
 shutil.rmtree(SITE, ignore_errors=True)
 SCREENSHOTS.mkdir(exist_ok=True)
-runs = ["--scene", "relaxation", "--scene", "pendulum", "--scheme", "l1", "--scheme", "bdf4", "--steps", "64,128,256", "--repeat", "1"]
+runs = ["--scene", "relaxation", "--scene", "pendulum", "--scheme", "l1", "--scheme", "bdf4", "--steps", "64,128,256"]
 subprocess.run([PROGRAM, "run", *runs, "--out", RESULTS], check=True, stdout=subprocess.DEVNULL)
 subprocess.run([*BUILD, SITE, HEADERS, RESULTS, "--quick"], check=True)
 faults = list(links.faults(SITE))
