@@ -21,7 +21,7 @@ for option in "$@"; do
       packages+=(libbenchmark-dev libgtest-dev libgmock-dev libgsl-dev libflint-dev libflint-arb-dev)
       # Of the Python module and its tests.
       packages+=(dpkg-dev file python3 python3-dev pybind11-dev python3-numpy python3-pytest python3-mpmath python3-matplotlib
-        python3-nbclient python3-ipykernel)
+        python3-nbconvert python3-ipykernel)
       # Of the site.
       packages+=(mkdocs-material doxygen)
       python3 -c "import jsonschema" 2>/dev/null || packages+=(python3-jsonschema)
