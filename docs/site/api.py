@@ -90,6 +90,13 @@ def paragraphs(lines, declarations):
             first = number + is_blank
 
 
+def escaped(line):
+    """Markdown that shows the characters of a line; what stands in backticks is code there, too."""
+    parts = line.split("`")
+    parts[::2] = [re.sub(r"([*_\[])", r"\\\1", part).replace("<", "&lt;") for part in parts[::2]]
+    return "`".join(parts)
+
+
 def prose(comment):
     """Markdown of the text of a comment; its indented lines are formulas."""
     text = []
@@ -97,7 +104,7 @@ def prose(comment):
         is_formula = line.startswith("  ") and not line.lstrip().startswith("- ") and not (text and text[-1].startswith("- "))
         if text and is_formula != text[-1].startswith("    "):
             text.append("")
-        text.append(f"    {line.strip()}" if is_formula else re.sub(r"([*_<\[])(?=[^`]*(?:`[^`]*`[^`]*)*$)", r"\\\1", line))
+        text.append(f"    {line.strip()}" if is_formula else escaped(line))
     return "\n".join(text)
 
 

@@ -30,6 +30,7 @@ FRONT = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md"]
 LINK = re.compile(r"(?<=\]\()(?!https?:|#)([^)\s#]+)(?=[)#])")
 CODE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 NAMED_FENCE = re.compile(r"^(```\w+) (\S+)$", re.MULTILINE)
+NAMED_LINK = re.compile(r"\[([\w./]+\.md)\](\(\1[)#])")  # named by its file, which has another name on the site
 FIGURE = re.compile(r"^```sh\n((?:(?!```).*\n)+)```\n\n!\[[^]]*\]\(plots/(\S+\.svg)\)", re.MULTILINE)
 ENTRY = re.compile(r"^ *- .*: (\S+\.md)$")
 
@@ -37,6 +38,10 @@ ENTRY = re.compile(r"^ *- .*: (\S+\.md)$")
 def size(path):
     kilobytes = path.stat().st_size / 1000
     return f"{kilobytes:.1f} KB" if kilobytes < 100 else f"{kilobytes:.0f} KB"
+
+
+def title(page):
+    return page.read_text().partition("\n")[0].removeprefix("# ").partition(":")[0]
 
 
 def rerun(page, text, program):
@@ -131,6 +136,7 @@ def assemble(pages, build, quick):
             text = rerun(page, text, build / "fdebench")
             draw(text, build / "fdebench", pages / "docs/plots")
         (pages / name).parent.mkdir(parents=True, exist_ok=True)
+        text = NAMED_LINK.sub(lambda link: f"[{title(page.parent / link[1])}]{link[2]}", text)
         (pages / name).write_text(NAMED_FENCE.sub(r'\1 title="\2"', text))
     for figure in (build / "plots").rglob("*.svg"):
         shutil.copyfile(figure, pages / "docs/plots" / figure.relative_to(build / "plots"))

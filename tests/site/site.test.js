@@ -35,6 +35,16 @@ for (const page of pages)
         assert.deepEqual(await violations(view, [["iframe"]]), []);
       }));
 
+test("no page is wider than a phone", () =>
+  withPage({ page: join(SITE, "index.html"), width: 390 }, async (view) => {
+    const links = await view.locator(".md-nav--primary a.md-nav__link").evaluateAll((nodes) => nodes.map(({ href }) => href.replace(/#.*/, "")));
+    assert.ok(links.length > 20);
+    for (const link of new Set(links)) {
+      await view.goto(link);
+      assert.equal(await view.evaluate(() => document.documentElement.scrollWidth), 390, link);
+    }
+  }));
+
 for (const width of [1280, 390])
   test(`the search finds Mittag-Leffler and leads there: ${width} pixels`, () =>
     withPage({ page: join(SITE, "docs/tutorial.html"), width }, async (view) => {
