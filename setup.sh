@@ -24,6 +24,8 @@ for option in "$@"; do
         python3-nbconvert python3-ipykernel)
       # Of the site.
       packages+=(mkdocs-material doxygen)
+      # Of the packages.
+      packages+=(patchelf python3-pip python3-setuptools python3-wheel)
       python3 -c "import jsonschema" 2>/dev/null || packages+=(python3-jsonschema)
       command -v octave-cli >/dev/null || packages+=(octave)
       command -v chromium >/dev/null || packages+=(chromium)

@@ -7,6 +7,7 @@
 #include <complex>
 #include <cstddef>
 #include <exception>
+#include <iostream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -62,6 +63,11 @@ std::string command(const std::vector<std::string>& arguments, const Scene* prob
   constexpr int bad_input = 2;
   if (code == bad_input) throw std::invalid_argument(line);
   throw NumericalFailure(line);
+}
+
+// Runs the command as the program does, on the streams of the process, and returns its exit code.
+int program(const std::vector<std::string>& arguments) {
+  return without_gil([&] { return run_fdebench(arguments, {.out = std::cout, .err = std::cerr}); });
 }
 
 // Tuple of id, column names, orders and end time.
@@ -184,6 +190,7 @@ PYBIND11_MODULE(_core, module) {
         return python_scene({orders, initial, end, names, jumps}, rhs, jacobian);
       }));
   module.def("command", command);
+  module.def("program", program);
   module.def("facts", [](const std::string& name, const std::vector<std::string>& settings) {
     return facts({name, settings, nullptr});
   });

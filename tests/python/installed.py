@@ -1,10 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What is installed is all that `import fdebench` needs.
-
-    installed.py prefix CMAKE BUILD WORK     the component `python`, in a prefix
-    installed.py package CPACK BUILD WORK    the Debian package, unpacked: its program runs, too
-"""
+"""The component `python`, installed in a prefix, is all that `import fdebench` needs: installed.py CMAKE BUILD WORK."""
 
 import os
 import shutil
@@ -27,21 +23,7 @@ def check_package(packages):
     assert not missing, f"not installed: {missing}"
 
 
-def prefix(cmake, build, work):
-    run(cmake, "--install", build, "--component", "python", "--prefix", work)
-    check_package(work / f"lib/python3.{sys.version_info.minor}/site-packages")
-
-
-def package(cpack, build, work):
-    run(cpack, "--config", f"{build}/CPackConfig.cmake", "-B", work, "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=none")
-    (made,) = work.glob("*.deb")
-    run("dpkg-deb", "--extract", made, work / "root")
-    check_package(work / "root/usr/lib/python3/dist-packages")
-    assert "pendulum" in run(work / "root/usr/bin/fdebench", "scenes")
-    assert (work / "root/usr/share/doc/fdebench/LICENSE").is_file()
-    assert (work / "root/usr/lib/cmake/fdebench/fdebench-config.cmake").is_file()
-
-
-kind, tool, build, work = sys.argv[1:]
+cmake, build, work = sys.argv[1:]
 shutil.rmtree(work, ignore_errors=True)
-{"prefix": prefix, "package": package}[kind](tool, build, Path(work))
+run(cmake, "--install", build, "--component", "python", "--prefix", work)
+check_package(Path(work) / f"lib/python3.{sys.version_info.minor}/site-packages")
