@@ -9,10 +9,8 @@
 #include <exception>
 #include <iostream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,7 +20,9 @@
 #include "fdebench/python/core/without_gil.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/command/captured_command.hpp"
 #include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/own_problem.hpp"
 #include "fdebench/reports/command/solved_table.hpp"
 
 // The extension module of the package `fdebench`; arguments and results are texts and arrays. The public
@@ -46,23 +46,10 @@ SceneVariant variant_of(const SceneSelection& named, const SceneRegistry& known)
   return read_variant(SceneArguments{named.name, named.settings}, known);
 }
 
-// Runs the command with these arguments and returns its standard output. Throws std::invalid_argument (exit
-// code 2) or NumericalFailure (any other but 0) with the last line of its standard error.
 std::string command(const std::vector<std::string>& arguments, const Scene* problem) {
-  std::ostringstream out, err;
-  const int code = without_gil([&] {
-    return problem == nullptr ? run_fdebench(arguments, {.out = out, .err = err})
-                              : run_fdebench(arguments, {.out = out, .err = err}, with_problem(*problem));
+  return without_gil([&] {
+    return problem == nullptr ? output_of(arguments) : output_of(arguments, with_problem(*problem, "Python"));
   });
-  if (code == 0) return out.str();
-  std::string line = err.str();
-  if (line.ends_with('\n')) line.pop_back();
-  line = line.substr(line.find_last_of('\n') + 1);
-  constexpr std::string_view speaker = "fdebench: ";
-  if (line.starts_with(speaker)) line = line.substr(speaker.size());
-  constexpr int bad_input = 2;
-  if (code == bad_input) throw std::invalid_argument(line);
-  throw NumericalFailure(line);
 }
 
 // Runs the command as the program does, on the streams of the process, and returns its exit code.
@@ -124,16 +111,6 @@ py::tuple mittag_leffler_in_digits(const std::string& alpha, const std::string& 
   return py::make_tuple(value.re, value.im, value.bound);
 }
 
-// Removes the dashes of options in a message, "--steps = 0: must be ...": in Python they are arguments.
-std::string without_dashes(std::string text) {
-  for (auto at = text.find("--"); at != std::string::npos; at = text.find("--", at)) {
-    const bool begins_option = at == 0 || text[at - 1] == ' ';
-    if (begins_option) text.erase(at, 2);
-    at += 1;
-  }
-  return text;
-}
-
 // Raises fdebench.NumericalFailure with scheme, step and time, or None for each.
 void raise_failure(const std::string& message, const py::object& scheme, const py::object& step,
                    const py::object& time) {
@@ -153,27 +130,6 @@ void translate(
   } catch (const std::invalid_argument& error) {
     PyErr_SetString(PyExc_ValueError, without_dashes(error.what()).c_str());
   }
-}
-
-RunArguments run_arguments(const std::string& scheme, const std::map<std::string, std::string>& texts,
-                           bool check, bool events) {
-  RunArguments arguments;
-  arguments.scheme = scheme;
-  arguments.check = check;
-  arguments.events = events;
-  const auto take = [&](const char* name, auto& into) {
-    if (const auto found = texts.find(name); found != texts.end()) into = found->second;
-  };
-  take("steps", arguments.steps);
-  take("accuracy", arguments.accuracy);
-  take("at", arguments.at);
-  take("every", arguments.every);
-  take("points", arguments.points);
-  take("grid", arguments.settings.grid);
-  take("history", arguments.settings.history);
-  take("tolerance", arguments.settings.tolerance);
-  take("budget", arguments.settings.budget);
-  return arguments;
 }
 
 }  // namespace
@@ -197,7 +153,10 @@ PYBIND11_MODULE(_core, module) {
   module.def("solve", [](const std::string& name, const std::vector<std::string>& settings,
                          const Scene* problem, const std::string& scheme,
                          const std::map<std::string, std::string>& texts, bool check, bool events) {
-    return solve({name, settings, problem}, run_arguments(scheme, texts, check, events));
+    auto arguments = fde::bench::run_arguments(scheme, texts);
+    arguments.check = check;
+    arguments.events = events;
+    return solve({name, settings, problem}, arguments);
   });
   module.def("mittag_leffler", mittag_leffler_of);
   module.def("mittag_leffler_in_digits", mittag_leffler_in_digits);

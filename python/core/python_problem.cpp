@@ -7,11 +7,8 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <utility>
 
-#include "fdebench/benchmarks/references/cache.hpp"
+#include "fdebench/reports/command/own_problem.hpp"
 
 namespace py = pybind11;
 
@@ -63,47 +60,17 @@ DenseJacobian jacobian_of(const py::object& function) {
   }};
 }
 
-// A reference that is computed once, at the first evaluation.
-class LazyReference {
- public:
-  explicit LazyReference(Problem problem) : problem_(std::move(problem)) {}
-  reference::ReferenceValue at(double t) {
-    const std::scoped_lock lock(mutex_);
-    if (!known_) known_ = computed_reference(problem_);
-    return known_->at(t);
-  }
-
- private:
-  Problem problem_;
-  std::mutex mutex_{};
-  std::optional<reference::Reference> known_{};
-};
-
 }  // namespace
 
 Scene python_scene(const ProblemData& facts, const py::object& rhs, const py::object& jacobian) {
-  Scene scene{.outputs = {.names = facts.names}};
-  Problem& problem = scene.problem;
+  Problem problem;
   for (std::size_t i = 0; i < facts.orders.size(); ++i)
     problem.components.push_back({.order = facts.orders[i], .initial = facts.initial[i]});
   problem.rhs = rhs_of(rhs);
   if (!jacobian.is_none()) problem.derivatives = jacobian_of(jacobian);
   problem.end = facts.end;
   problem.jump_times = facts.jumps;
-  scene.reference.at = [reference = std::make_shared<LazyReference>(problem)](double t) {
-    return reference->at(t);
-  };
-  return scene;
-}
-
-SceneRegistry with_problem(const Scene& scene) {
-  SceneRegistry known;
-  known.add({.id = "problem",
-             .title = "a problem of one's own",
-             .source = "Python",
-             .parameters = {},
-             .make = [scene](const Parameters&) { return scene; }});
-  return known;
+  return own_scene(problem, facts.names);
 }
 
 }  // namespace fde::bench::python

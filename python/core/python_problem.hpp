@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde::bench::python {
@@ -22,11 +21,8 @@ struct ProblemData {
 
 // A scene whose right-hand side rhs(t, y) and Jacobian jacobian(t, y) (or None) are Python functions of NumPy
 // arrays, with results of shape (n,) and (n, n). The C++ functions acquire the interpreter lock themselves.
-// The reference is computed at the first evaluation and cached. Exceptions of a Python function propagate as
+// Throws as own_scene does. Exceptions of a Python function propagate as
 // error_already_set; a result of another shape raises ValueError.
 Scene python_scene(const ProblemData& facts, const pybind11::object& rhs, const pybind11::object& jacobian);
-
-// All scenes of the list, and this one under the id "problem".
-SceneRegistry with_problem(const Scene& scene);
 
 }  // namespace fde::bench::python

@@ -2,6 +2,7 @@
 #include "fdebench/reports/command/requested_run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -158,6 +159,34 @@ void require_several(const Scene& scene, const RunArguments& arguments) {
 }
 
 }  // namespace
+
+RunArguments run_arguments(const std::string& scheme, const std::map<std::string, std::string>& texts) {
+  RunArguments arguments;
+  arguments.scheme = scheme;
+  RunSettingsArguments& settings = arguments.settings;
+  const std::map<std::string, std::optional<std::string>*> optional{
+      {"steps", &arguments.steps},    {"accuracy", &arguments.accuracy}, {"at", &arguments.at},
+      {"every", &arguments.every},    {"points", &arguments.points},     {"tolerance", &settings.tolerance},
+      {"threads", &arguments.threads}};
+  const std::map<std::string, std::string*> always{
+      {"grid", &settings.grid}, {"history", &settings.history}, {"budget", &settings.budget}};
+  for (const auto& [name, text] : texts) {
+    if (const auto found = optional.find(name); found != optional.end()) {
+      *found->second = text;
+    } else if (const auto kept = always.find(name); kept != always.end()) {
+      *kept->second = text;
+    } else if (name == "check") {
+      arguments.check = parse_count("--check", text, 0, 1) == 1;
+    } else {
+      std::vector<std::string> names{"check"};
+      for (const auto& [known, into] : optional) names.push_back(known);
+      for (const auto& [known, into] : always) names.push_back(known);
+      std::ranges::sort(names);
+      reject_text("option", name, fmt::format("of {}", fmt::join(names, ", ")));
+    }
+  }
+  return arguments;
+}
 
 RequestedRun requested_run(const Scene& scene, const RunArguments& arguments) {
   if (!arguments.steps && !arguments.accuracy) throw std::invalid_argument("--steps is required");

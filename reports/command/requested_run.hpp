@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,10 @@ struct RunArguments {
   bool events = false;  // print the events instead of output times
   bool all = false;     // all solutions that a search finds, of a problem at both ends
 };
+
+// The arguments of a run whose options are given by their names without dashes, "check" as "1" or "0". Throws
+// std::invalid_argument for another name.
+RunArguments run_arguments(const std::string& scheme, const std::map<std::string, std::string>& texts);
 
 // The parsed options: one run, accepted by its scheme.
 struct RequestedRun {

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: MIT
 """fdebench installed, and a project outside the tree that takes it.
 
-    outside.py install CMAKE BUILD PREFIX            the component `library` of a build
+    outside.py install CMAKE BUILD PREFIX            the components `library` and `runtime` of a build
     outside.py project CMAKE COMPILER PREFIX WORK FDEBENCH
                                                      docs/examples/outside with find_package, and what its programs print
     outside.py pkg-config COMPILER PREFIX WORK       some of its programs with pkg-config
+    outside.py c CMAKE COMPILER PREFIX WORK           docs/examples/c and docs/examples/fortran with what is installed for C
     outside.py headers COMPILER PREFIX               each public header of docs/library.md alone
 """
 
@@ -39,6 +40,7 @@ def near(value, wanted, error, what):
 def install(cmake, build, prefix):
     shutil.rmtree(prefix, ignore_errors=True)
     run(cmake, "--install", build, "--component", "library", "--prefix", prefix)
+    run(cmake, "--install", build, "--component", "runtime", "--prefix", prefix)
     if list(Path(prefix).glob("bin/*")) or not list(Path(prefix).glob("lib/*.a")):
         sys.exit("the component `library` is not the libraries alone")
 
@@ -124,6 +126,37 @@ def pkg_config(compiler, prefix, work):
     check_cheapest(Path(work, "cheapest"))
 
 
+def for_c(cmake, compiler, prefix, work):
+    """The programs of docs/c.md by its build lines, and by find_package; the header alone; what the library exports."""
+    shutil.rmtree(work, ignore_errors=True)
+    Path(work).mkdir()
+    page, examples, libraries = (ROOT / "docs/c.md").read_text(), ROOT / "docs/examples", f"{prefix}/lib"
+    environment = os.environ | {"PKG_CONFIG_PATH": f"{libraries}/pkgconfig", "LD_LIBRARY_PATH": libraries}
+    flags = run("pkg-config", "--cflags", "--libs", "fdebench", env=environment).split()
+    strict = "-Wall", "-Wextra", "-Wpedantic", "-Werror"
+    run(compiler, "-std=c99", *strict, examples / "c/riccati.c", "-o", f"{work}/riccati", *flags, "-lm")
+    printed = run(Path(work, "riccati"), env=environment)
+    if printed not in page:
+        sys.exit(f"docs/c.md: riccati prints {printed}")
+    run(cmake, "-G", "Ninja", "-S", examples / "c", "-B", f"{work}/build", f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_C_COMPILER={compiler}")
+    run(cmake, "--build", f"{work}/build")
+    if run(Path(work, "build/riccati")) != printed:
+        sys.exit("riccati of find_package prints something else")
+    for language, standard in ("c", "c99"), ("c", "c17"), ("c++", "c++20"):
+        run(compiler, "-x", language, f"-std={standard}", *strict, f"-I{prefix}/include", "-fsyntax-only", "-", input="#include <fdebench.h>\n")
+    header = Path(prefix, "include/fdebench.h").read_text()
+    declared = set(re.findall(r"\b(fdebench_\w+)\(", header.split("extern")[1])) - {"fdebench_function"}
+    listed = run("nm", "-D", "--defined-only", f"{libraries}/libfdebench.so")
+    exported = {line.split()[2].split("@")[0] for line in listed.splitlines() if line.split()[1] != "A"}
+    if declared ^ exported:
+        sys.exit(f"fdebench.h and libfdebench.so differ in {declared ^ exported}")
+    if missing := [name for name in declared if f"`{name}`" not in page]:
+        sys.exit(f"docs/c.md: does not name {missing}")
+    if shutil.which("gfortran"):
+        run("gfortran", "-std=f2008", "-Wall", "-J", work, examples / "fortran/relaxation.f90", "-o", f"{work}/relaxation", *flags)
+        near(run(Path(work, "relaxation"), env=environment).split()[-1], 0.0, 1e-8, "the relaxation in Fortran")
+
+
 def public_headers():
     """Path in include/fdebench of each that docs/library.md names."""
     page = (ROOT / "docs/library.md").read_text()
@@ -147,6 +180,6 @@ def headers(compiler, prefix):
         list(workers.map(compile_alone, named))
 
 
-COMMANDS = {"install": install, "project": project, "pkg-config": pkg_config, "headers": headers}
+COMMANDS = {"install": install, "project": project, "pkg-config": pkg_config, "c": for_c, "headers": headers}
 COMMANDS[sys.argv[1]](*sys.argv[2:])
 print(f"{sys.argv[1]}: as it should be")

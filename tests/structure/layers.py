@@ -14,7 +14,7 @@ from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-TOP_FOLDERS = ["schemes", "reference", "benchmarks", "reports", "python"]  # included as "fdebench/FOLDER/..."; tests from tests/
+TOP_FOLDERS = ["schemes", "reference", "benchmarks", "reports", "c", "python"]  # included as "fdebench/FOLDER/..."; tests from tests/
 TABLE = Path(__file__).with_name("layers.txt")
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SOURCES = [f"*.{suffix}" for suffix in "cpp hpp def S py pyi js mjs css cmake sh jl m".split()] + ["CMakeLists.txt", "benchmarks/*.toml", ".ci/*", ":!docs"]
+SOURCES = [f"*.{suffix}" for suffix in "c h h.in map cpp hpp def S py pyi js mjs css cmake sh jl m".split()] + ["CMakeLists.txt", "benchmarks/*.toml", ".ci/*", ":!docs"]
 LINE = "SPDX-License-Identifier: MIT"
 
 

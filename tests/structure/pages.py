@@ -98,6 +98,8 @@ def programs():
         yield "docs/special_functions.md" if program.stem == "functions" else "docs/library.md", program
     for equation in (ROOT / "docs/examples").glob("*.toml"):
         yield "docs/gallery.md", equation
+    yield "docs/c.md", ROOT / "docs/examples/c/riccati.c"
+    yield "docs/c.md", ROOT / "docs/examples/fortran/relaxation.f90"
 
 
 def faults():

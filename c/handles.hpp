@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fdebench.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "fdebench/benchmarks/scenes/scene.hpp"
+
+// What the handles of fdebench.h point to.
+
+// `scene` is the text that names a scene; empty for a problem of the caller. `known` has its default form.
+struct FdebenchProblem {
+  std::string scene{};
+  fde::bench::Scene known{};
+  void* user = nullptr;  // of its callbacks
+};
+
+struct FdebenchOptions {
+  std::map<std::string, std::string> texts{};
+};
+
+// Values and bounds have one column for each time. Facts are an object of numbers and texts.
+struct FdebenchTable {
+  std::vector<std::string> names{};
+  std::vector<double> times{};
+  fde::Matrix values{}, bounds{};
+  nlohmann::json facts = nlohmann::json::object();
+};
+
+struct FdebenchChoice {
+  nlohmann::json facts{};
+};
+
+namespace fde::bench::c {
+
+inline constexpr auto problem_handle = "a handle of fdebench_problem_new or fdebench_problem_of_scene";
+inline constexpr auto options_handle = "a handle of fdebench_options_new";
+
+// The number or the text of a fact; NaN or "" where it has none. Throws std::invalid_argument naming those
+// that there are.
+double number_in(const nlohmann::json& facts, const std::string& name);
+const char* text_in(const nlohmann::json& facts, const std::string& name);
+
+// Runs `command SCENE --NAME=TEXT ...` for the problem and returns its output.
+std::string output_for(const FdebenchProblem& problem, const std::string& command,
+                       const std::vector<std::string>& options);
+
+}  // namespace fde::bench::c

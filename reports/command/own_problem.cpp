@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/reports/command/own_problem.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "fdebench/benchmarks/references/cache.hpp"
+
+namespace fde::bench {
+namespace {
+
+// A reference that is computed once, at the first evaluation.
+class LazyReference {
+ public:
+  explicit LazyReference(Problem problem) : problem_(std::move(problem)) {}
+  reference::ReferenceValue at(double t) {
+    const std::scoped_lock lock(mutex_);
+    if (!known_) known_ = computed_reference(problem_);
+    return known_->at(t);
+  }
+
+ private:
+  Problem problem_;
+  std::mutex mutex_{};
+  std::optional<reference::Reference> known_{};
+};
+
+[[noreturn]] void reject_own(const std::string& name, const std::string& value, const std::string& allowed) {
+  throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, value, allowed));
+}
+
+void require_positive(const std::string& name, double value) {
+  if (!(value > 0.0 && std::isfinite(value))) reject_own(name, fmt::format("{}", value), "a number above 0");
+}
+
+void require_component(const Component& row, std::size_t place) {
+  require_order(row.order);
+  const auto count = initial_count(row.order);
+  const bool finite = std::ranges::all_of(row.initial, [](double value) { return std::isfinite(value); });
+  if (row.initial.size() == count && finite) return;
+  reject_own(fmt::format("initial[{}]", place), fmt::format("[{}]", fmt::join(row.initial, ", ")),
+             fmt::format("{} finite number{} for order {}", count, count > 1 ? "s" : "", row.order));
+}
+
+void require_posed(const Problem& problem, const std::vector<std::string>& names) {
+  const auto& rows = problem.components;
+  for (std::size_t i = 0; i < rows.size(); ++i) require_component(rows[i], i);
+  require_positive("end", problem.end);
+  if (names.size() != rows.size() || std::set(names.begin(), names.end()).size() != rows.size()) {
+    reject_own("names", fmt::format("[{}]", fmt::join(names, ", ")),
+               fmt::format("{} different names", rows.size()));
+  }
+  for (const double time : problem.jump_times) require_positive("jumps", time);
+  if (std::ranges::adjacent_find(problem.jump_times, std::greater_equal<>()) != problem.jump_times.end())
+    reject_own("jumps", fmt::format("[{}]", fmt::join(problem.jump_times, ", ")), "increasing");
+}
+
+}  // namespace
+
+void require_order(double order) {
+  constexpr double largest_order = 2.0;
+  if (!(order >= 0.0 && order <= largest_order))
+    reject_own("orders", fmt::format("{}", order), "a number in [0, 2]");
+}
+
+Scene own_scene(const Problem& problem, const std::vector<std::string>& names) {
+  require_posed(problem, names);
+  Scene scene{.problem = problem, .outputs = {.names = names}};
+  scene.reference.at = [reference = std::make_shared<LazyReference>(problem)](double t) {
+    return reference->at(t);
+  };
+  return scene;
+}
+
+std::vector<std::string> usual_names(std::size_t count) {
+  if (count == 1) return {"y"};
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i <= count; ++i) names.push_back(fmt::format("y{}", i));
+  return names;
+}
+
+SceneRegistry with_problem(const Scene& scene, const std::string& source) {
+  SceneRegistry known;
+  known.add({.id = own_id,
+             .title = "a problem of one's own",
+             .source = source,
+             .parameters = {},
+             .make = [scene](const Parameters&) { return scene; }});
+  return known;
+}
+
+}  // namespace fde::bench
