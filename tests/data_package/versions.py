@@ -6,6 +6,7 @@
 """
 
 import csv
+import hashlib
 import io
 from pathlib import Path
 
@@ -20,7 +21,8 @@ def tables(folder=package.DATA):
     listed = {}
     for resource in package.descriptor(folder)["resources"]:
         header, rows = package.rows_of(folder, resource)
-        listed[resource["path"]] = (" ".join(header), str(len(rows)), resource["hash"].removeprefix("sha256:"))
+        digest = hashlib.sha256((folder / resource["path"]).read_bytes()).hexdigest()
+        listed[resource["path"]] = (" ".join(header), str(len(rows)), digest)
     return listed
 
 
