@@ -142,7 +142,7 @@ def run_notebooks(pages, work, build):
     for notebook in (ROOT / "docs/examples").glob("*.ipynb") if importlib.util.find_spec("nbconvert") else []:
         copied = shutil.copy(notebook, work)
         command = [sys.executable, "-m", "nbconvert", "--log-level", "ERROR", "--execute", "--to", "markdown", copied]
-        environment = {**os.environ, "PYTHONPATH": str(build / "python")}
+        environment = {**os.environ, "PYTHONPATH": str(build / "python"), "PYDEVD_DISABLE_FILE_VALIDATION": "1"}
         subprocess.run([*command, "--output-dir", pages / "docs/examples"], check=True, env=environment)
 
 
@@ -177,7 +177,7 @@ def main(build, site, headers, results, *options):
     shutil.copyfile(HERE / "site.css", pages / "site.css")
     shutil.copytree(HERE / "theme", work / "theme")
     (work / "mkdocs.yml").write_text(configuration(pages))
-    subprocess.run([sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict", "--site-dir", site], cwd=work, check=True)
+    subprocess.run([sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", site], cwd=work, check=True)
     from_disk(site)
     print(site / "index.html")
 
