@@ -68,23 +68,20 @@ def draw(text, program, plots):
 
 def table_of(folder):
     """A page of a folder that pages link: its files, to download."""
-    about = folder / "README.md"
-    lines = [about.read_text() if about.exists() else f"# The files of {folder.relative_to(ROOT)}\n"]
-    lines += ["| file | size |", "|---|---|"]
+    lines = [f"# The files of {folder.relative_to(ROOT)}\n", "| file | size |", "|---|---|"]
     lines += [f"| [{file.name}]({file.name}) | {size(file)} |" for file in sorted(folder.iterdir()) if file.is_file()]
     return "\n".join(lines) + "\n"
 
 
 def data_page(folder):
     """The tables of reference values, each with its title, size and link."""
-    about = folder / "README.md"
-    lines = [about.read_text() if about.exists() else "# Reference data\n", "## The tables\n"]
+    lines = [(folder / "README.md").read_text(), "## The tables\n"]
     lines += ["What the columns mean and how the values were computed: [reference data](../../docs/reference_data.md).\n"]
     lines += ["| table | rows | size | what it is |", "|---|---|---|---|"]
     for table in json.loads((folder / "index.json").read_text())["tables"]:
-        title = json.loads((folder / table["description"]).read_text())["title"]
-        file = table["file"]
-        lines += [f"| [{file}]({file}) | {table['rows']} | {size(folder / file)} | {title} ([more]({table['description']})) |"]
+        file, description = table["file"], table["description"]
+        about = json.loads((folder / description).read_text())["title"]
+        lines += [f"| [{file}]({file}) | {table['rows']} | {size(folder / file)} | {about} ([more]({description})) |"]
     others = [file.name for file in sorted(folder.iterdir()) if file.is_file() and file.suffix not in {".csv", ".md"}]
     lines += ["\nBeside them: " + ", ".join(f"[{name}]({name})" for name in others) + "."]
     return "\n".join(lines) + "\n"
@@ -123,12 +120,10 @@ def assemble(pages, build, quick):
         text = page.read_text()
         for link in LINK.findall(CODE.sub("", text)):
             linked = (page.parent / link).resolve()
-            folder_page = pages / linked.relative_to(ROOT) / "README.md"
-            if linked.is_dir() and linked != ROOT / "reference/data":
-                for file in filter(Path.is_file, linked.iterdir()):
-                    copy(file.relative_to(ROOT), pages)
-                folder_page.write_text(table_of(linked))
             if linked.is_dir():
+                shutil.copytree(linked, pages / linked.relative_to(ROOT), dirs_exist_ok=True)
+                about = data_page if linked == ROOT / "reference/data" else table_of
+                (pages / linked.relative_to(ROOT) / "README.md").write_text(about(linked))
                 text = text.replace(f"]({link})", f"]({link}/README.md)")
             elif linked.suffix != ".md":
                 copy(linked.relative_to(ROOT), pages)
@@ -140,8 +135,6 @@ def assemble(pages, build, quick):
         (pages / name).write_text(NAMED_FENCE.sub(r'\1 title="\2"', text))
     for figure in (build / "plots").rglob("*.svg"):
         shutil.copyfile(figure, pages / "docs/plots" / figure.relative_to(build / "plots"))
-    shutil.copytree(ROOT / "reference/data", pages / "reference/data", dirs_exist_ok=True)
-    (pages / "reference/data/README.md").write_text(data_page(ROOT / "reference/data"))
 
 
 def run_notebooks(pages, work, build):
@@ -149,7 +142,7 @@ def run_notebooks(pages, work, build):
     for notebook in (ROOT / "docs/examples").glob("*.ipynb") if importlib.util.find_spec("nbconvert") else []:
         copied = shutil.copy(notebook, work)
         command = [sys.executable, "-m", "nbconvert", "--log-level", "ERROR", "--execute", "--to", "markdown", copied]
-        environment = {**os.environ, "PYTHONPATH": str(build / "python")}
+        environment = {**os.environ, "PYTHONPATH": str(build / "python"), "PYDEVD_DISABLE_FILE_VALIDATION": "1"}
         subprocess.run([*command, "--output-dir", pages / "docs/examples"], check=True, env=environment)
 
 
@@ -184,7 +177,7 @@ def main(build, site, headers, results, *options):
     shutil.copyfile(HERE / "site.css", pages / "site.css")
     shutil.copytree(HERE / "theme", work / "theme")
     (work / "mkdocs.yml").write_text(configuration(pages))
-    subprocess.run([sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict", "--site-dir", site], cwd=work, check=True)
+    subprocess.run([sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", site], cwd=work, check=True)
     from_disk(site)
     print(site / "index.html")
 
