@@ -21,8 +21,8 @@ struct ProblemData {
 
 // A scene whose right-hand side rhs(t, y) and Jacobian jacobian(t, y) (or None) are Python functions of NumPy
 // arrays, with results of shape (n,) and (n, n). The C++ functions acquire the interpreter lock themselves.
-// Throws as own_scene does. Exceptions of a Python function propagate as
-// error_already_set; a result of another shape raises ValueError.
+// Throws as own_scene does. Exceptions of a Python function propagate as error_already_set; a result of
+// another shape raises ValueError.
 Scene python_scene(const ProblemData& facts, const pybind11::object& rhs, const pybind11::object& jacobian);
 
 }  // namespace fde::bench::python

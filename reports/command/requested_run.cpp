@@ -160,31 +160,29 @@ void require_several(const Scene& scene, const RunArguments& arguments) {
 
 }  // namespace
 
-RunArguments run_arguments(const std::string& scheme, const std::map<std::string, std::string>& texts) {
+RunArguments run_arguments(const std::string& scheme, std::map<std::string, std::string> texts) {
   RunArguments arguments;
   arguments.scheme = scheme;
-  RunSettingsArguments& settings = arguments.settings;
-  const std::map<std::string, std::optional<std::string>*> optional{
-      {"steps", &arguments.steps},    {"accuracy", &arguments.accuracy}, {"at", &arguments.at},
-      {"every", &arguments.every},    {"points", &arguments.points},     {"tolerance", &settings.tolerance},
-      {"threads", &arguments.threads}};
-  const std::map<std::string, std::string*> always{
-      {"grid", &settings.grid}, {"history", &settings.history}, {"budget", &settings.budget}};
-  for (const auto& [name, text] : texts) {
-    if (const auto found = optional.find(name); found != optional.end()) {
-      *found->second = text;
-    } else if (const auto kept = always.find(name); kept != always.end()) {
-      *kept->second = text;
-    } else if (name == "check") {
-      arguments.check = parse_count("--check", text, 0, 1) == 1;
-    } else {
-      std::vector<std::string> names{"check"};
-      for (const auto& [known, into] : optional) names.push_back(known);
-      for (const auto& [known, into] : always) names.push_back(known);
-      std::ranges::sort(names);
-      reject_text("option", name, fmt::format("of {}", fmt::join(names, ", ")));
-    }
-  }
+  std::string check = "0";
+  std::vector<std::string_view> names;
+  const auto take = [&](const char* name, auto& into) {
+    names.emplace_back(name);
+    if (auto given = texts.extract(name)) into = std::move(given.mapped());
+  };
+  take("accuracy", arguments.accuracy);
+  take("at", arguments.at);
+  take("budget", arguments.settings.budget);
+  take("check", check);
+  take("every", arguments.every);
+  take("grid", arguments.settings.grid);
+  take("history", arguments.settings.history);
+  take("points", arguments.points);
+  take("steps", arguments.steps);
+  take("threads", arguments.threads);
+  take("tolerance", arguments.settings.tolerance);
+  if (!texts.empty())
+    reject_text("option", texts.begin()->first, fmt::format("of {}", fmt::join(names, ", ")));
+  arguments.check = parse_count("--check", check, 0, 1) == 1;
   return arguments;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every function refuses what it cannot take: a code, and a message with argument, value and what is allowed. */
+/* Every function refuses what it cannot take: a code, and a message with argument, value and what is allowed.
+ */
 #include <fdebench.h>
 
 #include "check.h"
@@ -25,12 +26,15 @@ static void test_problem(void) {
   REJECTS(fdebench_problem_new(0, &half, 1, &one, 1.0, zero, NULL, &p), "unknowns = 0: must be in [1, ");
   REJECTS(fdebench_problem_new((size_t)-1, &half, 1, &one, 1.0, zero, NULL, &p), "unknowns = ");
   REJECTS(fdebench_problem_new(1, &half, (size_t)-1, &one, 1.0, zero, NULL, &p), "initial_count = ");
-  REJECTS(fdebench_problem_new(1, &large, 1, &one, 1.0, zero, NULL, &p), "orders = 2.5: must be a number in [0, 2]");
+  REJECTS(fdebench_problem_new(1, &large, 1, &one, 1.0, zero, NULL, &p),
+          "orders = 2.5: must be a number in [0, 2]");
   REJECTS(fdebench_problem_new(1, &not_a_number, 1, &one, 1.0, zero, NULL, &p), "orders = nan: must be ");
   REJECTS(fdebench_problem_new(1, &between, 1, &one, 1.0, zero, NULL, &p), "initial_count = 1: must be 2");
   REJECTS(fdebench_problem_new(1, &half, 2, two, 1.0, zero, NULL, &p), "initial_count = 2: must be 1");
-  REJECTS(fdebench_problem_new(1, &half, 1, &not_a_number, 1.0, zero, NULL, &p), "initial[0] = [nan]: must be 1 finite");
-  REJECTS(fdebench_problem_new(1, &half, 1, &one, -1.0, zero, NULL, &p), "end = -1: must be a number above 0");
+  REJECTS(fdebench_problem_new(1, &half, 1, &not_a_number, 1.0, zero, NULL, &p),
+          "initial[0] = [nan]: must be 1 finite");
+  REJECTS(fdebench_problem_new(1, &half, 1, &one, -1.0, zero, NULL, &p),
+          "end = -1: must be a number above 0");
   REJECTS(fdebench_problem_new(1, &half, 1, &one, INFINITY, zero, NULL, &p), "end = inf: must be ");
   REJECTS(fdebench_problem_of_scene(NULL, &p), "scene = NULL: must be a text");
   REJECTS(fdebench_problem_of_scene("", &p), "scene = \"\": must not be empty");
@@ -90,7 +94,8 @@ static void test_options(void) {
 }
 
 /* Sets one option, and calls a function that refuses it. */
-static void rejects_option(const fdebench_problem* p, const char* name, const char* value, const char* message) {
+static void rejects_option(const fdebench_problem* p, const char* name, const char* value,
+                           const char* message) {
   fdebench_options* o = NULL;
   fdebench_table* table = NULL;
   DONE(fdebench_options_new(&o));
@@ -197,14 +202,22 @@ static void test_functions_and_lists(void) {
   const char* name;
   REJECTS(fdebench_mittag_leffler(0.5, 1, 0, 0, NULL, &bound), "value = NULL: must be ");
   REJECTS(fdebench_mittag_leffler(0.5, 1, 0, 0, value, NULL), "bound = NULL: must be ");
-  REJECTS(fdebench_mittag_leffler(NAN, 1, 0, 0, value, &bound), "mittag_leffler: alpha = nan has to be in (0, 5]");
-  REJECTS(fdebench_mittag_leffler_digits(NULL, "1", "0", "0", 9, text, text, text, 64), "alpha = NULL: must be a text");
-  REJECTS(fdebench_mittag_leffler_digits("1", NULL, "0", "0", 9, text, text, text, 64), "beta = NULL: must be a text");
-  REJECTS(fdebench_mittag_leffler_digits("1", "1", NULL, "0", 9, text, text, text, 64), "re = NULL: must be a text");
-  REJECTS(fdebench_mittag_leffler_digits("1", "1", "0", NULL, 9, text, text, text, 64), "im = NULL: must be a text");
-  REJECTS(fdebench_mittag_leffler_digits("1", "1", "0", "0", 9, NULL, text, text, 64), "value_re = NULL: must be ");
-  REJECTS(fdebench_mittag_leffler_digits("1", "1", "0", "0", 9, text, NULL, text, 64), "value_im = NULL: must be ");
-  REJECTS(fdebench_mittag_leffler_digits("1", "1", "0", "0", 9, text, text, NULL, 64), "bound = NULL: must be ");
+  REJECTS(fdebench_mittag_leffler(NAN, 1, 0, 0, value, &bound),
+          "mittag_leffler: alpha = nan has to be in (0, 5]");
+  REJECTS(fdebench_mittag_leffler_digits(NULL, "1", "0", "0", 9, text, text, text, 64),
+          "alpha = NULL: must be a text");
+  REJECTS(fdebench_mittag_leffler_digits("1", NULL, "0", "0", 9, text, text, text, 64),
+          "beta = NULL: must be a text");
+  REJECTS(fdebench_mittag_leffler_digits("1", "1", NULL, "0", 9, text, text, text, 64),
+          "re = NULL: must be a text");
+  REJECTS(fdebench_mittag_leffler_digits("1", "1", "0", NULL, 9, text, text, text, 64),
+          "im = NULL: must be a text");
+  REJECTS(fdebench_mittag_leffler_digits("1", "1", "0", "0", 9, NULL, text, text, 64),
+          "value_re = NULL: must be ");
+  REJECTS(fdebench_mittag_leffler_digits("1", "1", "0", "0", 9, text, NULL, text, 64),
+          "value_im = NULL: must be ");
+  REJECTS(fdebench_mittag_leffler_digits("1", "1", "0", "0", 9, text, text, NULL, 64),
+          "bound = NULL: must be ");
   REJECTS(fdebench_scheme_count(NULL), "count = NULL: must be ");
   REJECTS(fdebench_scene_count(NULL), "count = NULL: must be ");
   DONE(fdebench_scheme_count(&count));

@@ -31,7 +31,8 @@ static void* solve(void* argument) {
     DONE(fdebench_solve(work->problem, work->scheme, options, &table));
     DONE(fdebench_table_values(table, &y, 1));
     NEAR(y, exp(1.0) * erfc(1.0), 2e-3);
-    CHECK(fdebench_solve(work->problem, work->unknown, options, &(fdebench_table*){NULL}) == FDEBENCH_BAD_ARGUMENT);
+    CHECK(fdebench_solve(work->problem, work->unknown, options, &(fdebench_table*){NULL}) ==
+          FDEBENCH_BAD_ARGUMENT);
     CHECK(strstr(fdebench_last_error(), work->unknown) != NULL);
     fdebench_table_free(table);
     fdebench_options_free(options);
@@ -53,7 +54,8 @@ int main(void) {
   fdebench_problem* problem = NULL;
   pthread_t threads[2];
   DONE(fdebench_problem_new(1, &order, 1, &initial, 1.0, relaxation, NULL, &problem));
-  struct work works[2] = {{problem, "product_trapezoidal", "no_scheme"}, {problem, "grunwald_letnikov", "none"}};
+  struct work works[2] = {{problem, "product_trapezoidal", "no_scheme"},
+                          {problem, "grunwald_letnikov", "none"}};
   for (int i = 0; i < 2; ++i) CHECK(pthread_create(&threads[i], NULL, solve, &works[i]) == 0);
   for (int i = 0; i < 2; ++i) CHECK(pthread_join(threads[i], NULL) == 0);
   fdebench_problem_free(problem);

@@ -110,7 +110,8 @@ static void test_tanh(void) {
   fdebench_problem_free(problem);
 }
 
-/* q' = v, D^1.5-free oscillator as one row of order 2, and an algebraic row that doubles it: two kinds of rows. */
+/* q' = v, D^1.5-free oscillator as one row of order 2, and an algebraic row that doubles it: two kinds of
+ * rows. */
 static int doubled(double t, const double* y, double* f, void* user) {
   (void)t, (void)user;
   f[0] = -y[0];
@@ -206,7 +207,8 @@ static void test_choose(void) {
   DONE(fdebench_choice_text(choice, "grid", &grid));
   DONE(fdebench_choice_number(choice, "error", &error));
   DONE(fdebench_choice_number(choice, "seconds", &seconds));
-  CHECK(strncmp(command, "fdebench solve relaxation:gamma=0.7 --scheme ", 45) == 0 && strstr(command, scheme));
+  CHECK(strncmp(command, "fdebench solve relaxation:gamma=0.7 --scheme ", 45) == 0 &&
+        strstr(command, scheme));
   CHECK(json[0] == '{' && error <= 1e-5 && seconds > 0 && seconds < 1);
   DONE(fdebench_options_new(&run));
   DONE(fdebench_choice_apply(choice, run));
@@ -269,10 +271,14 @@ static void test_mittag_leffler(void) {
   DONE(fdebench_mittag_leffler_digits("0.5", "1", "-1", "0", 40, re, im, error, 72));
   CHECK(strncmp(re, "0.42758357615580700441075034449051518082", 40) == 0 && strlen(error) > 0);
   CHECK(atof(im) == 0.0);
-  REJECTS(fdebench_mittag_leffler_digits("0.5", "1", "-1", "0", 40, re, im, error, 4), "capacity = 4: must be at least ");
-  REJECTS(fdebench_mittag_leffler_digits("0.5", "1", "x", "0", 40, re, im, error, 72), "mittag_leffler: re z: 'x' is not a finite decimal number");
-  REJECTS(fdebench_mittag_leffler_digits("0.5", "1", "-1", "0", 0, re, im, error, 72), "mittag_leffler: digits = 0 ");
-  REJECTS(fdebench_mittag_leffler(6.0, 1.0, -1.0, 0.0, value, &bound), "mittag_leffler: alpha = 6 has to be in (0, 5]");
+  REJECTS(fdebench_mittag_leffler_digits("0.5", "1", "-1", "0", 40, re, im, error, 4),
+          "capacity = 4: must be at least ");
+  REJECTS(fdebench_mittag_leffler_digits("0.5", "1", "x", "0", 40, re, im, error, 72),
+          "mittag_leffler: re z: 'x' is not a finite decimal number");
+  REJECTS(fdebench_mittag_leffler_digits("0.5", "1", "-1", "0", 0, re, im, error, 72),
+          "mittag_leffler: digits = 0 ");
+  REJECTS(fdebench_mittag_leffler(6.0, 1.0, -1.0, 0.0, value, &bound),
+          "mittag_leffler: alpha = 6 has to be in (0, 5]");
 }
 
 int main(void) {

@@ -28,7 +28,8 @@ int main(void) {
   if (status)
     fprintf(stderr, "%s\n", fdebench_last_error());
   else
-    printf("y(1) = %.12f after %.0f calls of f, error %.1e, known to %.0e\n", solved, calls, fabs(solved - exact), bound);
+    printf("y(1) = %.12f after %.0f calls of f, error %.1e, known to %.0e\n", solved, calls,
+           fabs(solved - exact), bound);
   fdebench_table_free(known);
   fdebench_table_free(table);
   fdebench_options_free(options);

@@ -2,7 +2,8 @@ module fdebench
   use, intrinsic :: iso_c_binding
   implicit none
   interface
-    function fdebench_problem_new(unknowns, orders, initial_count, initial, end, f, user, problem) bind(c) result(status)
+    function fdebench_problem_new(unknowns, orders, initial_count, initial, end, f, user, problem) &
+        bind(c) result(status)
       import :: c_size_t, c_double, c_funptr, c_ptr, c_int
       integer(c_size_t), value :: unknowns, initial_count
       real(c_double), intent(in) :: orders(*), initial(*)
@@ -100,14 +101,16 @@ program relaxation
   integer(c_size_t), parameter :: one = 1
   type(c_ptr) :: problem, options, table
   real(c_double) :: y(2)
-  call check(fdebench_problem_new(one, [0.5_c_double], one, [1.0_c_double], 1.0_c_double, c_funloc(f), c_null_ptr, problem))
+  call check(fdebench_problem_new(one, [0.5_c_double], one, [1.0_c_double], 1.0_c_double, &
+      c_funloc(f), c_null_ptr, problem))
   call check(fdebench_options_new(options))
   call check(fdebench_options_set_integer(options, "steps"//c_null_char, 4096_c_long_long))
   call check(fdebench_options_set_text(options, "grid"//c_null_char, "graded:2"//c_null_char))
   call check(fdebench_options_set_integer(options, "points"//c_null_char, 2_c_long_long))
   call check(fdebench_solve(problem, "product_trapezoidal"//c_null_char, options, table))
   call check(fdebench_table_values(table, y, 2_c_size_t))
-  print '(a, f11.9, a, es7.1)', "y(1) = ", y(2), ", error ", abs(y(2) - exp(1.0_c_double) * erfc(1.0_c_double))
+  print '(a, f11.9, a, es7.1)', "y(1) = ", y(2), ", error ", &
+      abs(y(2) - exp(1.0_c_double) * erfc(1.0_c_double))
   call fdebench_table_free(table)
   call fdebench_options_free(options)
   call fdebench_problem_free(problem)
