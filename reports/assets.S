@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of the page as bytes in the program, so that `fdebench report` needs no installed data. Paths are relative to
+// The files of the page and of the help as bytes in the program, so that it needs no installed data. Paths are relative to
 // this folder, which the build puts on the include path. Files of one asset follow each other.
 
 #define BEGIN(id) .global fde_asset_##id; fde_asset_##id:
@@ -53,6 +53,35 @@ BEGIN(script)
   TEXT(page/view.js)
   TEXT(page/page.js)
 END(script)
+
+// The topics of `fdebench help`.
+BEGIN(topic_accuracy)
+  TEXT(command/topics/accuracy.txt)
+END(topic_accuracy)
+BEGIN(topic_choosing)
+  TEXT(command/topics/choosing.txt)
+END(topic_choosing)
+BEGIN(topic_scenes)
+  TEXT(command/topics/scenes.txt)
+END(topic_scenes)
+BEGIN(topic_equation_files)
+  TEXT(command/topics/equation_files.txt)
+END(topic_equation_files)
+BEGIN(topic_grids)
+  TEXT(command/topics/grids.txt)
+END(topic_grids)
+BEGIN(topic_history)
+  TEXT(command/topics/history.txt)
+END(topic_history)
+BEGIN(topic_output)
+  TEXT(command/topics/output.txt)
+END(topic_output)
+BEGIN(topic_exit_codes)
+  TEXT(command/topics/exit_codes.txt)
+END(topic_exit_codes)
+BEGIN(topic_environment)
+  TEXT(command/topics/environment.txt)
+END(topic_environment)
 
 // Without the packages of setup.sh these are empty, and `fdebench report` says so.
 BEGIN(vega)

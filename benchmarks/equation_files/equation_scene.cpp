@@ -185,11 +185,17 @@ SceneFactory factory_of(EquationText text, bool is_built_in) {
   return maker;
 }
 
-// The file of this name in the folder of the environment variable; nullopt if there is none.
-std::optional<std::filesystem::path> file_in_folder(std::string_view id) {
+// The folder of the user's equation files; empty if there is none.
+std::filesystem::path scene_folder() {
   const char* folder = std::getenv("FDEBENCH_SCENES");  // NOLINT(concurrency-mt-unsafe): nothing sets it
-  if (folder == nullptr || *folder == '\0' || id.find('/') != std::string_view::npos) return std::nullopt;
-  auto file = std::filesystem::path(folder) / fmt::format("{}{}", id, equation_file_extension);
+  return folder == nullptr ? "" : folder;
+}
+
+// The file of this name in the user's folder; nullopt if there is none.
+std::optional<std::filesystem::path> file_in_folder(std::string_view id) {
+  const auto folder = scene_folder();
+  if (folder.empty() || id.find('/') != std::string_view::npos) return std::nullopt;
+  auto file = folder / fmt::format("{}{}", id, equation_file_extension);
   return std::filesystem::exists(file) ? std::optional(file) : std::nullopt;
 }
 
@@ -222,6 +228,16 @@ SceneRegistry with_equation_files(const SceneRegistry& scenes) {
     }
   }
   return {scenes, scene_of_file};
+}
+
+std::vector<std::string> names_in_scene_folder() {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(scene_folder(), ignored)) {
+    if (entry.path().extension() == equation_file_extension) names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 }  // namespace fde::bench

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
@@ -21,5 +22,8 @@ SceneFactory built_in_scene(const std::string& id, std::string_view toml);
 // std::invalid_argument if the file cannot be read or is not an equation file. Throws std::invalid_argument
 // if a file of that folder has the name of one of `scenes`.
 SceneRegistry with_equation_files(const SceneRegistry& scenes);
+
+// The names, sorted and without .toml, of the equation files in the folder $FDEBENCH_SCENES.
+std::vector<std::string> names_in_scene_folder();
 
 }  // namespace fde::bench

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "fdebench/benchmarks/text/count_range.hpp"
+
 namespace fde::bench {
 namespace {
 
@@ -91,7 +93,7 @@ double parse_number(std::string_view name, std::string_view text, const Range& a
 int parse_count(std::string_view name, std::string_view text, int lowest, int highest) {
   const auto value = read<int>(text);
   if (!value || *value < lowest || *value > highest) {
-    reject_text(name, text, fmt::format("a whole number from {} to {}", lowest, highest));
+    reject_text(name, text, CountRange{lowest, highest}.text());
   }
   return *value;
 }

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "fdebench/benchmarks/text/count_range.hpp"
+
 namespace fde::bench {
 
 bool Range::contains(double value) const {
@@ -19,5 +21,7 @@ std::string Range::text() const {
   if (!below) return fmt::format("a finite number {} {}", open_high ? "below" : "of at most", high);
   return fmt::format("a number in {}{}, {}{}", open_low ? '(' : '[', low, high, open_high ? ')' : ']');
 }
+
+std::string CountRange::text() const { return fmt::format("a whole number from {} to {}", lowest, highest); }
 
 }  // namespace fde::bench

@@ -8,6 +8,11 @@
 #include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {
+namespace {
+
+constexpr Range tolerances{.low = 0.0, .high = 1.0};
+
+}  // namespace
 
 ComplexText split_complex(std::string_view text) {
   const auto comma = text.find(',');
@@ -31,8 +36,11 @@ const Scheme& scheme_named(std::string_view id) {
 }
 
 void add_scene(Subcommand& command, SceneArguments& arguments, const std::string& what) {
-  command.required("scene", arguments.scene, what + " or file of equations, or ID:NAME=VALUE,...");
-  command.list("--set", arguments.settings, "a parameter of the scene, NAME=VALUE");
+  command.required("scene", arguments.scene, what + " or an equation file, or ID:NAME=VALUE,...")
+      .completed_by(Completion::scene);
+  command.list("--set", arguments.settings, "a parameter of the scene, or its end: until=T")
+      .takes("NAME=VALUE")
+      .completed_by(Completion::setting);
 }
 
 SceneVariant read_variant(const SceneArguments& arguments, const SceneRegistry& known) {
@@ -40,12 +48,53 @@ SceneVariant read_variant(const SceneArguments& arguments, const SceneRegistry& 
 }
 
 void add_options(Subcommand& command, RunSettingsArguments& arguments) {
-  command.option("--grid", arguments.grid, "uniform, graded:R, or graded:auto: R from the orders");
-  command.option("--history", arguments.history, "auto, direct or exponentials");
-  command.option("--tolerance", arguments.tolerance,
-                 "relative, of Newton's method and of the history weights; default rounding");
-  command.option("--budget", arguments.budget,
-                 fmt::format("seconds after which the run ends; default {}", arguments.budget));
+  command
+      .option("--grid", arguments.grid,
+              "where the times of the steps are; graded:auto takes R from the orders")
+      .takes("GRID", "uniform or graded:R with R in [1, 100], or graded:auto")
+      .offers({"uniform", "graded:", "graded:auto"})
+      .usual(arguments.grid);
+  command.option("--history", arguments.history, "how the sums over earlier steps are computed")
+      .takes("KIND", Words{std::string(name(HistoryKind::automatic)), std::string(name(HistoryKind::direct)),
+                           std::string(name(HistoryKind::exponentials))})
+      .usual(arguments.history);
+  command
+      .option("--tolerance", arguments.tolerance,
+              "relative error of Newton's method and of the history, added to the discretisation error")
+      .takes("E", tolerances)
+      .usual("rounding");
+  command.option("--budget", arguments.budget, "time after which the run ends")
+      .takes("SECONDS", positive, "seconds")
+      .usual(arguments.budget_text.empty() ? arguments.budget : arguments.budget_text);
+}
+
+Argument add_digits(Subcommand& command, std::optional<std::string>& digits) {
+  return command.option("--digits", digits, "number of decimal digits")
+      .takes("D", digit_counts)
+      .usual("double");
+}
+
+Argument add_evaluation_budget(Subcommand& command, std::optional<std::string>& budget) {
+  return command.option("--budget", budget, "time after which the evaluation ends")
+      .takes("SECONDS", positive, "seconds")
+      .usual("none");
+}
+
+Argument add_runs(Subcommand& command, std::string& runs) {
+  return command
+      .option("--runs", runs, "rank by the time of the first run of a process (1) or of a later one")
+      .takes("RUNS", run_words())
+      .usual(runs);
+}
+
+Argument add_until(Subcommand& command, std::optional<std::string>& until) {
+  return command.option("--until", until, "end of the time interval")
+      .takes("T", valid_end_times)
+      .usual("that of the scene");
+}
+
+int parse_count(std::string_view name, std::string_view text, const CountRange& allowed) {
+  return parse_count(name, text, allowed.lowest, allowed.highest);
 }
 
 void require_decimal(std::string_view name, std::string_view text) {
@@ -69,9 +118,15 @@ Tolerance parse_accuracy(std::string_view text) {
   return {.rtol = error, .atol = error};
 }
 
+const Words& run_words() {
+  static const Words words{"1", "many"};
+  return words;
+}
+
 bool requests_first_run(const std::string& runs) {
-  if (runs != "1" && runs != "many") reject_text("--runs", runs, "1 or many");
-  return runs == "1";
+  const auto& words = run_words();
+  if (std::ranges::find(words, runs) == words.end()) reject_text("--runs", runs, choice_text(words));
+  return runs == words.front();
 }
 
 bool requests_optimal_grading(const RunSettingsArguments& arguments) {
@@ -81,8 +136,7 @@ bool requests_optimal_grading(const RunSettingsArguments& arguments) {
 RunSettings parse_run_settings(const RunSettingsArguments& arguments) {
   const double grading = requests_optimal_grading(arguments) ? 1.0 : parse_grading(arguments.grid);
   RunSettings setup{.grading = grading, .history = parse_history(arguments.history)};
-  if (arguments.tolerance)
-    setup.tolerance = parse_number("--tolerance", *arguments.tolerance, {.low = 0.0, .high = 1.0});
+  if (arguments.tolerance) setup.tolerance = parse_number("--tolerance", *arguments.tolerance, tolerances);
   setup.budget = parse_number("--budget", arguments.budget, positive);
   return setup;
 }

@@ -8,6 +8,7 @@
 
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/text/count_range.hpp"
 #include "fdebench/reports/command/command_line.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
@@ -31,12 +32,12 @@ struct SceneArguments {
   std::string scene;
   std::vector<std::string> settings;
 };
-void add_scene(Subcommand& command, SceneArguments& arguments, const std::string& what = "id of the scene");
+void add_scene(Subcommand& command, SceneArguments& arguments, const std::string& what = "id of a scene");
 SceneVariant read_variant(const SceneArguments& arguments, const SceneRegistry& known);
 
-// Options of `solve` and `run` that set how a scheme runs.
+// Options of `solve` and `run` that set how a scheme runs. A budget that depends on other options has a text.
 struct RunSettingsArguments {
-  std::string grid = "uniform", history = "auto", budget;
+  std::string grid = "uniform", history = "auto", budget, budget_text{};
   std::optional<std::string> tolerance{};
 };
 void add_options(Subcommand& command, RunSettingsArguments& arguments);
@@ -58,7 +59,18 @@ Tolerance parse_accuracy(std::string_view text);  // one number, relative and ab
 // Whether times are those of the first run of a process: --runs 1, otherwise many.
 bool requests_first_run(const std::string& runs);
 
-inline constexpr int max_digits = 100'000;
+// What --runs may be.
+const Words& run_words();
+
+inline constexpr CountRange digit_counts{1, 100'000};
 inline constexpr int most_steps = 1'000'000'000;  // the weights are tested up to this lag
+inline constexpr CountRange step_counts{1, most_steps};
+int parse_count(std::string_view name, std::string_view text, const CountRange& allowed);
+
+// Options of several commands.
+Argument add_digits(Subcommand& command, std::optional<std::string>& digits);
+Argument add_evaluation_budget(Subcommand& command, std::optional<std::string>& budget);
+Argument add_runs(Subcommand& command, std::string& runs);
+Argument add_until(Subcommand& command, std::optional<std::string>& until);
 
 }  // namespace fde::bench

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
 #include "fdebench/reports/command/recorded_scene.hpp"
+#include "fdebench/reports/command/terminal_text.hpp"
 
 namespace fde::bench {
 namespace {
@@ -60,18 +62,15 @@ std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional
 Recommendation searched(const SceneVariant& variant, Scene scene, const AccuracyTarget& question,
                         double seconds, const Streams& streams) {
   constexpr double part_of_estimate = 1.0 / 3.0;
-  const auto show = progress_line(streams);
-  const auto whole = static_cast<std::size_t>(std::max(1.0, seconds));
+  ProgressLine line(streams, "", true);
   const SearchProgress tell = [&](const std::string& what, double part) {
-    const auto done = static_cast<std::size_t>(part * static_cast<double>(whole));
-    show(std::min(done, whole - 1), whole, what);
+    line.set({.part = std::min(part, 1.0), .current_run = what});
   };
   const auto start = std::chrono::steady_clock::now();
   auto known = reference_or_estimate(scene, question, part_of_estimate * seconds, tell);
   scene.reference = std::move(known.reference);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   const auto found = search(scene, question, std::max(0.0, seconds - taken.count()), tell);
-  show(whole, whole, "");
   auto made = recommend(found, variant.key(), scene.outputs.names, question, known.estimate);
   const Vec bounds = scene.reference.at(scene.problem.end).bound;
   if (bounds.size() > 0) made.reference_bound = bounds.maxCoeff();
@@ -88,6 +87,24 @@ Recommendation recorded(const ErrorKind& kind, double accuracy, bool first_run,
   const SceneArguments scene{arguments.scene.scene, settings_of(arguments)};
   if (first_run) count_first_runs(runs);
   return recommend(runs, recorded_scene(runs, *arguments.results, scene, known), kind, accuracy);
+}
+
+// The answer with what its first three lines begin with in bold, and the command in green.
+std::string with_bold_labels(const std::string& answer, bool coloured) {
+  if (!coloured) return answer;
+  constexpr int lines_of_answer = 3;
+  std::istringstream lines(answer);
+  std::string text, line;
+  for (int i = 0; std::getline(lines, line); ++i) {
+    const auto label = i < lines_of_answer ? line.find(':') : std::string::npos;
+    if (label != std::string::npos) {
+      const auto rest = line.substr(label + 1);
+      line = in_colour(line.substr(0, label + 1), Colour::bold, true) +
+             (i == 0 ? in_colour(rest, Colour::green, true) : rest);
+    }
+    text += line + '\n';
+  }
+  return text;
 }
 
 void choose(const ChooseArguments& arguments, const Streams& streams, const SceneRegistry& known) {
@@ -111,26 +128,43 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
     throw NumericalFailure(fmt::format("no run of {} is within {} ({}): {}", label_of(made.scene),
                                        error_text(accuracy), kind_text(kind), fmt::join(made.missing, "; ")));
   }
-  streams.out << (arguments.json ? json_of(made) : to_text(made, arguments.verbose));
+  streams.out << (arguments.json ? json_of(made)
+                                 : with_bold_labels(to_text(made, arguments.verbose),
+                                                    streams.out_columns > 0 && streams.colours));
 }
 
 }  // namespace
 
 void add_choose_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto arguments = std::make_shared<ChooseArguments>();
-  Subcommand command(program, "choose", "The scheme, grid and steps to use for a scene and an accuracy");
+  Subcommand command(program, "choose", "Recommend scheme, grid and steps for a scene and an accuracy");
+  command.group("Solve and choose");
   add_scene(command, arguments->scene);
-  command.required("--error", arguments->error, "largest error wanted, in (1e-15, 1)");
-  command.option("--norm", arguments->norm, "where: end or maximum; default maximum");
-  command.option("--scale", arguments->scale, "absolute, relative or mixed; default mixed");
-  command.option("--columns", arguments->columns, "columns A,B,... that count; default all");
-  command.option("--runs", arguments->runs,
-                 "1: by the time of the first run of a process; many, the default: of a later one");
-  command.option("--until", arguments->until, "end of the time interval");
-  command.option("--max-time", arguments->max_time, "seconds for the search; default 60");
-  command.option("--results", arguments->results, "results file; default: measure now");
-  command.flag("--verbose", arguments->verbose, "all grids, why the first is quickest, what refuses");
-  command.flag("--json", arguments->json, "one JSON object");
+  command.required("--error", arguments->error, "largest error wanted").takes("E", accuracies);
+  command.option("--norm", arguments->norm, "where the error is measured: at the end, or at all steps")
+      .takes("NORM", Words{std::string(name(Norm::end)), std::string(name(Norm::maximum))})
+      .usual(arguments->norm);
+  command.option("--scale", arguments->scale, "what an error is divided by: 1, |y| or 1 + |y|")
+      .takes("SCALE", Words{std::string(name(Scale::absolute)), std::string(name(Scale::relative)),
+                            std::string(name(Scale::mixed))})
+      .usual(arguments->scale);
+  command.option("--columns", arguments->columns, "columns that count").takes("A,B,...").usual("all");
+  add_runs(command, arguments->runs);
+  add_until(command, arguments->until);
+  command.option("--max-time", arguments->max_time, "time for the search")
+      .takes("SECONDS", search_seconds, "seconds")
+      .usual(fmt::format("{}", default_seconds));
+  command.option("--results", arguments->results, "take the runs of a results file; nothing is measured")
+      .takes("FILE")
+      .completed_by(Completion::results);
+  command.flag("--verbose", arguments->verbose,
+               "print all grids, why the first is the quickest, and the schemes that refuse");
+  command.flag("--json", arguments->json, "print one JSON object");
+  command.example("fdebench choose pendulum --error 1e-6",
+                  "recommends a scheme for the pendulum up to t = 20.");
+  command.example("fdebench choose mine.toml --error 1e-4 --norm end --scale relative --max-time 10",
+                  "does so for an equation file, by the relative error at the end, in ten seconds.");
+  command.see_also({"solve", "run", "choosing", "accuracy"});
   command.callback([=, &known] { choose(*arguments, streams, known); });
 }
 

@@ -7,15 +7,21 @@
 #include <filesystem>
 #include <new>
 #include <ostream>
+#include <sstream>
 #include <system_error>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/scenes/parameters.hpp"
 #include "fdebench/reports/command/command_line.hpp"
+#include "fdebench/reports/command/completion.hpp"
+#include "fdebench/reports/command/terminal_text.hpp"
 
 namespace fde::bench {
 namespace {
+
+constexpr auto name_of_program = "fdebench";
+constexpr auto purpose = "Which numerical scheme to use for a fractional differential equation, with proof";
 
 constexpr int worse_results = 1;
 constexpr int bad_input = 2;
@@ -38,8 +44,14 @@ std::string printable(std::string_view message) {
   return line;
 }
 
+void add_subcommands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
+#define FDE_COMMAND(file) add_##file(program, streams, known);
+#include "fdebench/reports/command/list.def"
+#undef FDE_COMMAND
+}
+
 int complain(const Streams& streams, int code, std::string_view message) {
-  streams.err << fmt::format("fdebench: {}\n", printable(message));
+  say(streams, Message::error, message);
   return code;
 }
 
@@ -52,30 +64,55 @@ void check_none_empty(const std::vector<std::string>& arguments) {
 }
 
 // CLI11's own message only says that a subcommand is missing.
-void check_subcommand(const CommandLine& program, const std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments.front().starts_with('-')) return;
-  const auto names = program.subcommands();
-  if (std::ranges::find(names, arguments.front()) != names.end()) return;
-  throw std::invalid_argument(fmt::format("command {}: no such command{}; there are {}", arguments.front(),
-                                          did_you_mean(arguments.front(), {names.begin(), names.end()}),
-                                          fmt::join(names, ", ")));
+void check_subcommand(const ProgramText& program, const std::vector<std::string>& arguments) {
+  const auto first =
+      std::ranges::find_if(arguments, [](const auto& word) { return word != "-q" && word != "--quiet"; });
+  if (first == arguments.end() || first->starts_with('-') || program.find(*first) != nullptr) return;
+  std::vector<std::string_view> names;
+  for (const auto& subcommand : program.subcommands) names.push_back(subcommand.name);
+  throw std::invalid_argument(fmt::format("command {}: no such command{}; there are {}", *first,
+                                          did_you_mean(*first, names), fmt::join(names, ", ")));
 }
 
 }  // namespace
 
-int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
+ProgramText program_text() {
+  std::ostringstream nowhere;
+  Streams streams{.out = nowhere, .err = nowhere};
+  CommandLine program(name_of_program, purpose, this_session().version, streams.quiet);
+  add_subcommands(program, streams, built_in_scenes());
+  return program.text();
+}
+
+void say(const Streams& streams, Message kind, std::string_view message) {
+  if (kind == Message::note && streams.quiet) return;
+  const bool coloured = streams.columns > 0 && streams.colours;
+  constexpr std::string_view warning = "warning:";
+  const auto line = printable(message);
+  if (kind == Message::warning && line.starts_with(warning)) {
+    streams.err << fmt::format("fdebench: {}{}\n", in_colour(warning, Colour::yellow, coloured),
+                               line.substr(warning.size()));
+  } else {
+    streams.err << fmt::format("{} {}\n",
+                               in_colour("fdebench:", Colour::red, coloured && kind == Message::error), line);
+  }
+  streams.err.flush();
+}
+
+int run_fdebench(const std::vector<std::string>& arguments, const Streams& given,
                  const SceneRegistry& known) {
+  Streams streams = given;
   try {
     const SceneRegistry named = with_equation_files(known);
-    CommandLine program("fdebench",
-                        "Which numerical scheme to use for a fractional differential equation, with proof",
-                        this_session().version);
-#define FDE_COMMAND(file) add_##file(program, streams, named);
-#include "fdebench/reports/command/list.def"
-#undef FDE_COMMAND
+    CommandLine program(name_of_program, purpose, this_session().version, streams.quiet);
+    add_subcommands(program, streams, named);
+    if (!arguments.empty() && arguments.front() == completion_request) {
+      streams.out << candidates(program.text(), {arguments.begin() + 1, arguments.end()}, named);
+      return 0;
+    }
     check_none_empty(arguments);
-    check_subcommand(program, arguments);
-    program.run(arguments, streams.out, streams.err);
+    check_subcommand(program.text(), arguments);
+    program.run(arguments, streams);
     streams.out.flush();
     return streams.out.good() ? 0 : complain(streams, bad_input, "standard output: cannot be written");
   } catch (const WorseResults& worse) {

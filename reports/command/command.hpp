@@ -4,9 +4,11 @@
 #include <iosfwd>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/reports/command/program_text.hpp"
 
 namespace fde::bench {
 
@@ -26,14 +28,25 @@ struct WorseResults : std::runtime_error {
 struct Streams {
   std::ostream& out;
   std::ostream& err;
-  int columns = 0;  // width of the terminal; 0: err is no terminal
+  int columns = 0;       // width of the terminal of err; 0: err is no terminal
+  int out_columns = 0;   // the same of out
+  bool colours = false;  // whether terminals show colours
+  bool quiet = false;    // no progress and no notes on err
 };
+
+// Writes "fdebench: MESSAGE" to err, the message as one printable line. On a terminal an error or a warning
+// is coloured. A note is left out where --quiet is given.
+enum class Message { error, warning, note };
+void say(const Streams& streams, Message kind, std::string_view message);
 
 // Runs the command `fdebench` within this process, with the arguments after the program's name. Returns the
 // exit code: 0 done, 1 worse results, 2 bad input or output that cannot be written, 3 numerical failure; all
 // but 0 with one line on err. `known`: the scenes that arguments may name besides equation files.
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
                  const SceneRegistry& known = built_in_scenes());
+
+// What the help says of the program.
+ProgramText program_text();
 
 // Each file of list.def defines add_<file>(), which adds its subcommands to the program.
 #define FDE_COMMAND(file) \

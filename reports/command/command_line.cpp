@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reports/command/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+
+#include "fdebench/benchmarks/text/entry_named.hpp"
+#include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/help_text.hpp"
 
 namespace fde::bench {
 
@@ -19,69 +25,228 @@ std::string with_leading_zero(const std::string& argument) {
   return number ? "-0" + argument.substr(1) : argument;
 }
 
+std::string upper_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
+  return text;
+}
+
+const ArgumentText* named(const SubcommandText& subcommand, std::string_view name) {
+  const auto found = std::ranges::find(subcommand.arguments, name, &ArgumentText::name);
+  return found == subcommand.arguments.end() ? nullptr : &*found;
+}
+
+// A number that no group of exclusive arguments has.
+int next_choice(const SubcommandText& subcommand) {
+  int last = 0;
+  for (const auto& argument : subcommand.arguments) last = std::max(last, argument.choice);
+  return last + 1;
+}
+
+// The first word that looks like an option and is none of the subcommand.
+std::string unknown_option(const CLI::App& command, const std::vector<std::string>& arguments) {
+  for (const auto& word : arguments) {
+    const auto name = word.substr(0, word.find('='));
+    if (!name.starts_with("--") || name == "--") continue;
+    if (command.get_option_no_throw(name) == nullptr) return name;
+  }
+  return {};
+}
+
+std::string suggestion(const SubcommandText& subcommand, std::string_view name) {
+  std::vector<std::string_view> options{"--quiet", "--help"};
+  for (const auto& argument : subcommand.arguments)
+    if (!argument.is_positional()) options.emplace_back(argument.name);
+  return did_you_mean(name, options);
+}
+
+// "--scheme is required: ID, the id of the scheme".
+std::string missing_argument(const SubcommandText& subcommand, const std::string& said) {
+  const auto name = said.substr(0, said.find(' '));
+  if (const auto* argument = named(subcommand, name))
+    return fmt::format("{}: {}, {}", said, argument->value, full_description(*argument));
+  std::string all;
+  for (const auto& argument : subcommand.arguments) {
+    if (argument.choice != 0 && argument.required) all += (all.empty() ? "" : " and ") + argument.name;
+  }
+  return all.empty() ? said : fmt::format("one of {} is required", all);
+}
+
+// An option without its value or given twice, or a flag with a value.
+std::string wrong_count(const SubcommandText& subcommand, const std::vector<std::string>& arguments,
+                        const std::string& said) {
+  const auto name = said.substr(0, said.find(':'));
+  const auto* const argument = named(subcommand, name);
+  if (argument == nullptr) return said;
+  if (argument->value.empty()) return fmt::format("{}: takes no value", name);
+  const auto times = std::ranges::count_if(
+      arguments, [&](const std::string& word) { return word == name || word.starts_with(name + "="); });
+  if (times > 1 && !argument->repeated) return fmt::format("{}: must be given once", name);
+  return fmt::format("{}: its value is missing: {}, {}", name, argument->value, full_description(*argument));
+}
+
+// What is wrong with the arguments of a subcommand, in our words.
+std::string mistake(const CLI::ParseError& error, const CLI::App& command, const SubcommandText& subcommand,
+                    const std::vector<std::string>& arguments) {
+  if (const auto option = unknown_option(command, arguments); !option.empty()) {
+    return fmt::format("{}: {} has no such option{}", option, subcommand.name,
+                       suggestion(subcommand, option));
+  }
+  const std::string said = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const auto rest = command.remaining(true);
+    return fmt::format("{}: {} takes no such argument", rest.empty() ? said : rest.front(), subcommand.name);
+  }
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return missing_argument(subcommand, said);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr ||
+      dynamic_cast<const CLI::ConversionError*>(&error) != nullptr)
+    return wrong_count(subcommand, arguments, said);
+  return said;
+}
+
 }  // namespace
 
-CommandLine::CommandLine(const std::string& name, const std::string& what, const std::string& version)
-    : app_(std::make_unique<CLI::App>(what, name)) {
+CommandLine::CommandLine(const std::string& name, const std::string& what, const std::string& version,
+                         bool& quiet)
+    : app_(std::make_unique<CLI::App>(what, name)),
+      quiet_(quiet),
+      text_{.name = name, .what = what, .version = version} {
   app_->require_subcommand(1);
   app_->set_version_flag("-V,--version", version);
+  app_->add_flag(common_options().front().name, quiet);
 }
 
 CommandLine::~CommandLine() = default;
 
-std::vector<std::string> CommandLine::subcommands() const {
-  std::vector<std::string> names;
-  for (const auto* command : app_->get_subcommands({})) names.push_back(command->get_name());
-  return names;
-}
-
 // CLI11 expects the arguments in reverse order.
-void CommandLine::run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+void CommandLine::run(const std::vector<std::string>& arguments, const Streams& streams) {
+  const auto selected = [&] {
+    const auto commands = app_->get_subcommands();
+    return commands.empty() ? nullptr : commands.front();
+  };
   try {
     std::vector<std::string> backwards;
     std::transform(arguments.rbegin(), arguments.rend(), std::back_inserter(backwards), with_leading_zero);
     app_->parse(std::move(backwards));
-  } catch (const CLI::Success& help) {
-    app_->exit(help, out, err);
+  } catch (const CLI::CallForHelp&) {
+    const auto* const command = selected();
+    streams.out << (command == nullptr
+                        ? overview_text(text_, output_style(streams))
+                        : help_text(text_, *text_.find(command->get_name()), output_style(streams)));
+  } catch (const CLI::Success& version) {
+    app_->exit(version, streams.out, streams.err);
   } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(error.what());
+    const auto* const command = selected();
+    if (command == nullptr) {
+      const auto unknown = unknown_option(*app_, arguments);
+      throw std::invalid_argument(fmt::format(
+          "{}; {} help lists the subcommands",
+          unknown.empty() ? std::string(error.what()) : unknown + ": no such option", text_.name));
+    }
+    const auto& subcommand = *text_.find(command->get_name());
+    throw std::invalid_argument(fmt::format("{}; see {} {} --help",
+                                            mistake(error, *command, subcommand, arguments), text_.name,
+                                            subcommand.name));
   }
 }
 
+Argument& Argument::takes(const std::string& value, Allowed allowed, const std::string& unit) {
+  text_->value = value;
+  text_->allowed = std::move(allowed);
+  text_->unit = unit;
+  return *this;
+}
+
+Argument& Argument::usual(const std::string& value) {
+  text_->usual = value;
+  return *this;
+}
+
+Argument& Argument::completed_by(Completion values) {
+  text_->completion = values;
+  return *this;
+}
+
+Argument& Argument::offers(Words words) {
+  text_->offered = std::move(words);
+  return *this;
+}
+
 Subcommand::Subcommand(CommandLine& of, const std::string& name, const std::string& what)
-    : command_(of.app_->add_subcommand(name, what)) {}
-
-Subcommand::Option Subcommand::required(const std::string& name, std::string& value,
-                                        const std::string& what) {
-  return command_->add_option(name, value, what)->required();
+    : command_(of.app_->add_subcommand(name, what)), text_(&of.text_.subcommands.emplace_back()) {
+  text_->name = name;
+  text_->what = what;
+  command_->add_flag(common_options().front().name, of.quiet_);
 }
 
-Subcommand::Option Subcommand::option(const std::string& name, std::string& value, const std::string& what) {
-  return command_->add_option(name, value, what);
+Argument Subcommand::added(CLI::Option* option, const std::string& name, const std::string& what) {
+  auto& text = text_->arguments.emplace_back();
+  text.name = name;
+  text.what = what;
+  text.value = upper_case(name.substr(std::min(name.find_first_not_of('-'), name.size())));
+  text.choice = choice_;
+  text.required = choice_ != 0;
+  return {option, text};
 }
 
-Subcommand::Option Subcommand::option(const std::string& name, std::optional<std::string>& value,
-                                      const std::string& what) {
-  return command_->add_option(name, value, what);
+Argument Subcommand::required(const std::string& name, std::string& value, const std::string& what) {
+  auto argument = added(command_->add_option(name, value, what)->required(), name, what);
+  argument.text_->required = true;
+  return argument;
 }
 
-Subcommand::Option Subcommand::list(const std::string& name, std::vector<std::string>& values,
-                                    const std::string& what) {
-  return command_->add_option(name, values, what)->take_all();
+Argument Subcommand::option(const std::string& name, std::string& value, const std::string& what) {
+  return added(command_->add_option(name, value, what), name, what);
 }
 
-Subcommand::Option Subcommand::flag(const std::string& name, bool& value, const std::string& what) {
-  return command_->add_flag(name, value, what);
+Argument Subcommand::option(const std::string& name, std::optional<std::string>& value,
+                            const std::string& what) {
+  return added(command_->add_option(name, value, what), name, what);
+}
+
+Argument Subcommand::list(const std::string& name, std::vector<std::string>& values,
+                          const std::string& what) {
+  auto argument = added(command_->add_option(name, values, what)->take_all(), name, what);
+  argument.text_->repeated = true;
+  return argument;
+}
+
+Argument Subcommand::flag(const std::string& name, bool& value, const std::string& what) {
+  auto argument = added(command_->add_flag(name, value, what), name, what);
+  argument.text_->value.clear();
+  return argument;
 }
 
 Subcommand Subcommand::one_of() {
   auto* group = command_->add_option_group("one of");
   group->require_option(1);
-  return Subcommand(*group);
+  return {*group, *text_, next_choice(*text_)};
 }
 
-void Subcommand::exclude(Option one, Option other) { one->excludes(other); }
-void Subcommand::need(Option one, Option other) { one->needs(other); }
+void Subcommand::exclude(const Argument& one, const Argument& other, bool one_is_required) {
+  one.option_->excludes(other.option_);
+  auto& first = *one.text_;
+  auto& second = *other.text_;
+  const int mine = std::max(first.choice, second.choice);
+  first.choice = second.choice = mine != 0 ? mine : next_choice(*text_);
+  first.required = second.required = first.required || one_is_required;
+}
+
+void Subcommand::need(const Argument& one, const Argument& other) { one.option_->needs(other.option_); }
+
+Subcommand& Subcommand::group(const std::string& name) {
+  text_->group = name;
+  return *this;
+}
+
+Subcommand& Subcommand::example(const std::string& command, const std::string& what) {
+  text_->examples.emplace_back(command, what);
+  return *this;
+}
+
+Subcommand& Subcommand::see_also(std::vector<std::string> names) {
+  text_->see_also = std::move(names);
+  return *this;
+}
 
 void Subcommand::callback(std::function<void()> action) { command_->callback(std::move(action)); }
 

@@ -17,17 +17,25 @@
 namespace fde::bench {
 namespace {
 
-constexpr int largest_every = 1'000'000;
+constexpr CountRange every_counts{1, 1'000'000};
 
 struct ReferenceArguments {
   std::optional<std::string> out, check;
   std::string every = "1";
 };
 
+TableProgress reporter(ProgressLine& line) {
+  return
+      [&line](std::size_t done, std::size_t total, const std::string& what) { line.set(done, total, what); };
+}
+
 void write_tables(const std::string& folder, const Streams& streams) {
   const auto tables = planned_tables(default_scenes());
   require_replaceable(folder, tables);
-  replace_folder(folder, compute_files(tables, progress_line(streams)));
+  replace_folder(folder, [&] {
+    ProgressLine line(streams, "", true);
+    return compute_files(tables, reporter(line));
+  }());
   streams.out << std::filesystem::absolute(folder).string() << '\n';
 }
 
@@ -65,7 +73,10 @@ std::string summary(const std::vector<TableCheck>& tables) {
 
 // Wrong values are reported first: a wrong value also changes the checksum.
 void check_tables(const std::string& folder, std::size_t every, const Streams& streams) {
-  const auto [tables, changed] = check_folder(folder, every, progress_line(streams));
+  const auto [tables, changed] = [&] {
+    ProgressLine line(streams, "", true);
+    return check_folder(folder, every, reporter(line));
+  }();
   for (const auto& table : tables) print(table, streams.out);
   for (const auto& file : changed) streams.out << fmt::format("{}: CHECKSUM DIFFERS\n", file);
   for (const auto& table : tables) {
@@ -84,8 +95,7 @@ void reference(const ReferenceArguments& arguments, const Streams& streams) {
     write_tables(*arguments.out, streams);
   } else {
     check_tables(*arguments.check,
-                 static_cast<std::size_t>(parse_count("--every", arguments.every, 1, largest_every)),
-                 streams);
+                 static_cast<std::size_t>(parse_count("--every", arguments.every, every_counts)), streams);
   }
 }
 
@@ -94,11 +104,22 @@ void reference(const ReferenceArguments& arguments, const Streams& streams) {
 void add_data_commands(CommandLine& program, const Streams& streams, const SceneRegistry& /*known*/) {
   auto arguments = std::make_shared<ReferenceArguments>();
   Subcommand command(program, "reference", "Write the tables of reference data, or check a folder of them");
+  command.group("Data");
   Subcommand action = command.one_of();
-  action.option("--out", arguments->out, "folder to write: CSV, JSON, index and checksums");
-  auto* check = action.option("--check", arguments->check, "folder to recompute, of any program");
-  Subcommand::need(command.option("--every", arguments->every, "with --check: recompute each K-th row only"),
+  action.option("--out", arguments->out, "folder to write: CSV, JSON, index and checksums")
+      .takes("DIR")
+      .completed_by(Completion::folder);
+  const auto check = action.option("--check", arguments->check, "folder to recompute, of any program")
+                         .takes("DIR")
+                         .completed_by(Completion::folder);
+  Subcommand::need(command.option("--every", arguments->every, "with --check: recompute each K-th row only")
+                       .takes("K", every_counts)
+                       .usual(arguments->every),
                    check);
+  command.example("fdebench reference --check reference/data --every 29",
+                  "recomputes each 29th row of the tables of the repository.");
+  command.example("fdebench reference --out tables", "writes all tables to a folder; this takes minutes.");
+  command.see_also({"exact", "mittag-leffler", "accuracy"});
   command.callback([=] { reference(*arguments, streams); });
 }
 

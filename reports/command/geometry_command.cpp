@@ -117,11 +117,19 @@ void print_geometry(const GeometryArguments& arguments, const Streams& streams, 
 void add_geometry_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto arguments = std::make_shared<GeometryArguments>();
   Subcommand command(program, "geometry",
-                     "Metric, Christoffel symbols, connection and semispray of a scene; CSV");
+                     "Print metric, Christoffel symbols, connection and semispray of a scene; CSV");
+  command.group("Look up");
   add_scene(command, arguments->scene, "id of a scene of mechanics");
-  command.option("--place", arguments->place, "coordinates Q1,Q2,...; default those at t = 0");
-  command.option("--velocity", arguments->velocity,
-                 "velocities V1,V2,... that keep the constraints; default those at t = 0");
+  command.option("--place", arguments->place, "coordinates")
+      .takes("Q1,Q2,...", any_number)
+      .usual("those at t = 0");
+  command.option("--velocity", arguments->velocity, "velocities that keep the constraints")
+      .takes("V1,V2,...", any_number)
+      .usual("those at t = 0");
+  command.example("fdebench geometry loxodrome --place 0.7,0",
+                  "prints the Christoffel symbols at theta = 0.7.");
+  command.example("fdebench geometry knife_edge", "prints the geometry at the start of the motion.");
+  command.see_also({"scenes", "solve"});
   command.callback([=, &known] { print_geometry(*arguments, streams, known); });
 }
 

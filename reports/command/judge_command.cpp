@@ -25,6 +25,7 @@
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/progress_display.hpp"
 
 namespace fde::bench {
 namespace {
@@ -109,7 +110,10 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const SceneR
   end_with(path, arguments.file, variant, scene);
   const Record row = row_of(variant, name, path);
   MemoizedReference reference(scene);
-  const auto judgement = judge_trajectory(scene, at_comparison_times(path), reference);
+  const auto judgement = [&] {
+    ProgressLine line(streams, "evaluates the reference");
+    return judge_trajectory(scene, at_comparison_times(path), reference);
+  }();
   auto rows = rows_of_examination(row, judgement);
   std::optional<ResultsFile> file;
   if (arguments.out) file.emplace(*arguments.out, longest_wait);
@@ -128,12 +132,24 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const SceneR
 void add_judge_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto arguments = std::make_shared<JudgeArguments>();
   Subcommand command(program, "judge", "Judge a trajectory that another program wrote");
+  command.group("Measure");
   add_scene(command, arguments->scene);
-  command.required("file", arguments->file,
-                   "CSV with the header t,COLUMN,... of the scene; - is standard input");
-  command.option("--seconds", arguments->seconds, "time of the other program, or those of repeats S1,S2,...");
-  command.option("--name", arguments->name, "what to call it; default the name of the file");
-  command.option("--out", arguments->out, "results file that it is added to");
+  command
+      .required("file", arguments->file, "CSV with the header t,COLUMN,... of the scene; - is standard input")
+      .completed_by(Completion::file);
+  command.option("--seconds", arguments->seconds, "time of the other program, or the times of its repeats")
+      .takes("S1,S2,...", positive, "seconds")
+      .usual("that of the file's line '# seconds: S'");
+  command.option("--name", arguments->name, "what to call the other program")
+      .takes("NAME")
+      .usual("the name of the file");
+  command.option("--out", arguments->out, "results file that the run is added to")
+      .takes("RESULTS")
+      .completed_by(Completion::results);
+  command.example("fdebench judge relaxation mine.csv", "prints the errors of a solution in a file.");
+  command.example("fdebench judge relaxation - --seconds 0.0052 --name numpy --out results.jsonl < mine.csv",
+                  "adds errors and time to a results file.");
+  command.see_also({"run", "report", "accuracy"});
   command.callback([=, &known] { judge(*arguments, streams, known); });
 }
 

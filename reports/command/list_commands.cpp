@@ -218,10 +218,13 @@ void add_list(Subcommand command, const std::string& detail, const std::string& 
               Named named, Details details, std::ostream& out) {
   using Entry = std::remove_cvref_t<decltype(named(std::string()))>;
   auto arguments = std::make_shared<ListArguments>();
-  auto* json = command.flag("--json", arguments->json, "everything about each, as JSON");
-  Subcommand::exclude(command.flag(detail, arguments->detail, help), json);
-  command.option("id", arguments->id, "one of them, in full");
-  if constexpr (std::is_same_v<Entry, SceneFactory>)
+  command.group("Look up");
+  const auto json = command.flag("--json", arguments->json, "everything about each, as JSON");
+  command.exclude(command.flag(detail, arguments->detail, help), json);
+  constexpr bool of_scenes = std::is_same_v<Entry, SceneFactory>;
+  command.option("id", arguments->id, "one of them, in full")
+      .completed_by(of_scenes ? Completion::scene : Completion::scheme);
+  if constexpr (of_scenes)
     command.flag("--toml", arguments->toml, "the equation file of the scene, a start for one's own");
   command.callback([=, &out] {
     if (arguments->toml && !arguments->id) throw std::invalid_argument("--toml: must have the id of a scene");
@@ -243,14 +246,21 @@ void add_list(Subcommand command, const std::string& detail, const std::string& 
 }  // namespace
 
 void add_list_commands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
+  Subcommand scenes(program, "scenes", "List the scenes, or describe one");
+  scenes.example("fdebench scenes pendulum", "describes a scene and the schemes that accept it.");
+  scenes.example("fdebench scenes pendulum --toml > mine.toml", "starts an equation file of one's own.");
+  scenes.see_also({"schemes", "solve", "equation-files"});
   add_list(
-      Subcommand(program, "scenes", "List the scenes"), "--parameters",
-      "the parameters of each, with defaults and what is allowed",
+      scenes, "--parameters", "the parameters of each, with defaults and what is allowed",
       [&known]() -> const SceneRegistry& { return known; },
       [&known](const std::string& id) -> const SceneFactory& { return known.named(id); }, parameters_of,
       streams.out);
-  add_list(Subcommand(program, "schemes", "List the schemes"), "--needs",
-           "what each takes and needs of a problem", schemes, scheme_named, capabilities_of_all, streams.out);
+  Subcommand of_schemes(program, "schemes", "List the schemes, or describe one");
+  of_schemes.example("fdebench schemes --needs", "prints what each scheme takes and needs.");
+  of_schemes.example("fdebench schemes spectral_collocation", "describes a scheme and names its source.");
+  of_schemes.see_also({"scenes", "choose", "stability"});
+  add_list(of_schemes, "--needs", "what each takes and needs of a problem", schemes, scheme_named,
+           capabilities_of_all, streams.out);
 }
 
 }  // namespace fde::bench

@@ -27,6 +27,9 @@ struct Arguments {
   std::optional<std::string> z, derivative, gamma, matrix, digits, budget;
 };
 
+constexpr Range alphas{.low = 0.0, .high = 5.0, .open_low = true};
+constexpr CountRange derivative_counts{0, reference::max_derivative};
+
 // Digits computed before rounding to double, when --digits is not given: the bound stays close to half a unit
 // in the last place.
 constexpr int digits_of_doubles = 20;
@@ -47,14 +50,14 @@ void check(const Arguments& x) {
 
 // Checks the parameters without z.
 void check_parameters(const Arguments& x) {
-  parse_number("ALPHA", x.alpha, {.low = 0.0, .high = 5.0, .open_low = true});
+  parse_number("ALPHA", x.alpha, alphas);
   require_decimal("BETA", x.beta);
   if (x.gamma) require_decimal("--gamma", *x.gamma);
 }
 
 std::optional<int> digits_of(const Arguments& x) {
   if (!x.digits) return std::nullopt;
-  return parse_count("--digits", *x.digits, 1, max_digits);
+  return parse_count("--digits", *x.digits, digit_counts);
 }
 
 // A multiprecision value without a finite bound exceeds the exponent range of its type.
@@ -78,7 +81,7 @@ void print(std::complex<double> value, double bound, std::ostream& out) {
 
 reference::DecimalComplex in_digits(const Arguments& x, const ComplexText& z, int digits) {
   if (x.derivative) {
-    const int k = parse_count("--derivative", *x.derivative, 0, reference::max_derivative);
+    const int k = parse_count("--derivative", *x.derivative, derivative_counts);
     return reference::mittag_leffler_derivative(k, x.alpha, x.beta, z.re, z.im, digits);
   }
   return x.gamma ? reference::prabhakar(x.alpha, x.beta, *x.gamma, z.re, z.im, digits)
@@ -96,7 +99,7 @@ reference::MittagLefflerValue evaluate_in_double(const Arguments& x, const Compl
     return rounded_to_double(in_digits(x, text, digits_of_doubles));
   const std::complex<double> z(*re, *im);
   if (x.gamma) return reference::prabhakar(*alpha, *beta, *gamma, z);
-  const int k = parse_count("--derivative", *x.derivative, 0, reference::max_derivative);
+  const int k = parse_count("--derivative", *x.derivative, derivative_counts);
   return reference::mittag_leffler_derivative(k, *alpha, *beta, z);
 }
 
@@ -189,16 +192,28 @@ void of_matrix(const Arguments& x, std::ostream& out) {
 void add_mittag_leffler_command(CommandLine& program, const Streams& streams,
                                 const SceneRegistry& /*known*/) {
   auto arguments = std::make_shared<Arguments>();
-  Subcommand command(program, "mittag-leffler", "E_{ALPHA,BETA}(Z) as: re im bound");
-  command.required("ALPHA", arguments->alpha, "in (0, 5]");
-  command.required("BETA", arguments->beta, "a real number");
-  command.option("Z", arguments->z, "RE, RE,IM or RE+IMi");
-  command.option("--derivative", arguments->derivative, "K: the K-th derivative in Z");
-  command.option("--gamma", arguments->gamma, "G: the three-parameter function of Prabhakar");
-  command.option("--matrix", arguments->matrix,
-                 "\"1,2;3,4+i\" in place of Z; then a line for each entry: row column re im bound");
-  command.option("--digits", arguments->digits, "number of decimal digits; default double");
-  command.option("--budget", arguments->budget, "seconds after which the evaluation ends; default none");
+  Subcommand command(program, "mittag-leffler",
+                     "Print the Mittag-Leffler function E_{ALPHA,BETA}(Z): re im bound");
+  command.group("Look up");
+  command.required("ALPHA", arguments->alpha, "the first parameter").takes("ALPHA", alphas);
+  command.required("BETA", arguments->beta, "the second parameter").takes("BETA", any_number);
+  command.option("Z", arguments->z, "the argument: RE, RE,IM or RE+IMi").takes("Z");
+  command.option("--derivative", arguments->derivative, "the K-th derivative in Z")
+      .takes("K", derivative_counts);
+  command.option("--gamma", arguments->gamma, "the three-parameter function of Prabhakar")
+      .takes("G", any_number);
+  command
+      .option(
+          "--matrix", arguments->matrix,
+          "a square matrix in place of Z, \"1,2;3,4+i\"; then a line for each entry: row column re im bound")
+      .takes("ROWS");
+  add_digits(command, arguments->digits);
+  add_evaluation_budget(command, arguments->budget);
+  command.example("fdebench mittag-leffler 0.5 1 -30",
+                  "prints E_{1/2,1}(-30), its imaginary part and a bound.");
+  command.example("fdebench mittag-leffler 0.8 1 -1+2i --digits 50",
+                  "prints fifty digits for a complex argument.");
+  command.see_also({"exact", "reference"});
   command.callback([=] {
     check(*arguments);
     check_parameters(*arguments);

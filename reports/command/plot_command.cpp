@@ -26,6 +26,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/command_line.hpp"
 #include "fdebench/reports/command/plot_data.hpp"
+#include "fdebench/reports/command/progress_display.hpp"
 #include "fdebench/reports/command/recorded_scene.hpp"
 #include "fdebench/reports/page/assets.hpp"
 
@@ -61,12 +62,16 @@ constexpr std::array kinds{FigureKind{"work-precision", "error-against-time", ""
 constexpr double most_seconds = 120.0;
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20;
 
+Words kind_names() {
+  Words names;
+  for (const FigureKind& kind : kinds) names.emplace_back(kind.name);
+  return names;
+}
+
 const FigureKind& kind_named(const std::string& name) {
   const auto* const found = std::ranges::find(kinds, name, &FigureKind::name);
   if (found != kinds.end()) return *found;
-  std::vector<std::string_view> names;
-  for (const FigureKind& kind : kinds) names.push_back(kind.name);
-  throw std::invalid_argument(fmt::format("--kind = {}: must be one of {}", name, fmt::join(names, ", ")));
+  throw std::invalid_argument(fmt::format("--kind = {}: must be {}", name, choice_text(kind_names())));
 }
 
 void check(const PlotArguments& arguments, const FigureKind& kind) {
@@ -168,10 +173,9 @@ void print_on_paper(const std::filesystem::path& svg, const std::string& out) {
   file.commit();
 }
 
-void plot(const PlotArguments& arguments, const Streams& streams, const SceneRegistry& known) {
-  const FigureKind& kind = kind_named(arguments.kind);
-  check(arguments, kind);
-  const auto columns = columns_in(arguments, kind);
+// Writes the figure and returns its absolute path.
+std::filesystem::path figure(const PlotArguments& arguments, const FigureKind& kind,
+                             const std::vector<std::string>& columns, const SceneRegistry& known) {
   const auto data = data_of(arguments, kind, known);
   require_schemes(arguments.schemes, schemes_in(data));
   const bool several = data["sections"].front().contains("family");
@@ -193,24 +197,51 @@ void plot(const PlotArguments& arguments, const Streams& streams, const SceneReg
   const TemporaryFile said(".txt");
   draw("node", fmt::format("node '{}'", script.path().string()), request.path(), arguments.out, said);
   if (on_paper) print_on_paper(drawn.path(), arguments.out);
-  streams.out << out.string() << '\n';
+  return out;
+}
+
+void plot(const PlotArguments& arguments, const Streams& streams, const SceneRegistry& known) {
+  const FigureKind& kind = kind_named(arguments.kind);
+  check(arguments, kind);
+  const auto columns = columns_in(arguments, kind);
+  const auto path = [&] {
+    ProgressLine line(streams, fmt::format("draws {}", arguments.out));
+    return figure(arguments, kind, columns, known);
+  }();
+  streams.out << path.string() << '\n';
 }
 
 }  // namespace
 
 void add_plot_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto arguments = std::make_shared<PlotArguments>();
-  Subcommand command(program, "plot", "A figure of a scene for a paper of two columns");
+  Subcommand command(program, "plot", "Draw a figure of a scene for a paper of two columns");
+  command.group("Measure");
   add_scene(command, arguments->scene);
-  command.option("--results", arguments->results, "results file; kinds that draw no runs do not read it");
-  command.required(
-      "--kind", arguments->kind,
-      "work-precision, memory, rate, accuracy, energy, drift, drift-over-time of runs; solution, phase, "
-      "motion, stability");
-  command.list("--scheme", arguments->schemes, "ids of schemes to draw; default all");
-  command.option("--columns", arguments->columns, "A,B,...: of solution and phase; also energy, multipliers");
-  command.required("--out", arguments->out,
-                   "the figure: .svg, .pdf, or .vl.json for its Vega-Lite specification");
+  command.required("--kind", arguments->kind, "what is drawn; all but the last four draw runs of --results")
+      .takes("KIND", kind_names());
+  command.option("--results", arguments->results, "results file; kinds that draw no runs do not read it")
+      .takes("FILE")
+      .completed_by(Completion::results);
+  command.list("--scheme", arguments->schemes, "id of a scheme to draw")
+      .takes("ID")
+      .usual("all")
+      .completed_by(Completion::scheme);
+  command
+      .option("--columns", arguments->columns,
+              "of the kinds solution and phase: columns, energy, multipliers and coordinates of the motion")
+      .takes("A,B,...");
+  command
+      .required("--out", arguments->out,
+                "the figure, whose name ends in .svg, .pdf, or .vl.json for its Vega-Lite specification")
+      .takes("FILE")
+      .completed_by(Completion::file);
+  command.example("fdebench plot pendulum --kind solution --columns phi --set beta=0:1:0.25 --out family.svg",
+                  "draws one curve for each of five values of a parameter.");
+  command.example(
+      "fdebench plot pendulum --results results.jsonl --kind work-precision --scheme l1 --out l1.pdf",
+      "draws the error of l1 against its run time.");
+  command.see_also({"run", "report", "output"});
   command.callback([=, &known] { plot(*arguments, streams, known); });
 }
 

@@ -15,6 +15,7 @@ using std::chrono::duration;
 
 // On a terminal overwrites the current line, otherwise prints a new line.
 void show_line(const Streams& streams, const std::string& text) {
+  if (streams.quiet) return;
   if (streams.columns > 0) {
     streams.err << fmt::format("\r{0:<{1}.{1}}", text, streams.columns - 1);
   } else {
@@ -25,6 +26,10 @@ void show_line(const Streams& streams, const std::string& text) {
 
 void show_line(const Streams& streams, const Progress& progress) {
   show_line(streams, progress_text(progress, streams.columns));
+}
+
+void erase_line(const Streams& streams) {
+  streams.err << fmt::format("\r{:{}}\r", "", streams.columns - 1) << std::flush;
 }
 
 std::string bar_text(double part) {
@@ -46,25 +51,65 @@ std::string duration_text(double seconds) {
 std::string progress_text(const Progress& progress, int columns) {
   constexpr int fewest_with_bar = 60;
   std::string text = columns >= fewest_with_bar ? bar_text(progress.part) : "";
-  text += fmt::format("{:3.0f} %  {}/{}", std::floor(100.0 * progress.part), progress.done, progress.total);
+  text += fmt::format("{:3.0f} %", std::floor(100.0 * progress.part));
+  if (progress.total > 0) text += fmt::format("  {}/{}", progress.done, progress.total);
   if (progress.seconds_left) text += fmt::format("  {} left", duration_text(*progress.seconds_left));
   if (columns == 0) return text;
   text += "  " + progress.current_run;
   return text.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));
 }
 
-std::function<void(std::size_t, std::size_t, const std::string&)> progress_line(const Streams& streams) {
+ProgressLine::ProgressLine(const Streams& streams, std::string what, bool lines_elsewhere,
+                           std::chrono::milliseconds before)
+    : streams_(streams), progress_{.current_run = std::move(what)} {
   using namespace std::chrono_literals;
-  using Clock = std::chrono::steady_clock;
-  return
-      [&streams, shown = Clock::now()](std::size_t done, std::size_t total, const std::string& what) mutable {
-        const bool terminal = streams.columns > 0;
-        if (!terminal && Clock::now() - shown < 1min) return;
-        shown = Clock::now();
-        const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
-        show_line(streams, {.part = part, .done = done, .total = total, .current_run = what});
-        if (terminal && done == total) streams.err << '\n';
-      };
+  const bool terminal = streams.columns > 0;
+  if (streams.quiet || (!terminal && !lines_elsewhere)) return;
+  const std::chrono::milliseconds first = terminal ? before : 60'000ms, between = terminal ? 200ms : 60'000ms;
+  ticks_ = std::jthread([this, first, between](const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    for (auto wait = first; !ended_.wait_for(lock, stop, wait, [&] { return stop.stop_requested(); });
+         wait = between)
+      show();
+  });
+}
+
+ProgressLine::~ProgressLine() {
+  ticks_ = {};
+  erase();
+}
+
+void ProgressLine::set(Progress progress) {
+  const std::scoped_lock lock(mutex_);
+  if (progress.current_run != progress_.current_run) start_ = Clock::now();
+  progress_ = std::move(progress);
+}
+
+void ProgressLine::set(std::size_t done, std::size_t total, const std::string& what) {
+  const double part = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0.0;
+  set({.part = part, .done = done, .total = total, .current_run = what});
+}
+
+void ProgressLine::interrupt(const std::function<void()>& action) {
+  const std::scoped_lock lock(mutex_);
+  erase();
+  action();
+}
+
+void ProgressLine::show() {
+  constexpr double least_part = 0.01;  // a time left would be a guess before
+  const double taken = duration<double>(Clock::now() - start_).count();
+  line_is_open_ = streams_.columns > 0;
+  if (progress_.part == 0.0 && progress_.total == 0) {
+    return show_line(streams_, fmt::format("{}  {}", progress_.current_run, duration_text(taken)));
+  }
+  if (progress_.part >= least_part) progress_.seconds_left = taken * (1.0 - progress_.part) / progress_.part;
+  show_line(streams_, progress_);
+}
+
+void ProgressLine::erase() {
+  if (line_is_open_) erase_line(streams_);
+  line_is_open_ = false;
 }
 
 void show_work(const Streams& streams, std::size_t done, std::size_t total, const std::string& what) {
@@ -80,6 +125,7 @@ SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool cou
     : streams_(streams), remaining_(std::move(expected)) {
   constexpr double worth_saying = 5.0;
   const double seconds = remaining_.seconds_left(0.0);
+  if (streams_.quiet) return;
   if (seconds >= worth_saying) {
     streams_.err << fmt::format("{}{} runs, about {}\n", count_is_exact ? "" : "about ",
                                 remaining_.runs_expected(), duration_text(seconds));
@@ -94,15 +140,16 @@ SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool cou
 
 SweepProgress::~SweepProgress() {
   const std::scoped_lock lock(mutex_);
-  if (line_is_open_) streams_.err << std::endl;
+  if (line_is_open_) erase_line(streams_);
 }
 
 void SweepProgress::on_event(const SweepEvent& event) {
   using namespace std::chrono_literals;
   const std::scoped_lock lock(mutex_);
   remaining_.on_event(event);
-  const bool soon = line_is_open_ && Clock::now() - shown_ < 100ms;
-  if (streams_.columns > 0 && !soon) show();
+  const auto now = Clock::now();
+  const bool soon = line_is_open_ ? now - shown_ < 100ms : now - start_ < before_progress;
+  if (streams_.columns > 0 && !streams_.quiet && !soon) show();
 }
 
 void SweepProgress::show() {

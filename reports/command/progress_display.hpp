@@ -15,7 +15,7 @@
 
 namespace fde::bench {
 
-// Progress of a long computation.
+// Progress of a long computation. If its part is unknown, it is 0, and so is the total.
 struct Progress {
   double part = 0.0;  // finished fraction, in [0, 1]
   std::size_t done = 0, total = 0;
@@ -31,23 +31,55 @@ std::string duration_text(double seconds);
 // current work.
 std::string progress_text(const Progress& progress, int columns);
 
-// A callback that shows progress on streams.err: on a terminal in one line, otherwise a line per minute.
-std::function<void(std::size_t done, std::size_t total, const std::string& what)> progress_line(
-    const Streams& streams);
+// Nothing is shown before this time.
+inline constexpr std::chrono::milliseconds before_progress{2000};
 
-// Shows progress immediately. If total = 0 (unknown), only the current work and the steps done.
+// Shows on a terminal what a command does, in one line of streams.err that appears after `before` and is
+// erased by the destructor. With `lines_elsewhere` a line per minute is written where there is no terminal.
+// The line also goes on while nothing is set. While an object exists, nothing else may write to streams.err,
+// except through interrupt().
+class ProgressLine {
+ public:
+  ProgressLine(const Streams& streams, std::string what, bool lines_elsewhere = false,
+               std::chrono::milliseconds before = before_progress);
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine();
+
+  // Sets what is shown. The time left follows from the part and the time since `current_run` last changed.
+  void set(Progress progress);
+  void set(std::size_t done, std::size_t total, const std::string& what);
+  // Calls an action that writes to streams.err.
+  void interrupt(const std::function<void()>& action);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void show();   // the caller holds the mutex
+  void erase();  // likewise
+
+  const Streams& streams_;
+  std::mutex mutex_{};  // guards the members below, and streams_.err
+  Progress progress_;
+  Clock::time_point start_ = Clock::now();
+  bool line_is_open_ = false;
+  std::condition_variable_any ended_{};
+  std::jthread ticks_{};
+};
+
+// Shows progress immediately, unless --quiet is given. If total = 0 (unknown), only the current work and the
+// steps done.
 void show_work(const Streams& streams, std::size_t done, std::size_t total, const std::string& what);
 
 // Shows the progress of a sweep on streams.err. The constructor prints the expected number of runs and the
-// expected time if that is more than some seconds; then progress follows, on a terminal in one line,
-// otherwise a line per `between_lines`, also during a longer run.
+// expected time if that is more than some seconds; then progress follows, on a terminal in one line after
+// `before_progress`, otherwise a line per `between_lines`, also during a longer run. Silent with --quiet.
 class SweepProgress {
  public:
   SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact,
                 std::chrono::milliseconds between_lines = std::chrono::minutes(1));
   SweepProgress(const SweepProgress&) = delete;
   SweepProgress& operator=(const SweepProgress&) = delete;
-  ~SweepProgress();  // ends the line
+  ~SweepProgress();  // erases the line
 
   // To be called with every event of the sweep.
   void on_event(const SweepEvent& event);

@@ -110,7 +110,7 @@ std::string rows_in_digits(const Scene& scene, const std::vector<double>& times,
 // The number of --digits; nullopt for double.
 std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& scene, std::string_view id) {
   if (!arguments.digits) return std::nullopt;
-  const int digits = parse_count("--digits", *arguments.digits, 1, max_digits);
+  const int digits = parse_count("--digits", *arguments.digits, digit_counts);
   if (scene.reference.digits) return digits;
   throw std::invalid_argument(fmt::format(
       "--digits = {}: scene {} has no exact solution in digits, only what is known in double", digits, id));
@@ -141,12 +141,18 @@ void exact(const ExactArguments& arguments, const Streams& streams, const SceneR
 
 void add_reference_commands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto of_exact = std::make_shared<ExactArguments>();
-  Subcommand command(program, "exact", "What is known about a scene: its columns and a bound; CSV");
+  Subcommand command(program, "exact", "Print the reference of a scene: its columns and a bound; CSV");
+  command.group("Look up");
   add_scene(command, of_exact->scene);
-  command.required("--at", of_exact->at, "times T1,T2,...");
-  command.option("--digits", of_exact->digits, "number of decimal digits; default double");
-  command.flag("--bounds", of_exact->bounds, "a bound of each column, after the largest");
-  command.option("--budget", of_exact->budget, "seconds after which the evaluation ends; default none");
+  command.required("--at", of_exact->at, "times to print").takes("T1,T2,...", not_negative);
+  add_digits(command, of_exact->digits);
+  command.flag("--bounds", of_exact->bounds, "print a bound of each column, after the largest");
+  add_evaluation_budget(command, of_exact->budget);
+  command.example("fdebench exact pendulum --at 1,20",
+                  "prints the solution at two times and the largest bound.");
+  command.example("fdebench exact relaxation:gamma=0.3 --at 1 --digits 40",
+                  "prints forty digits of a linear scene.");
+  command.see_also({"solve", "mittag-leffler", "accuracy"});
   command.callback([=, &known] { exact(*of_exact, streams, known); });
 }
 

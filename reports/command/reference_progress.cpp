@@ -30,7 +30,8 @@ void ReferenceProgress::on_progress(std::size_t done, std::size_t total) {
   const auto now = Clock::now();
   if (budget_ && std::chrono::duration<double>(now - start_).count() > *budget_) throw Cancelled();
   const bool terminal = streams_.columns > 0;
-  if (terminal ? now - start_ < 1s || now - shown_ < 100ms : now - shown_ < 1min) return;
+  if (streams_.quiet) return;
+  if (terminal ? now - start_ < before_progress || now - shown_ < 100ms : now - shown_ < 1min) return;
   shown_ = now;
   line_is_open_ = terminal;
   show_work(streams_, done, total, place_);

@@ -12,8 +12,8 @@
 namespace fde::bench {
 
 // Monitors evaluations of references while the object exists: shows progress on streams.err (on a terminal
-// after a second in one line, otherwise a line per minute) and cancels them with Cancelled when the budget is
-// spent.
+// after two seconds in one line, otherwise a line per minute, with --quiet nothing) and cancels them with
+// Cancelled when the budget is spent.
 class ReferenceProgress {
  public:
   // sought: name of the evaluated quantity in messages, "the reference".

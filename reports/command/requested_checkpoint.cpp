@@ -44,10 +44,9 @@ std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const Req
       reject_text("--checkpoint-every", *arguments.checkpoint_every, "with --checkpoint");
     return std::nullopt;
   }
-  constexpr double usual = 300.0;
   const double between = arguments.checkpoint_every
                              ? parse_number("--checkpoint-every", *arguments.checkpoint_every, not_negative)
-                             : usual;
+                             : usual_seconds_between_checkpoints;
   if (const auto reason = unsupported_checkpoints_reason(run.scheme, scene.problem)) {
     reject_text("--checkpoint", *arguments.checkpoint,
                 fmt::format("left out: {} {}", run.scheme.id, *reason));

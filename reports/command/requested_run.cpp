@@ -18,8 +18,6 @@ namespace fde::bench {
 namespace {
 
 constexpr int most_direct_steps = 1 << 21;  // more steps take hours
-constexpr int most_rows = 10'000'000;
-constexpr int most_threads = 1024;
 
 constexpr double rounding = 1e-12;
 
@@ -30,7 +28,7 @@ RunSettings parse_setup(const RunArguments& arguments) {
     if (arguments.settings.grid != RunSettingsArguments{}.grid)
       reject_text("--grid", arguments.settings.grid, "without --accuracy, whose schemes choose their times");
   } else {
-    resolution = parse_count("--steps", *arguments.steps, 1, most_steps);
+    resolution = parse_count("--steps", *arguments.steps, step_counts);
   }
   RunSettings setup = parse_run_settings(arguments.settings);
   setup.resolution = resolution;
@@ -80,7 +78,7 @@ std::vector<double> spread_times(const RunArguments& arguments, const Grid& grid
     count = 1 + (grid.steps - 1) / each + 1;
     stride = each;
   } else {
-    count = parse_count("--points", *arguments.points, 2, most_rows);
+    count = parse_count("--points", *arguments.points, point_counts);
     stride = static_cast<double>(grid.steps) / (count - 1);
   }
   std::vector<double> times;
@@ -107,7 +105,7 @@ std::vector<double> times_of(const RunArguments& arguments, const Resolution& re
       reject_text("--every", *arguments.every,
                   "with --steps; with --accuracy --points K prints K equal times");
     }
-    return spread_times(parse_count("--points", *arguments.points, 2, most_rows), end);
+    return spread_times(parse_count("--points", *arguments.points, point_counts), end);
   }
   if (grid != nullptr && grid->steps > most_rows) {
     throw std::invalid_argument(
@@ -195,7 +193,7 @@ RequestedRun requested_run(const Scene& scene, const RunArguments& arguments) {
   const Resolution resolution = resolution_of(setup, scene.problem.end);
   Options options = setup.options();
   options.all_solutions = arguments.all;
-  if (arguments.threads) options.threads = parse_count("--threads", *arguments.threads, 1, most_threads);
+  if (arguments.threads) options.threads = parse_count("--threads", *arguments.threads, thread_counts);
   const auto grid = grid_of(resolution);
   if (grid) require_affordable(*grid, options.history);
   require_events(scene, arguments);

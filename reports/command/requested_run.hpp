@@ -26,6 +26,11 @@ struct RunArguments {
 // std::invalid_argument for another name.
 RunArguments run_arguments(const std::string& scheme, std::map<std::string, std::string> texts);
 
+// What --every and --points, --threads and --checkpoint-every may be.
+inline constexpr int most_rows = 10'000'000;
+inline constexpr CountRange point_counts{2, most_rows}, thread_counts{1, 1024};
+constexpr double usual_seconds_between_checkpoints = 300.0;
+
 // The parsed options: one run, accepted by its scheme.
 struct RequestedRun {
   const Scheme& scheme;

@@ -18,9 +18,12 @@
 #include "fdebench/reports/analysis/runs.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/command_line.hpp"
+#include "fdebench/reports/command/progress_display.hpp"
 
 namespace fde::bench {
 namespace {
+
+constexpr Range factors{.low = 1.0};
 
 // "machine, compiler, commit" of each build, without repetitions.
 std::set<std::string> builds_of(const std::vector<Session>& sessions) {
@@ -58,11 +61,14 @@ std::vector<std::string> complaints(const Comparison& comparison, const std::opt
 
 void compare_files(const CompareArguments& arguments, const Streams& streams) {
   const auto& [first, second, slowdown, require_all] = arguments;
-  constexpr Range factors{.low = 1.0};
   std::optional<double> most;
   if (slowdown) most = parse_number("--max-slowdown", *slowdown, factors);
-  const auto [sessions_before, before] = read_runs(first);
-  const auto [sessions_now, now] = read_runs(second);
+  const auto read = [&](const std::string& file) {
+    ProgressLine line(streams, "reads " + file);
+    return read_runs(file);
+  };
+  const auto [sessions_before, before] = read(first);
+  const auto [sessions_now, now] = read(second);
   const Comparison comparison = compare(before, now);
   if (comparison.common == 0)
     throw std::invalid_argument(fmt::format("{} and {}: have no run in common", first, second));
@@ -77,7 +83,10 @@ void compare_files(const CompareArguments& arguments, const Streams& streams) {
 }
 
 void merge_files(const std::vector<std::string>& files, const std::string& out, const Streams& streams) {
-  const auto merged = merge_results({files.begin(), files.end()}, out);
+  const auto merged = [&] {
+    ProgressLine line(streams, fmt::format("merges {} files", files.size()));
+    return merge_results({files.begin(), files.end()}, out);
+  }();
   streams.out << fmt::format("{}\n{} sessions, {} rows, {} repeated rows left out\n",
                              std::filesystem::absolute(out).string(), merged.sessions, merged.rows,
                              merged.repeated_rows);
@@ -87,20 +96,37 @@ void merge_files(const std::vector<std::string>& files, const std::string& out, 
 
 void add_results_commands(CommandLine& program, const Streams& streams, const SceneRegistry& /*known*/) {
   auto compared = std::make_shared<CompareArguments>();
-  Subcommand compare_command(program, "compare", "What is worse or better in the second results file");
-  compare_command.required("first", compared->first, "results file, before");
-  compare_command.required("second", compared->second, "results file, now");
-  compare_command.option("--max-slowdown", compared->max_slowdown,
-                         "how many times as long a run may take; beyond it the exit code is 1");
+  Subcommand compare_command(program, "compare", "Print what is worse or better in the second results file");
+  compare_command.group("Measure");
+  compare_command.required("first", compared->first, "results file, before")
+      .completed_by(Completion::results);
+  compare_command.required("second", compared->second, "results file, now").completed_by(Completion::results);
+  compare_command
+      .option("--max-slowdown", compared->max_slowdown,
+              "how many times as long a run may take; beyond it the exit code is 1")
+      .takes("FACTOR", factors);
   compare_command.flag("--require-all", compared->require_all,
                        "exit code 1 where runs or times of the first are not in the second");
+  compare_command.example("fdebench compare old.jsonl new.jsonl",
+                          "prints what changed; exit code 1 if an error grew.");
+  compare_command.example("fdebench compare old.jsonl new.jsonl --max-slowdown 1.2 --require-all",
+                          "also fails where a run is slower by a fifth, or missing.");
+  compare_command.see_also({"run", "report", "exit-codes"});
   compare_command.callback([=] { compare_files(*compared, streams); });
 
   auto files = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();
   Subcommand merge_command(program, "merge", "Put results files together; sessions stay apart");
-  merge_command.list("files", *files, "results files");
-  merge_command.required("--out", *out, "the new results file");
+  merge_command.group("Measure");
+  merge_command.list("files", *files, "results files").takes("FILE").completed_by(Completion::results);
+  merge_command.required("--out", *out, "the new results file")
+      .takes("NEW")
+      .completed_by(Completion::results);
+  merge_command.example("fdebench merge first.jsonl second.jsonl --out both.jsonl",
+                        "writes one file from two.");
+  merge_command.example("fdebench merge shard-*.jsonl --out sweep.jsonl",
+                        "puts the parts of a sweep together that run --shard measured.");
+  merge_command.see_also({"run", "compare"});
   merge_command.callback([=] {
     if (files->empty()) throw std::invalid_argument("files is required");
     merge_files(*files, *out, streams);

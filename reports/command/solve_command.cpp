@@ -13,6 +13,7 @@
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/progress_display.hpp"
 #include "fdebench/reports/command/solved_table.hpp"
 
 namespace fde::bench {
@@ -52,23 +53,30 @@ void write_field(const SolvedTable& table, const std::string& name) {
   file.commit();
 }
 
+SolvedTable shown_while_solved(const Scene& scene, const RunArguments& run, const Streams& streams) {
+  ProgressLine line(streams, run.scheme);
+  const auto complain = [&](const std::string& problem) {
+    line.interrupt([&] { say(streams, Message::error, problem); });
+  };
+  if (streams.columns == 0 || streams.quiet) return solved_table(scene, run, complain);
+  return solved_table(scene, run, complain, [&](const Progress& progress) { line.set(progress); });
+}
+
 void solve(const SolveArguments& arguments, const Streams& streams, const SceneRegistry& known) {
   auto variant = read_variant(arguments.scene, known);
   if (arguments.until && variant.until)
     reject_text("--until", *arguments.until, "without until= in the scene");
   if (arguments.until) variant.until = parse_number("--until", *arguments.until, valid_end_times);
   const Scene scene = make_scene(variant);
-  const SolvedTable table = solved_table(scene, arguments.run, [&](const std::string& problem) {
-    streams.err << fmt::format("fdebench: {}\n", problem) << std::flush;
-  });
+  const SolvedTable table = shown_while_solved(scene, arguments.run, streams);
   const bool fails = arguments.strict && !table.warning.empty();
   if (!fails && arguments.run.field) write_field(table, *arguments.run.field);
   if (!fails) print_rows(table, streams.out);
   std::error_code ignored;
   if (!table.checkpoint.empty() && streams.out.flush()) std::filesystem::remove(table.checkpoint, ignored);
   if (fails) throw NumericalFailure(table.warning);
-  if (!table.warning.empty()) streams.err << fmt::format("fdebench: {}\n", table.warning);
-  if (!table.ended.empty()) streams.err << fmt::format("fdebench: {}\n", table.ended);
+  if (!table.warning.empty()) say(streams, Message::warning, table.warning);
+  if (!table.ended.empty()) say(streams, Message::note, table.ended);
   if (arguments.cost) streams.err << table.cost << '\n';
 }
 
@@ -77,35 +85,64 @@ void solve(const SolveArguments& arguments, const Streams& streams, const SceneR
 void add_solve_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto arguments = std::make_shared<SolveArguments>();
   Subcommand command(program, "solve", "Solve a scene with a scheme; CSV on standard output");
+  command.group("Solve and choose");
   add_scene(command, arguments->scene);
-  command.required("--scheme", arguments->run.scheme, "id of the scheme");
-  auto* steps = command.option("--steps", arguments->run.steps, "number of steps N");
-  auto* accuracy = command.option("--accuracy", arguments->run.accuracy,
-                                  "of schemes that choose their steps: relative, and absolute");
-  Subcommand::exclude(accuracy, steps);
-  command.option("--until", arguments->until, "end of the time interval");
-  auto* at = command.option("--at", arguments->run.at, "grid times to print, T1,T2,...; default all");
-  auto* every = command.option("--every", arguments->run.every, "print each K-th grid time, and the last");
-  auto* points = command.option("--points", arguments->run.points, "print K grid times from 0 to the end");
+  command.required("--scheme", arguments->run.scheme, "id of the scheme")
+      .takes("ID")
+      .completed_by(Completion::scheme);
+  const auto steps =
+      command.option("--steps", arguments->run.steps, "number of steps over a grid").takes("N", step_counts);
+  const auto accuracy = command
+                            .option("--accuracy", arguments->run.accuracy,
+                                    "tolerance, relative and absolute, of schemes that choose their steps")
+                            .takes("E", positive);
+  command.exclude(accuracy, steps, true);
+  add_until(command, arguments->until);
+  const auto at = command.option("--at", arguments->run.at, "times to print, of the grid with --steps")
+                      .takes("T1,T2,...", not_negative)
+                      .usual("all");
+  const auto every =
+      command.option("--every", arguments->run.every, "print each K-th grid time, and the last")
+          .takes("K", step_counts);
+  const auto points = command
+                          .option("--points", arguments->run.points,
+                                  "print K times from 0 to the end, of the grid with --steps")
+                          .takes("K", point_counts);
   command.flag("--events", arguments->run.events,
-               "print the events of the scene in place of times, with --accuracy");
+               "with --accuracy: print the events of the scene in place of times");
   command.flag("--all", arguments->run.all,
-               "of a problem at both ends: all solutions that a search from other starts finds");
-  Subcommand::exclude(every, at);
-  Subcommand::exclude(points, at);
-  Subcommand::exclude(points, every);
-  command.option("--field", arguments->run.field, "a CSV of all unknowns at the times that are printed");
+               "of a problem at both ends: print all solutions that a search from other starts finds");
+  command.exclude(every, at);
+  command.exclude(points, at);
+  command.exclude(points, every);
+  command.option("--field", arguments->run.field, "write a CSV of all unknowns at the times that are printed")
+      .takes("FILE")
+      .completed_by(Completion::file);
   add_options(command, arguments->run.settings);
-  command.option("--threads", arguments->run.threads,
-                 "among which the unknowns of a step are shared where they are many, default 1; the same "
-                 "bits for any number");
-  command.option("--checkpoint", arguments->run.checkpoint,
-                 "a file that keeps the state of the run: the same command goes on from it");
-  command.option("--checkpoint-every", arguments->run.checkpoint_every,
-                 "seconds between two states kept, default 300");
+  command
+      .option("--threads", arguments->run.threads,
+              "threads among which the unknowns of a step are divided where they are many; the result is the "
+              "same for any number")
+      .takes("T", thread_counts)
+      .usual(fmt::format("{}", Options{}.threads));
+  command
+      .option("--checkpoint", arguments->run.checkpoint,
+              "keep the state of the run in a file: the same command goes on from it")
+      .takes("FILE")
+      .completed_by(Completion::file);
+  command.option("--checkpoint-every", arguments->run.checkpoint_every, "time between two states kept")
+      .takes("SECONDS", not_negative, "seconds")
+      .usual(fmt::format("{}", usual_seconds_between_checkpoints));
   command.flag("--check", arguments->run.check, "also warn where half the steps give another result");
-  command.flag("--strict", arguments->strict, "a warning is a failure: exit 3, nothing printed but its line");
-  command.flag("--cost", arguments->cost, "one JSON line on standard error: time, calls, memory, rate");
+  command.flag("--strict", arguments->strict,
+               "a warning is a failure: exit code 3, only its line is printed");
+  command.flag("--cost", arguments->cost, "write a JSON line on standard error: time, calls, memory, rate");
+  command.example("fdebench solve pendulum --scheme bdf5 --steps 302",
+                  "prints the solution at all 303 times, from 0 to 20.");
+  command.example(
+      "fdebench solve relaxation:gamma=0.5 --scheme l1 --steps 1000 --grid graded:auto --points 11",
+      "grades the grid towards 0 and prints eleven of its times.");
+  command.see_also({"choose", "exact", "schemes", "grids", "history"});
   command.callback([=, &known] { solve(*arguments, streams, known); });
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "fdebench/reports/command/cost_text.hpp"
 #include "fdebench/reports/command/requested_checkpoint.hpp"
 #include "fdebench/reports/command/run_warnings.hpp"
+#include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde::bench {
 namespace {
@@ -47,10 +49,35 @@ void solve_beside_its_times(const Scene& scene, RequestedRun& run, Trajectory& p
   path = run.scheme.solve(scene.problem, run.resolution, run.options);
 }
 
+// Passes on how much of a run is done: over a grid the part of its work, which for direct sums grows with the
+// square of the step, otherwise the part of the time interval.
+ProgressCallback shown_steps(const Scene& scene, RequestedRun& run,
+                             const std::function<void(const Progress&)>& show) {
+  const std::string what(run.scheme.id);
+  if (run.grid) {
+    const auto total = static_cast<std::size_t>(run.grid->steps);
+    const bool squared = run.options.history == HistoryKind::direct;
+    return [=](std::size_t done, std::size_t) {
+      const double part = static_cast<double>(std::min(done, total)) / static_cast<double>(total);
+      if (done > 0)
+        show({.part = squared ? part * part : part, .done = done, .total = total, .current_run = what});
+    };
+  }
+  const auto reached = std::make_shared<double>(0.0);
+  run.options.observer = [reached, observer = run.options.observer](double t, In y) {
+    *reached = t;
+    if (observer) observer(t, y);
+  };
+  return [=, end = scene.problem.end](std::size_t, std::size_t) {
+    show({.part = *reached / end, .current_run = what});
+  };
+}
+
 }  // namespace
 
 SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
-                         const std::function<void(const std::string&)>& say) {
+                         const std::function<void(const std::string&)>& say,
+                         const std::function<void(const Progress&)>& show) {
   RequestedRun run = requested_run(scene, arguments);
   RetainedColumns kept(scene.outputs, run.times);
   const bool by_columns = keeps_columns(scene, run);
@@ -60,9 +87,13 @@ SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
   auto checkpoints = requested_checkpoint(scene, run, arguments, kept, say);
   if (checkpoints) run.options.checkpoints = &*checkpoints;
 
+  std::optional<ProgressScope> listening;
+  if (show) listening.emplace(shown_steps(scene, run, show));
   const auto start = std::chrono::steady_clock::now();
   Trajectory path = run.scheme.solve(scene.problem, run.resolution, run.options);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  listening.reset();
+  if (show) show({.current_run = "checks the result"});
   solve_beside_its_times(scene, run, path);
   const bool came_through =
       path.status == SolveStatus::finished || path.status == SolveStatus::terminal_event;

@@ -9,6 +9,7 @@
 
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/printed_table.hpp"
+#include "fdebench/reports/command/progress_display.hpp"
 
 namespace fde::bench {
 
@@ -21,10 +22,12 @@ struct RunFailure : NumericalFailure {
   std::optional<double> time;  // of that step
 };
 
-// Solves a scene. A checkpoint that cannot be written is not thrown but said. Throws std::invalid_argument
+// Solves a scene. A checkpoint that cannot be written is not thrown but said. `show` is called now and then
+// with the progress of the run. Throws std::invalid_argument
 // naming the argument, the text and what is allowed, RunFailure, and NumericalFailure where a column is not
 // finite.
 SolvedTable solved_table(const Scene& scene, const RunArguments& arguments,
-                         const std::function<void(const std::string&)>& say = {});
+                         const std::function<void(const std::string&)>& say = {},
+                         const std::function<void(const Progress&)>& show = {});
 
 }  // namespace fde::bench

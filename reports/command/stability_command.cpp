@@ -9,10 +9,14 @@
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/progress_display.hpp"
 #include "fdebench/schemes/diagnostics/stability_region.hpp"
 
 namespace fde::bench {
 namespace {
+
+constexpr Range orders{.low = 0.0, .high = 2.0, .open_low = true, .open_high = true};
+constexpr CountRange point_counts{1, 100'000};
 
 constexpr double degree = std::numbers::pi / 180.0;
 
@@ -51,15 +55,20 @@ std::string boundary_rows(const Scheme& scheme, double gamma, int points) {
   return rows;
 }
 
-void print_stability(const Arguments& arguments, std::ostream& out) {
-  const double gamma = parse_number("--gamma", arguments.gamma,
-                                    {.low = 0.0, .high = 2.0, .open_low = true, .open_high = true});
+void print_stability(const Arguments& arguments, const Streams& streams) {
+  const double gamma = parse_number("--gamma", arguments.gamma, orders);
   std::string rows =
       arguments.boundary ? "scheme,theta,re,im\n" : "scheme,interval,angle,exact_angle,left_at_100\n";
-  const int points = arguments.boundary ? parse_count("--boundary", *arguments.boundary, 1, 100'000) : 0;
-  for (const Scheme* scheme : schemes_of(arguments, gamma))
-    rows += points > 0 ? boundary_rows(*scheme, gamma, points) : region_row(*scheme, gamma);
-  out << rows;
+  const int points = arguments.boundary ? parse_count("--boundary", *arguments.boundary, point_counts) : 0;
+  {
+    const auto chosen = schemes_of(arguments, gamma);
+    ProgressLine line(streams, "stability");
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      line.set(i, chosen.size(), std::string(chosen[i]->id));
+      rows += points > 0 ? boundary_rows(*chosen[i], gamma, points) : region_row(*chosen[i], gamma);
+    }
+  }
+  streams.out << rows;
 }
 
 }  // namespace
@@ -68,13 +77,25 @@ void add_stability_command(CommandLine& program, const Streams& streams, const S
   auto arguments = std::make_shared<Arguments>();
   Subcommand command(
       program, "stability",
-      "Linear stability in z = lambda h^G of D^G y = lambda y, as CSV: the real interval (-x, 0), the angle "
-      "about the negative axis in degrees, that of the exact equation, and |y_100 / y_0| as z -> -infinity");
-  command.required("--gamma", arguments->gamma, "G: the order, in (0, 2)");
-  command.list("--scheme", arguments->schemes, "id of a scheme; default: all that take the order");
-  command.option("--boundary", arguments->boundary,
-                 "K: in place of these, the z with a mode at exp(i theta), theta = pi/K, ..., pi");
-  command.callback([=] { print_stability(*arguments, streams.out); });
+      "Print the regions of linear stability of schemes for D^G y = lambda y, in z = lambda h^G");
+  command.group("Look up");
+  command.required("--gamma", arguments->gamma, "the order of the equation").takes("G", orders);
+  command.list("--scheme", arguments->schemes, "id of a scheme")
+      .takes("ID")
+      .usual("all that take the order")
+      .completed_by(Completion::scheme);
+  command
+      .option("--boundary", arguments->boundary,
+              "in place of the table print the z with a mode at exp(i theta), theta = pi/K, ..., pi")
+      .takes("K", point_counts);
+  command.example(
+      "fdebench stability --gamma 0.5",
+      "prints CSV: the real interval (-x, 0), the angle about the negative axis in degrees, that of "
+      "the exact equation, and |y_100 / y_0| as z goes to -infinity.");
+  command.example("fdebench stability --gamma 1.5 --scheme l1 --boundary 200",
+                  "prints 200 points of the curve that bounds the region of l1.");
+  command.see_also({"schemes", "plot"});
+  command.callback([=, &streams] { print_stability(*arguments, streams); });
 }
 
 }  // namespace fde::bench

@@ -27,7 +27,7 @@
 namespace fde::bench {
 namespace {
 
-constexpr int most_repeats = 1000;
+constexpr CountRange repeat_counts{1, 1000};
 constexpr TimingRepeats of_default_sweep{.min_seconds = 0.003, .enough_seconds = 0.1};
 
 // Budgets of a run: in seconds with --steps or --accuracy; in seconds in a thorough sweep; otherwise as a
@@ -39,7 +39,11 @@ constexpr double thorough_budget = 60.0, far_from_an_answer = 5.0;
 struct SweepArguments {
   std::vector<std::string> scenes, settings, schemes, externals;
   std::optional<std::string> steps, accuracies;
-  RunSettingsArguments means{.budget = usual_budget};
+  RunSettingsArguments means{
+      .budget = usual_budget,
+      .budget_text =
+          fmt::format("{} with --steps or --accuracy, {} with --thorough, otherwise {}", usual_budget,
+                      thorough_budget, far_from_an_answer* default_plan().goal->most_seconds)};
   std::string repeats = "3";
   std::optional<std::string> out;
   std::optional<std::string> shard;
@@ -84,7 +88,7 @@ SweepPlan chosen_plan(const SweepArguments& arguments) {
   if (!arguments.steps && !arguments.accuracies) return arguments.thorough ? thorough_plan() : default_plan();
   SweepPlan chosen;
   for (const auto& text : arguments.steps ? split_list(*arguments.steps) : std::vector<std::string>{})
-    chosen.resolutions.emplace_back(parse_count("--steps", text, 1, most_steps));
+    chosen.resolutions.emplace_back(parse_count("--steps", text, step_counts));
   for (const auto& text :
        arguments.accuracies ? split_list(*arguments.accuracies) : std::vector<std::string>{})
     chosen.resolutions.emplace_back(parse_accuracy(text));
@@ -110,7 +114,7 @@ Sweep sweep_of(const SweepArguments& arguments, const SceneRegistry& known) {
     sweep.setup.budget =
         sweep.plan.goal ? far_from_an_answer * sweep.plan.goal->most_seconds : thorough_budget;
   }
-  sweep.repeats.most = parse_count("--repeat", arguments.repeats, 1, most_repeats);
+  sweep.repeats.most = parse_count("--repeat", arguments.repeats, repeat_counts);
   return sweep;
 }
 
@@ -173,8 +177,10 @@ void run(const SweepArguments& arguments, const Streams& streams, const SceneReg
   if (!arguments.out) throw std::invalid_argument("--out is required");
   ResultsFile file(*arguments.out);
   const SignalCleanup words(
-      fmt::format("{}fdebench: stopped; the same command continues, what is measured is kept\n",
-                  streams.columns > 0 ? "\n" : ""));
+      streams.quiet
+          ? ""
+          : fmt::format("{}fdebench: stopped; the same command continues, what is measured is kept\n",
+                        streams.columns > 0 ? "\n" : ""));
   run_and_show(sweeps, streams, file);
   streams.out << std::filesystem::absolute(*arguments.out).string() << '\n';
 }
@@ -184,35 +190,63 @@ void run(const SweepArguments& arguments, const Streams& streams, const SceneReg
 void add_sweep_commands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
   auto of_run = std::make_shared<SweepArguments>();
   Subcommand run_command(program, "run", "Measure schemes on scenes; a file that exists is continued");
-  run_command.list("--scene", of_run->scenes,
-                   "ids of scenes or files of equations, or ID:NAME=VALUE,...; default all");
-  run_command.list("--set", of_run->settings,
-                   "a parameter of all these scenes, NAME=VALUE or a range FIRST:LAST:STEP");
-  run_command.list("--scheme", of_run->schemes, "ids of schemes; default all");
-  run_command.list("--external", of_run->externals,
-                   "NAME=COMMAND of another program; of ours then those that --scheme names");
-  run_command.option("--steps", of_run->steps, "numbers of steps N1,N2,...");
-  run_command.option("--accuracy", of_run->accuracies,
-                     "accuracies E1,E2,... of schemes that choose their steps");
-  run_command.option("--repeat", of_run->repeats, "timed repeats of each run");
+  run_command.group("Measure");
+  run_command.list("--scene", of_run->scenes, "id of a scene or an equation file, or ID:NAME=VALUE,...")
+      .takes("SCENE")
+      .usual("all")
+      .completed_by(Completion::scene);
+  run_command.list("--set", of_run->settings, "a parameter of all these scenes, a value or FIRST:LAST:STEP")
+      .takes("NAME=VALUE")
+      .completed_by(Completion::setting);
+  run_command.list("--scheme", of_run->schemes, "id of a scheme")
+      .takes("ID")
+      .usual("all")
+      .completed_by(Completion::scheme);
+  run_command
+      .list("--external", of_run->externals,
+            "another program to measure; then of the schemes here only those of --scheme")
+      .takes("NAME=COMMAND");
+  run_command
+      .option("--steps", of_run->steps, "numbers of steps; without them the cheapest runs are searched")
+      .takes("N1,N2,...", step_counts);
+  run_command.option("--accuracy", of_run->accuracies, "tolerances of schemes that choose their steps")
+      .takes("E1,E2,...", positive);
+  run_command.option("--repeat", of_run->repeats, "how often each run is timed")
+      .takes("R", repeat_counts)
+      .usual(of_run->repeats);
   add_options(run_command, of_run->means);
-  run_command.flag("--thorough", of_run->thorough, "all numbers of steps and all trials");
+  run_command.flag("--thorough", of_run->thorough, "all numbers of steps, all tolerances and all trials");
   run_command.flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
-  run_command.option("--shard", of_run->shard, "I/N: every N-th scene, from the I-th on");
+  run_command.option("--shard", of_run->shard, "every N-th scene, from the I-th on").takes("I/N");
   run_command.flag("--dry-run", of_run->dry_run, "list the runs and how long they take, and do nothing");
-  run_command.option("--out", of_run->out, "results file");
+  run_command.option("--out", of_run->out, "results file; needed without --dry-run")
+      .takes("FILE")
+      .completed_by(Completion::results);
+  run_command.example("fdebench run --out results.jsonl",
+                      "measures all schemes on all scenes; this takes minutes.");
+  run_command.example(
+      "fdebench run --scene pendulum --scheme l1 --scheme bdf4 --steps 64,256,1024 --out few.jsonl",
+      "measures six runs.");
+  run_command.see_also({"report", "choose", "plot", "judge", "accuracy"});
   run_command.callback([=, &known] { run(*of_run, streams, known); });
 
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
   auto second = std::make_shared<std::optional<std::string>>();
   Subcommand report_command(program, "report",
                             "Write the report page of a results file, or of what changed in a second");
-  report_command.required("file", *file, "results file");
-  report_command.option("second", *second, "results file, now: the page is of it, set against the first");
-  report_command.required("--out", *folder, "folder of the page");
-  auto runs = std::make_shared<std::string>("many");
-  report_command.option("--runs", *runs,
-                        "1: by the time of the first run of a process; many, the default: of a later one");
+  report_command.group("Measure");
+  report_command.required("file", *file, "results file").completed_by(Completion::results);
+  report_command.option("second", *second, "results file, now: the page is of it, set against the first")
+      .completed_by(Completion::results);
+  report_command.required("--out", *folder, "folder of the page")
+      .takes("DIR")
+      .completed_by(Completion::folder);
+  auto runs = std::make_shared<std::string>(run_words().back());
+  add_runs(report_command, *runs);
+  report_command.example("fdebench report results.jsonl --out page", "writes page/index.html.");
+  report_command.example("fdebench report old.jsonl new.jsonl --out page",
+                         "writes the page of the second file with what changed since the first.");
+  report_command.see_also({"run", "compare", "plot"});
   report_command.callback([=] {
     const bool first_runs = requests_first_run(*runs);
     const auto read = [&](const std::string& from) {
@@ -221,8 +255,11 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
       return of_file;
     };
     auto first = read(*file);
-    const auto path = *second ? write_report(read(**second), *folder, std::move(first))
-                              : write_report(std::move(first), *folder);
+    const auto path = [&] {
+      ProgressLine line(streams, "writes the page");
+      return *second ? write_report(read(**second), *folder, std::move(first))
+                     : write_report(std::move(first), *folder);
+    }();
     streams.out << path.string() << '\n';
   });
 }

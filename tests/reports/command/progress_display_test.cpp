@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <functional>
 #include <sstream>
 #include <thread>
 
 namespace fde::bench {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -60,12 +62,15 @@ TEST(Durations, AreTextsOfTwoUnits) {
 
 RunKey run_with(int steps) { return {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = steps}}; }
 
-// The standard error of a sweep of two runs with this expected total time.
-std::string shown(double seconds, int columns) {
+// The standard error of a sweep of two runs with this expected total time, of which the first takes some
+// time.
+std::string shown(double seconds, int columns, std::chrono::milliseconds taken = {}) {
   std::ostringstream out, err;
   const Streams streams{.out = out, .err = err, .columns = columns};
   {
     SweepProgress progress(streams, {{run_with(64), seconds / 2}, {run_with(128), seconds / 2}}, true);
+    progress.on_event({SweepEvent::Kind::examines, run_with(64)});
+    std::this_thread::sleep_for(taken);
     progress.on_event({SweepEvent::Kind::examines, run_with(64)});
     progress.on_event({SweepEvent::Kind::is_done, run_with(64)});
   }
@@ -77,12 +82,54 @@ TEST(SweepsProgress, SaysBeforeALongSweepHowManyRunsItTakesAndHowLong) {
   EXPECT_EQ(shown(1.0, 0), "") << "a short sweep says nothing, nor does one of less than a minute go on";
 }
 
-TEST(SweepsProgress, OverwritesOneLineOfATerminalAndEndsIt) {
-  const auto text = shown(150.0, 80);
+TEST(SweepsProgress, OfATerminalBeginsAfterTwoSecondsAndIsErased) {
+  EXPECT_EQ(shown(150.0, 80), "2 runs, about 2 min 30 s\n");
+  const auto text = shown(150.0, 80, before_progress);
   EXPECT_THAT(text, StartsWith("2 runs, about 2 min 30 s\n\r[..........."));
   EXPECT_THAT(text, HasSubstr("power l1 N = 64"));
-  EXPECT_EQ(text.back(), '\n');
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+  EXPECT_THAT(text, EndsWith("\r" + std::string(79, ' ') + "\r"));
+}
+
+TEST(SweepsProgress, IsSilentWhereQuietIsAsked) {
+  std::ostringstream out, err;
+  const Streams streams{.out = out, .err = err, .columns = 80, .quiet = true};
+  { SweepProgress progress(streams, {{run_with(64), 150.0}}, true, std::chrono::milliseconds(5)); }
+  EXPECT_EQ(err.str(), "");
+}
+
+// What a progress line writes while work goes on for a while.
+std::string shown_line(int columns, bool quiet, const std::function<void(ProgressLine&)>& work) {
+  std::ostringstream out, err;
+  const Streams streams{.out = out, .err = err, .columns = columns, .quiet = quiet};
+  {
+    ProgressLine line(streams, "reads a file", false, std::chrono::milliseconds(5));
+    work(line);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  }
+  return err.str();
+}
+
+TEST(ProgressLines, AreShownOnATerminalAndErased) {
+  const auto nothing = [](ProgressLine& /*line*/) {};
+  const auto text = shown_line(20, false, nothing);
+  EXPECT_THAT(text, StartsWith("\rreads a file  0 s  \r"));
+  EXPECT_THAT(text, EndsWith("\r" + std::string(19, ' ') + "\r"));
+  EXPECT_EQ(shown_line(0, false, nothing), "");
+  EXPECT_EQ(shown_line(20, true, nothing), "");
+  EXPECT_THAT(shown_line(80, false, [](ProgressLine& line) { line.set(1, 4, "l1"); }),
+              HasSubstr("\r[#####...............]   25 %  1/4  0 s left  l1"));
+}
+
+TEST(ProgressLines, MakeWayForAMessage) {
+  std::ostringstream out, err;
+  const Streams streams{.out = out, .err = err, .columns = 20};
+  {
+    ProgressLine line(streams, "l1", false, std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    line.interrupt([&] { err << "message\n"; });
+  }
+  EXPECT_THAT(err.str(), StartsWith("\rl1  0 s            \r"));
+  EXPECT_THAT(err.str(), EndsWith("\r" + std::string(19, ' ') + "\rmessage\n"));
 }
 
 // Progress lines also appear during a run that takes longer than their interval.
