@@ -94,7 +94,7 @@ add_custom_target(packages
   COMMAND cd ${packages} && sha256sum * > ${PROJECT_BINARY_DIR}/SHA256SUMS && mv ${PROJECT_BINARY_DIR}/SHA256SUMS .
   USES_TERMINAL VERBATIM)
 add_dependencies(packages fdebench fde_benchmarks)
-foreach(target fde_python)
+foreach(target fde_python fde_c man)
   if(TARGET ${target})
     add_dependencies(packages ${target})
   endif()
