@@ -47,17 +47,18 @@ const RecommendedRun* runner_up(const Recommendation& made) {
   return made.expected.empty() ? nullptr : &made.expected.front();
 }
 
-std::string options_of(const RecommendedRun& option) {
-  if (option.external) return "";
-  const auto* accuracy = std::get_if<Tolerance>(&option.setup.resolution);
-  auto options = accuracy != nullptr ? fmt::format("--accuracy {}", accuracy->rtol)
-                                     : fmt::format("--steps {}", option.steps);
-  if (option.setup.grading != 1.0) options += fmt::format(" --grid {}", grid_text(option.setup.grading));
-  if (option.setup.history != HistoryKind::automatic)
-    options += fmt::format(" --history {}", name(option.setup.history));
-  if (option.setup.tolerance != RunSettings().tolerance)
-    options += fmt::format(" --tolerance {}", option.setup.tolerance);
+std::string options_of(const RunSettings& setup, int steps) {
+  const auto* accuracy = std::get_if<Tolerance>(&setup.resolution);
+  auto options =
+      accuracy != nullptr ? fmt::format("--accuracy {}", accuracy->rtol) : fmt::format("--steps {}", steps);
+  if (setup.grading != 1.0) options += fmt::format(" --grid {}", grid_text(setup.grading));
+  if (setup.history != HistoryKind::automatic) options += fmt::format(" --history {}", name(setup.history));
+  if (setup.tolerance != RunSettings().tolerance) options += fmt::format(" --tolerance {}", setup.tolerance);
   return options;
+}
+
+std::string options_of(const RecommendedRun& option) {
+  return option.external ? "" : options_of(option.setup, option.steps);
 }
 
 std::string command_of(const SceneSettings& scene, const RecommendedRun& option) {

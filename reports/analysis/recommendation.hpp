@@ -55,7 +55,9 @@ std::vector<std::string> within_noise(const Recommendation& made);
 // Precondition: there is an option.
 const RecommendedRun* runner_up(const Recommendation& made);
 
-// The options of `fdebench solve`, after --scheme, that repeat the run; empty for an external program.
+// The options of `fdebench solve`, after --scheme, that repeat a run of ours with `steps` steps.
+std::string options_of(const RunSettings& setup, int steps);
+// The same; empty for an external program.
 std::string options_of(const RecommendedRun& option);
 
 // The command that repeats the run; empty for an external program.

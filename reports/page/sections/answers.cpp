@@ -34,14 +34,20 @@ std::vector<std::string> ties(const PageInput& page, std::span<const Recommended
   return lines;
 }
 
+// The run, and how `fdebench solve` repeats it.
+json repeatable(const PageInput& page, const RecommendedRun& run) {
+  json facts = run_facts(page, run);
+  facts["scheme"] = run.schemes.front();
+  facts["options"] = options_of(run);
+  return facts;
+}
+
 // The quickest run, and the distance of the other lines from it.
 json winner(const PageInput& page, const SceneSettings& scene, std::span<const RecommendedRun> ranked,
             const ErrorKind& kind) {
   const RecommendedRun& first = ranked.front();
-  json row = run_facts(page, first);
-  row["scheme"] = first.schemes.front();
+  json row = repeatable(page, first);
   row["same"] = std::vector(first.schemes.begin() + 1, first.schemes.end());
-  row["options"] = options_of(first);
   row["ties"] = ties(page, ranked);
   if (ranked.size() == 1) {
     row["next_best"] = next_best(page, scene, first, kind);
@@ -54,7 +60,7 @@ json winner(const PageInput& page, const SceneSettings& scene, std::span<const R
 
 // The best that there is if no run is within the accuracy.
 json shortfall(const PageInput& page, const Shortfall& missed) {
-  json row{{"best", run_facts(page, missed.best)}, {"untimed", missed.untimed > 0}};
+  json row{{"best", repeatable(page, missed.best)}, {"untimed", missed.untimed > 0}};
   if (const auto& needed = missed.steps_needed) {
     row["needed"] = {{"line", page.label(missed.line)},
                      {"steps", fact(needed->value)},

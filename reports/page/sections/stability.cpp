@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/trial_result.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
@@ -23,8 +24,8 @@ std::vector<const SceneDescription*> scenes_of(const PageInput& page) {
   return scenes;
 }
 
-// The verdict on a trial with its reason; null if it was not run.
-json cell(const PageInput& page, const SceneSettings& scene, const std::string& line) {
+// The verdict on a trial with its reason, and how `fdebench solve` repeats it; null if it was not run.
+json cell(const PageInput& page, const SceneSettings& scene, int steps, const std::string& line) {
   const auto found = std::ranges::find_if(page.trials, [&](const MeasuredRun& run) {
     return run.key.scene == scene && page.label(run.key) == line;
   });
@@ -34,6 +35,10 @@ json cell(const PageInput& page, const SceneSettings& scene, const std::string& 
              {"rounding_from", fact((*found)["rounding_from"])},
              {"seconds", fact((*found)["time_minimum"])},
              {"wall_clock", found->wall_clock}};
+  if (!found->key.external) {
+    facts["scheme"] = found->key.scheme;
+    facts["options"] = options_of(found->key.setup, steps);
+  }
   if (found->ending.kind != SolveStatus::finished) facts.update(ending_facts(found->ending));
   return facts;
 }
@@ -54,7 +59,7 @@ json counts(const PageInput& page, const std::string& line) {
 
 json row(const PageInput& page, const SceneDescription& of, const std::vector<std::string>& lines) {
   json cells = json::array();
-  for (const auto& line : lines) cells.push_back(cell(page, of.scene, line));
+  for (const auto& line : lines) cells.push_back(cell(page, of.scene, of.trial->steps, line));
   return {{"scene", label_of(of.scene)}, {"steps", of.trial->steps}, {"cells", cells}};
 }
 
