@@ -91,7 +91,7 @@ add_custom_target(packages
   COMMAND ${CMAKE_CPACK_COMMAND} --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake -B ${packages}
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${packages}/_CPack_Packages
   ${wheel}
-  COMMAND cd ${packages} && sha256sum * > ${PROJECT_BINARY_DIR}/SHA256SUMS && mv ${PROJECT_BINARY_DIR}/SHA256SUMS .
+  COMMAND sh -c "cd ${packages} && sha256sum *.* > SHA256SUMS"
   USES_TERMINAL VERBATIM)
 add_dependencies(packages fdebench fde_benchmarks)
 foreach(target fde_python fde_c man)
