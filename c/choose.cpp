@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "fdebench/c/guard.hpp"
 #include "fdebench/c/handles.hpp"
@@ -29,7 +30,7 @@ int fdebench_choose(const fdebench_problem* problem, const fdebench_options* opt
     auto facts = nlohmann::json::parse(text);
     if (handle.scene.empty()) facts["command"] = nullptr;  // no command knows the problem
     facts["json"] = facts.dump();
-    result = std::make_unique<FdebenchChoice>(std::move(facts)).release();
+    result = std::make_unique<FdebenchChoice>(FdebenchChoice{std::move(facts)}).release();
   });
 }
 

@@ -21,9 +21,10 @@ int set(FdebenchOptions* options, const char* name, const Text& text) {
   return guarded([&] {
     auto& texts = given("options", options, options_handle).texts;
     const auto option = text_of("name", name);
-    if (std::ranges::find(option_names, option) == option_names.end())
+    if (std::ranges::find(option_names, option) == option_names.end()) {
       throw std::invalid_argument(
           fmt::format("name = {}: must be of {}", option, fmt::join(option_names, ", ")));
+    }
     texts[option] = text();
   });
 }

@@ -6,8 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
@@ -158,14 +163,15 @@ void require_several(const Scene& scene, const RunArguments& arguments) {
 
 }  // namespace
 
-RunArguments run_arguments(const std::string& scheme, std::map<std::string, std::string> texts) {
+RunArguments run_arguments(const std::string& scheme, const std::map<std::string, std::string>& texts) {
+  auto others = texts;
   RunArguments arguments;
   arguments.scheme = scheme;
   std::string check = "0";
   std::vector<std::string_view> names;
   const auto take = [&](const char* name, auto& into) {
     names.emplace_back(name);
-    if (auto given = texts.extract(name)) into = std::move(given.mapped());
+    if (auto given = others.extract(name)) into = std::move(given.mapped());
   };
   take("accuracy", arguments.accuracy);
   take("at", arguments.at);
@@ -178,8 +184,8 @@ RunArguments run_arguments(const std::string& scheme, std::map<std::string, std:
   take("steps", arguments.steps);
   take("threads", arguments.threads);
   take("tolerance", arguments.settings.tolerance);
-  if (!texts.empty())
-    reject_text("option", texts.begin()->first, fmt::format("of {}", fmt::join(names, ", ")));
+  if (!others.empty())
+    reject_text("option", others.begin()->first, fmt::format("of {}", fmt::join(names, ", ")));
   arguments.check = parse_count("--check", check, 0, 1) == 1;
   return arguments;
 }

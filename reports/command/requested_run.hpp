@@ -24,7 +24,7 @@ struct RunArguments {
 
 // The arguments of a run whose options are given by their names without dashes, "check" as "1" or "0". Throws
 // std::invalid_argument for another name.
-RunArguments run_arguments(const std::string& scheme, std::map<std::string, std::string> texts);
+RunArguments run_arguments(const std::string& scheme, const std::map<std::string, std::string>& texts);
 
 // What --every and --points, --threads and --checkpoint-every may be.
 inline constexpr int most_rows = 10'000'000;

@@ -199,7 +199,7 @@ static void test_choose(void) {
   DONE(fdebench_options_new(&options));
   DONE(fdebench_options_set_real(options, "error", 1e-5));
   DONE(fdebench_options_set_text(options, "scale", "absolute"));
-  DONE(fdebench_options_set_real(options, "max-time", 2.0));
+  DONE(fdebench_options_set_real(options, "max-time", 30.0));
   DONE(fdebench_choose(problem, options, &choice));
   DONE(fdebench_choice_text(choice, "scheme", &scheme));
   DONE(fdebench_choice_text(choice, "command", &command));
