@@ -20,7 +20,7 @@ SKIPPED = 77
 
 RESULTS.unlink(missing_ok=True)
 shutil.rmtree(SITE, ignore_errors=True)
-SCREENSHOTS.mkdir(exist_ok=True)
+SCREENSHOTS.mkdir(parents=True, exist_ok=True)
 runs = ["--scene", "relaxation", "--scene", "pendulum", "--scheme", "l1", "--scheme", "bdf4", "--steps", "64,128,256"]
 subprocess.run([PROGRAM, "run", *runs, "--out", RESULTS], check=True, stdout=subprocess.DEVNULL)
 subprocess.run([*BUILD, SITE, HEADERS, RESULTS, "--quick"], check=True)
