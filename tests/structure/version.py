@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The version is written once, in project(... VERSION ...) of CMakeLists.txt; everything else that names it agrees.
 
-    version.py             CITATION.cff, CHANGELOG.md and every find_package(fdebench ...); one line for each fault
+    version.py             CITATION.cff, CHANGELOG.md, the packages of docs/install.md and every find_package(fdebench ...); one line for each fault
     version.py FDEBENCH    what `FDEBENCH --version` prints, too
 """
 
@@ -29,6 +29,8 @@ def faults(program=None):
     minor = version.rpartition(".")[0]
     for file in ["docs/library.md", "docs/examples/outside/CMakeLists.txt"]:
         named.append((f"{file}: find_package", *first(r"find_package\(fdebench ([\d.]+)", file), minor))
+    for found in set(re.findall(r"fdebench[-_](\d+\.\d+\.\d+)[-_]", (ROOT / "docs/install.md").read_text())):
+        named.append(("docs/install.md: the version of its packages", found, version))
     if program:
         printed = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
         named.append((f"{program} --version", printed.split()[-1], version))
