@@ -165,7 +165,7 @@ void add_choose_command(CommandLine& program, const Streams& streams, const Scen
   command.example("fdebench choose mine.toml --error 1e-4 --norm end --scale relative --max-time 10",
                   "does so for an equation file, by the relative error at the end, in ten seconds.");
   command.see_also({"solve", "run", "choosing", "accuracy"});
-  command.callback([=, &known] { choose(*arguments, streams, known); });
+  command.callback([=, &streams, &known] { choose(*arguments, streams, known); });
 }
 
 }  // namespace fde::bench

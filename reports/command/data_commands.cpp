@@ -120,7 +120,7 @@ void add_data_commands(CommandLine& program, const Streams& streams, const Scene
                   "recomputes each 29th row of the tables of the repository.");
   command.example("fdebench reference --out tables", "writes all tables to a folder; this takes minutes.");
   command.see_also({"exact", "mittag-leffler", "accuracy"});
-  command.callback([=] { reference(*arguments, streams); });
+  command.callback([=, &streams] { reference(*arguments, streams); });
 }
 
 }  // namespace fde::bench

@@ -130,7 +130,7 @@ void add_geometry_command(CommandLine& program, const Streams& streams, const Sc
                   "prints the Christoffel symbols at theta = 0.7.");
   command.example("fdebench geometry knife_edge", "prints the geometry at the start of the motion.");
   command.see_also({"scenes", "solve"});
-  command.callback([=, &known] { print_geometry(*arguments, streams, known); });
+  command.callback([=, &streams, &known] { print_geometry(*arguments, streams, known); });
 }
 
 }  // namespace fde::bench

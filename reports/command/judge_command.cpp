@@ -150,7 +150,7 @@ void add_judge_command(CommandLine& program, const Streams& streams, const Scene
   command.example("fdebench judge relaxation - --seconds 0.0052 --name numpy --out results.jsonl < mine.csv",
                   "adds errors and time to a results file.");
   command.see_also({"run", "report", "accuracy"});
-  command.callback([=, &known] { judge(*arguments, streams, known); });
+  command.callback([=, &streams, &known] { judge(*arguments, streams, known); });
 }
 
 }  // namespace fde::bench

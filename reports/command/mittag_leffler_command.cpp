@@ -214,7 +214,7 @@ void add_mittag_leffler_command(CommandLine& program, const Streams& streams,
   command.example("fdebench mittag-leffler 0.8 1 -1+2i --digits 50",
                   "prints fifty digits for a complex argument.");
   command.see_also({"exact", "reference"});
-  command.callback([=] {
+  command.callback([=, &streams] {
     check(*arguments);
     check_parameters(*arguments);
     ReferenceProgress work(streams, parse_budget(arguments->budget), "the value");

@@ -242,7 +242,7 @@ void add_plot_command(CommandLine& program, const Streams& streams, const SceneR
       "fdebench plot pendulum --results results.jsonl --kind work-precision --scheme l1 --out l1.pdf",
       "draws the error of l1 against its run time.");
   command.see_also({"run", "report", "output"});
-  command.callback([=, &known] { plot(*arguments, streams, known); });
+  command.callback([=, &streams, &known] { plot(*arguments, streams, known); });
 }
 
 }  // namespace fde::bench

@@ -153,7 +153,7 @@ void add_reference_commands(CommandLine& program, const Streams& streams, const 
   command.example("fdebench exact relaxation:gamma=0.3 --at 1 --digits 40",
                   "prints forty digits of a linear scene.");
   command.see_also({"solve", "mittag-leffler", "accuracy"});
-  command.callback([=, &known] { exact(*of_exact, streams, known); });
+  command.callback([=, &streams, &known] { exact(*of_exact, streams, known); });
 }
 
 }  // namespace fde::bench

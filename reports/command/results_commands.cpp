@@ -112,7 +112,7 @@ void add_results_commands(CommandLine& program, const Streams& streams, const Sc
   compare_command.example("fdebench compare old.jsonl new.jsonl --max-slowdown 1.2 --require-all",
                           "also fails where a run is slower by a fifth, or missing.");
   compare_command.see_also({"run", "report", "exit-codes"});
-  compare_command.callback([=] { compare_files(*compared, streams); });
+  compare_command.callback([=, &streams] { compare_files(*compared, streams); });
 
   auto files = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();
@@ -127,7 +127,7 @@ void add_results_commands(CommandLine& program, const Streams& streams, const Sc
   merge_command.example("fdebench merge shard-*.jsonl --out sweep.jsonl",
                         "puts the parts of a sweep together that run --shard measured.");
   merge_command.see_also({"run", "compare"});
-  merge_command.callback([=] {
+  merge_command.callback([=, &streams] {
     if (files->empty()) throw std::invalid_argument("files is required");
     merge_files(*files, *out, streams);
   });

@@ -143,7 +143,7 @@ void add_solve_command(CommandLine& program, const Streams& streams, const Scene
       "fdebench solve relaxation:gamma=0.5 --scheme l1 --steps 1000 --grid graded:auto --points 11",
       "grades the grid towards 0 and prints eleven of its times.");
   command.see_also({"choose", "exact", "schemes", "grids", "history"});
-  command.callback([=, &known] { solve(*arguments, streams, known); });
+  command.callback([=, &streams, &known] { solve(*arguments, streams, known); });
 }
 
 }  // namespace fde::bench

@@ -228,7 +228,7 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
       "fdebench run --scene pendulum --scheme l1 --scheme bdf4 --steps 64,256,1024 --out few.jsonl",
       "measures six runs.");
   run_command.see_also({"report", "choose", "plot", "judge", "accuracy"});
-  run_command.callback([=, &known] { run(*of_run, streams, known); });
+  run_command.callback([=, &streams, &known] { run(*of_run, streams, known); });
 
   auto file = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
   auto second = std::make_shared<std::optional<std::string>>();
@@ -247,7 +247,7 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   report_command.example("fdebench report old.jsonl new.jsonl --out page",
                          "writes the page of the second file with what changed since the first.");
   report_command.see_also({"run", "compare", "plot"});
-  report_command.callback([=] {
+  report_command.callback([=, &streams] {
     const bool first_runs = requests_first_run(*runs);
     const auto read = [&](const std::string& from) {
       auto of_file = read_runs(from);
