@@ -6,7 +6,7 @@ const sectionTexts = {
   answer: {
     title: "Which scheme is cheapest", brief: "Answer",
     paragraphs: [
-      "The quickest measured run of each scene to each error. The darker a cell, the slower the next scheme. A click on a cell shows the scheme's " +
+      "The quickest measured run of each scene to each error. The stronger a cell's colour, the slower the next scheme. A click on a cell shows the scheme's " +
         "whole name, the run and its command; one on a scene leads to its charts and equations.",
     ],
     notes: [
@@ -31,7 +31,7 @@ const sectionTexts = {
         "within a hundredth of its size of the reference, the bound of the reference included; otherwise it is inaccurate. It fails where it " +
         "ends early, or where from some step on its error is not below the size of the value up to the end. It stops rightly where the " +
         "solution has a singularity, and is not judged where there is no reference or the solution itself overflows. Below the verdict is " +
-        "the error at the end as a part of the value; a darker colour means a smaller error. A click on a cell shows the reason, or " +
+        "the error at the end as a part of the value; a stronger colour means a smaller error. A click on a cell shows the reason, or " +
         "from when on rounding is at least a quarter of the error, the time of the solve and its command. Why each scheme fares as it does: docs/stability.md.",
     ],
   },
