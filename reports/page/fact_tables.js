@@ -12,15 +12,15 @@ function cellOfFacts(column, facts) {
 const spread = (columns, section) => columns.flatMap((column) => (column.each ? section[column.each].map((each, place) => ({ ...column, each, place })) : [column]));
 
 // Columns that say nothing in any row are left out.
-function tableOfFacts({ caption, columns, group = "{title}", map, filter }, groups, section) {
+function tableOfFacts({ caption, columns, group = "{title}", map, filter, fades }, groups, section) {
   const all = spread(columns, section);
   const rowOf = (row) => all.map((column) =>
     cellOfFacts(column, column.place === undefined ? { ...row, section } : { ...row.cells[column.place], each: column.each, row, section }));
   const shown = groups.map((facts) => ({ title: say(group, facts), rows: facts.rows.map(rowOf) }));
   const kept = all.map((_, i) => i).filter((i) => shown.some(({ rows }) => rows.some((row) => row[i].text)));
   return {
-    caption: say(caption, section), map, filter,
-    columns: kept.map((i) => ({ text: say(all[i].head, { ...section, each: all[i].each }), over: all[i].over, each: all[i].each })),
+    caption: say(caption, section), map, filter, fades,
+    columns: kept.map((i) => ({ text: say(all[i].head, { ...section, each: all[i].each }), over: all[i].over, each: all[i].each, opened: all[i].opened })),
     groups: shown.map(({ title, rows }) => ({ title, rows: rows.map((row) => kept.map((i) => row[i])) })),
   };
 }

@@ -31,7 +31,7 @@ function drawCharts(scene, charts, { lines }, kind, frame) {
     const { id, title, spec } = made;
     const place = element("div", { class: "chart" });
     frame.append(element("figure", { "data-chart": id }, element("figcaption", {}, title), place, numbersOf(made, scene, kind, lines)));
-    vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: `${scene.id}-${id}`, tooltip: { theme: isDark ? "dark" : "light" } })
+    chartLibrary().then(() => vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: `${scene.id}-${id}`, tooltip: { theme: isDark ? "dark" : "light" } }))
       .then(() => place.querySelector("summary").setAttribute("aria-label", `Save: ${title}`))
       .catch((error) => {
         console.error(error);
@@ -59,14 +59,16 @@ function showScene(section, page, place) {
 function shownTable(section, page, kind) {
   const table = tableOf(section, kind, page.sections), now = table && viewed(table, viewNow(), page.sections);
   if (!table) return [];
-  return [table.map ? element("div", { class: "mapped" }, tableFrame(now, page.lines), ...keyOf(now)) : tableFrame(now, page.lines)];
+  const countOf = ({ groups }) => groups.reduce((sum, { rows }) => sum + rows.length, 0), [left, all] = [now, table].map(countOf);
+  const said = left < all && !table.map && section.groups ? [element("p", { class: "left" }, `The table has ${left} of its ${all} rows; what is said above is of all.`)] : [];
+  return [...said, table.map ? element("div", { class: "mapped" }, tableFrame(now, page.lines), ...keyOf(now)) : tableFrame(now, page.lines)];
 }
 
 function shownVerdicts(section, page, kind) {
   const verdicts = verdictsViewed(section, tableOf(section, kind, page.sections), kind, viewNow(), page.sections);
-  const [winners, others] = [true, false].map((wins) => verdicts.filter(({ won }) => won > 0 === wins));
-  return [element("h3", {}, "Each scheme: where it wins, where not to use it"), linesSaid(winners, page.lines, "winners"),
-    ...(others.length > 0 ? [element("h3", {}, "Schemes that are cheapest nowhere"), linesSaid(others, page.lines, "others")] : [])];
+  const part = (title, id, of) => (of.length > 0 ? [element("h3", {}, title), linesSaid(of, page.lines, id)] : []);
+  return [...part("Each scheme: where it wins, where not to use it", "winners", verdicts.filter(({ won }) => won > 0)),
+    ...part(isPart(viewNow()) ? "Schemes that win none of these cells" : "Schemes that are cheapest nowhere", "others", verdicts.filter(({ won }) => won === 0))];
 }
 
 function shownCharts(section, page, kind) {
@@ -77,11 +79,14 @@ function shownCharts(section, page, kind) {
 
 // What of a section depends on the kind of error: its conclusion, its table and its charts.
 function showKind(section, page, kind, place) {
-  const conclusion = () => [say(statements.conclusion, section.conclusions?.[kind.id])].filter(Boolean).map((text) => element("p", { class: "conclusion" }, ...unbroken(text)));
+  const view = viewNow(), { accuracy, machine, schemes } = view;
+  const conclusion = () => [say(statements.conclusion, section.conclusions?.[kind.id])].filter(Boolean)
+    .map((text) => element("p", { class: "conclusion" }, ...(accuracy || machine || schemes ? [element("small", {}, "Of all runs, whatever is chosen above:")] : []), ...unbroken(text)));
+  const none = section.runs && !wantsRuns(view, section) ? [element("p", { class: "left" }, ...leftSaid("None of the chosen runs is of this scene."))] : [];
   place.replaceChildren(...apart("The conclusion", conclusion),
     ...apart("The table", () => shownTable(section, page, kind)),
     ...(section.schemes ? apart("What is said of each scheme", () => shownVerdicts(section, page, kind)) : []),
-    ...apart("The charts", () => shownCharts(section, page, kind)));
+    ...none, ...apart("The charts", () => shownCharts(section, page, kind)));
 }
 
 // The frame of a section, which waits to be drawn.
@@ -90,14 +95,17 @@ function frameOf(section) {
   if (section.name) heading.append(" ", element("code", {}, section.name));
   const place = element(textsOf(section).folded ? "details" : "div", { class: "waiting" });
   const scene = element("div", { class: "scene" });
+  const paragraphs = (texts) => saidOfSection(section, texts).map((text) => element("p", {}, text));
   return { place, scene, whole: element("section", { id: section.id }, heading,
-    ...paragraphsOf(section).map((text) => element("p", {}, text)), scene, place) };
+    ...paragraphs("paragraphs"), scene, place, ...paragraphs("notes")) };
 }
 
 // Scenes are reached from the map.
 function link(section) {
-  if (section.runs && !section.parameter) return;
-  document.querySelector("nav").append(element("a", { href: `#${section.id}` }, textsOf(section).brief ?? section.title));
+  if (section.runs && !section.parameter) return null;
+  const made = element("a", { href: `#${section.id}` }, textsOf(section).brief ?? section.title);
+  document.querySelector("nav").append(made);
+  return made;
 }
 
 // The controls name a norm and a scale; both together are a kind of error.
@@ -106,28 +114,26 @@ function chosenKind(kinds) {
   return kinds.find((kind) => kind.norm === norm && kind.scale === scale);
 }
 
-const data = JSON.parse(document.getElementById("data").textContent);
-for (const section of data.sections) section.title = say(textsOf(section).title, section);
-// The drifts of a scene's formulations stand where its runs are.
-for (const drift of data.sections.flatMap(({ drifts }) => drifts ?? [])) {
-  const scene = data.sections.find(({ id, runs }) => runs && id === drift.id);
-  if (scene) scene.drifts = [drift];
-}
-for (const section of data.sections.filter(({ drifts, runs }) => drifts && !runs)) {
-  section.drifts = section.drifts.filter(({ id }) => !data.sections.some((other) => other.runs && other.id === id));
-}
-const short = shortNames(data.lines);
+// The page's data, the short names of its lines, and the frames of its sections.
+let data, short = new Map(), frames = [];
 const shortNameOfLine = (text) => short.get(text) ?? text;
-const made = data.sessions.map(({ machine, date, commit }) => ({ machine, date, commit }));
-for (const section of data.sections.filter(({ runs }) => runs)) section.made = made;
-// A solution may be in another section.
-for (const section of data.sections.filter(({ solution }) => solution?.of)) section.solution = data.sections.find(({ id }) => id === section.solution.of).solution;
-document.getElementById("sessions").append(tableFrame(sessionsTable(data.sessions), data.lines));
 
-// Sections are drawn as they come near the window, all of them for print, and again for another kind of error.
-const frames = data.sections.map((section) => ({ section, ...frameOf(section) }));
-document.querySelector("main").append(...frames.map(({ whole }) => whole));
-data.sections.forEach(link);
+// What sections have of others: titles, drifts, sessions, solutions.
+function completeData() {
+  const { sections } = data;
+  for (const section of sections) section.title = say(textsOf(section).title, section);
+  // The drifts of a scene's formulations stand where its runs are.
+  for (const drift of sections.flatMap(({ drifts }) => drifts ?? [])) {
+    const scene = sections.find(({ id, runs }) => runs && id === drift.id);
+    if (scene) scene.drifts = [drift];
+  }
+  for (const section of sections.filter(({ drifts, runs }) => drifts && !runs)) {
+    section.drifts = section.drifts.filter(({ id }) => !sections.some((other) => other.runs && other.id === id));
+  }
+  const made = data.sessions.map(({ machine, date, commit }) => ({ machine, date, commit }));
+  for (const section of sections.filter(({ runs }) => runs)) section.made = made;
+  for (const section of sections.filter(({ solution }) => solution?.of)) section.solution = sections.find(({ id }) => id === section.solution.of).solution;
+}
 
 function draw(frame) {
   frame.place.classList.remove("waiting");
@@ -139,53 +145,85 @@ function draw(frame) {
     showKind(frame.section, data, chosenKind(data.kinds), frame.place);
   }
 }
+const drawRest = () => frames.filter(({ drawn, whole }) => !drawn && !whole.hidden).forEach(draw);
 
-const near = new IntersectionObserver((entries) => {
-  for (const { isIntersecting, target } of entries) {
-    const frame = frames.find(({ whole }) => whole === target);
-    if (isIntersecting && !frame.drawn) draw(frame);
-  }
-}, { rootMargin: "1000px" });
-for (const { whole } of frames) near.observe(whole);
-window.addEventListener("beforeprint", () => {
-  frames.filter(({ drawn }) => !drawn).forEach(draw);
-  for (const { section, place } of frames) if (textsOf(section).folded) place.open = true;
-});
+// Hidden, a chart has no width; the section waits until it is shown again.
+function setAside(frame) {
+  frame.place.replaceChildren();
+  frame.place.classList.add("waiting");
+  frame.drawn = false;
+}
 
-// Whatever is drawn is drawn again for another view; scenes that it does not want are hidden.
+// Sections are drawn as they come near the window, all of them for print, and again for another kind of error.
+function drawAsSeen() {
+  const near = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      const frame = frames.find(({ whole }) => whole === target);
+      if (isIntersecting && !frame.drawn) draw(frame);
+    }
+  }, { rootMargin: "1000px" });
+  for (const { whole } of frames) near.observe(whole);
+  window.addEventListener("beforeprint", () => {
+    drawRest();
+    for (const { section, place } of frames) if (textsOf(section).folded) place.open = true;
+  });
+}
+
+// Whatever is drawn is drawn again for another view; sections without anything that it wants are hidden.
 function show() {
   const view = viewNow();
-  const isEmpty = (section) => section.groups && viewed(tableOf(section, chosenKind(data.kinds), data.sections), view, data.sections).groups.length === 0;
-  for (const { section, whole } of frames) whole.hidden = !wantsScene(view, section) || isEmpty(section);
+  for (const frame of frames) {
+    frame.whole.hidden = !hasContent(view, frame.section, chosenKind(data.kinds), data.sections);
+    if (frame.link) frame.link.hidden = frame.whole.hidden;
+    if (frame.drawn && frame.whole.hidden) setAside(frame);
+  }
+  sayWhatIsShown(view, data.sections);
   frames.filter(({ drawn }) => drawn).forEach(draw);
 }
 
-offerSchemes(data.lines);
-offerMachines(data.sessions.map(({ machine }) => machine));
-readAddress();
-if (frames.length > 0) draw(frames[0]);  // the answer, wherever the address leads to
-show();
-const start = document.getElementById(addressOf().place);
-if (addressOf().view.has("all")) frames.filter(({ drawn }) => !drawn).forEach(draw);
-if (location.hash.includes("?")) start?.scrollIntoView();
-document.getElementById("view").addEventListener("change", () => {
-  writeAddress();
-  sayHowManySchemes();
-  show();
-});
-document.getElementById("view").addEventListener("submit", (event) => event.preventDefault());
-window.addEventListener("hashchange", () => {
-  if (location.hash.includes("?")) {
-    readAddress();
-    show();
-    document.getElementById(addressOf().place)?.scrollIntoView();
-  } else {
+const goToPlace = () => document.getElementById(addressOf().place)?.scrollIntoView();
+
+function followControls() {
+  document.getElementById("view").addEventListener("change", () => {
     writeAddress();
-  }
-});
-let width = innerWidth;
-window.addEventListener("resize", () => {
-  if (innerWidth === width) return;
-  width = innerWidth;
+    sayHowManySchemes();
+    show();
+  });
+  document.getElementById("view").addEventListener("submit", (event) => event.preventDefault());
+  window.addEventListener("hashchange", () => {
+    if (location.hash.includes("?")) {
+      readAddress();
+      show();
+      goToPlace();
+    } else {
+      writeAddress();
+    }
+  });
+  let width = innerWidth;
+  window.addEventListener("resize", () => {
+    if (innerWidth === width) return;
+    width = innerWidth;
+    show();
+  });
+}
+
+async function openPage() {
+  data = JSON.parse(await unpacked("data"));
+  completeData();
+  short = shortNames(data.lines);
+  document.getElementById("sessions").append(tableFrame(sessionsTable(data.sessions), data.lines));
+  frames = data.sections.map((section) => ({ section, link: link(section), ...frameOf(section) }));
+  document.querySelector("main").append(...frames.map(({ whole }) => whole));
+  drawAsSeen();
+  offerSchemes(data.lines);
+  offerMachines(data.sessions.map(({ machine }) => machine));
+  readAddress();
+  if (frames.length > 0) draw(frames[0]);  // the answer, wherever the address leads to
   show();
-});
+  if (addressOf().view.has("all")) drawRest();
+  goToPlace();
+  followControls();
+  document.querySelector("main").removeAttribute("aria-busy");
+}
+
+if (typeof DecompressionStream !== "undefined") openPage();

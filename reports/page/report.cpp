@@ -13,6 +13,7 @@
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/reports/page/assets.hpp"
+#include "fdebench/reports/page/packed.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 
 namespace fde::bench {
@@ -36,10 +37,6 @@ std::string replaced(std::string_view text, const std::map<char, std::string_vie
 std::string as_html(std::string_view text) {
   return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
 }
-
-// JSON inside a script element. "<" occurs in strings only; escaped, it can neither end the element nor start
-// a comment.
-std::string as_script_data(const nlohmann::json& data) { return replaced(data.dump(), {{'<', "\\u003c"}}); }
 
 // Replaces each {{name}} of the template by its part, in one pass: placeholders inside a part are not
 // replaced.
@@ -68,13 +65,13 @@ fs::path write_report(ReadRuns read, const fs::path& directory, const std::optio
     throw std::invalid_argument(
         fmt::format("{}: cannot be written: {}", directory.string(), problem.message()));
   }
-  const std::string data = as_script_data(page_data(std::move(read), before)),
+  const std::string data = packed(page_data(std::move(read), before).dump()), vega = packed(assets::vega()),
                     licences = as_html(assets::licences());
   fs::path path = directory / "index.html";
   AtomicFile file(path);
   file.write(fill(assets::page(), {{"style", assets::style()},
                                    {"data", data},
-                                   {"vega", assets::vega()},
+                                   {"vega", vega},
                                    {"charts", assets::charts()},
                                    {"script", assets::script()},
                                    {"licences", licences}}));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The tables of the page by the ids of their sections (fact_tables.js). A column has a heading, perhaps one that it shares with its
 // neighbours (over), and templates of what its cells say of a row: the text, a smaller second line (detail), the line whose colour they
-// have, whether they are marked, a hint, the section that they lead to, a command. `each` is a list of the section: a column for every
+// have, whether they are marked, a hint, the section that they lead to, a command. `opened` is what a map's cell shows when it is chosen
+// (cell_dialog.js), where it has one of the facts `of`. `each` is a list of the section: a column for every
 // element, with the facts of the row's `cells`. In a map cells have the colours of their lines or verdicts. `filter` is the fact with the
-// lines of a row, which a choice of schemes is about.
+// lines of a row, which a choice of schemes is about. `fades`: the cells, or the rows, of lines that are not wanted are faint.
 
 const lineColumn = { head: "scheme", cell: "{line}", detail: "{grid}", line: "{line}" };
 const titleColumn = { head: "scene", cell: "{title}", detail: "{name}" };
@@ -34,24 +35,43 @@ const stateColumns = (over, scheme) => [
   { head: "time", over, cell: `{?${scheme}.error_end}{${scheme}.time_minimum:time}`, detail: `{?${scheme}.time_minimum}error {${scheme}.error_end:error}` },
 ];
 
+const repeated = ["fdebench solve {row.name} --scheme {scheme} {options}", "fdebench solve {row.name} --scheme {best.scheme} {best.options}"];
+const openedAnswer = {
+  of: ["line", "best"], title: "{row.title}", about: "{section.kind:kind} ≤ {each:power}", line: ["{line}", "{:cheapest}"], command: repeated,
+  rows: [
+    ["the same here as", "{same}"], ["the best", "{best.line}"], ["grid", ["{grid}", "{best.grid}"]],
+    ["accuracy asked for", ["{requested:error}", "{best.requested:error}"]], ["N", ["{steps:count}", "{best.steps:count}"]],
+    ["error", ["{error:error}", "{best.error:error}"]], ["time", ["{:timed}", "{best:timed}", "{?line}not timed"]],
+    ["first run of a process", ["{first_seconds:time}", "{best.first_seconds:time}"]], ["later runs", ["{later_seconds:time}", "{best.later_seconds:time}"]],
+    ["session", ["{session}", "{best.session}"]], ["why", "{:why}"],
+  ],
+};
+const openedTrial = {
+  of: ["verdict", "trials"], title: ["{row.scene}", "All trials"], about: ["{?verdict}{row.steps:count} steps"], line: "{each}", command: "fdebench solve {row.scene} --scheme {scheme} {options}",
+  rows: [
+    ["verdict", "{verdict}[{!ending=refused}: {:ending}][{?ending=refused}: {detail}]"], ["error, as a part of the value", "{error:error}"], ["rounding from", "t = {rounding_from:three} on"],
+    ["time", "{seconds:time}[{?wall_clock} of the wall clock]"], ["survives", "{survive} of {trials}"], ["stops rightly", "{stop}"], ["refuses", "{refused}"],
+  ],
+};
+
 const sectionTables = {
   answer: {
-    caption: "The cheapest measured run by scene and {kind:kind}", map: true,
+    caption: "The cheapest measured run by scene and {kind:kind}", map: true, fades: "cells",
     columns: [
       { head: "scene", cell: "{title}", to: "{id}" },
       {
         each: "accuracies", head: "≤ {each:power}", cell: "{line}", line: "{line}",
         detail: ["{?line}{seconds:time}", "{?untimed}not timed yet", "best {best.error:error}", "not measured"],
-        hint: "{:cheapest}[: {:its_run}][: {:why}]",
+        hint: "{:cheapest}[: {:its_run}][: {:why}]", opened: openedAnswer,
       },
     ],
   },
   scene: {
-    caption: "The cheapest measured run by {kind:kind}",
+    caption: "The cheapest measured run by {kind:kind}", fades: "rows",
     columns: [
       { head: "{kind:kind}", cell: "≤ {accuracy:power}" },
       { head: "cheapest", cell: "{:cheapest}", detail: "here the same as {same}", line: "{line}" },
-      { head: "its run", cell: "{:its_run}", command: "fdebench solve {section.name} --scheme {scheme} {options}" },
+      { head: "its run", cell: "{:its_run}", command: ["fdebench solve {section.name} --scheme {scheme} {options}", "fdebench solve {section.name} --scheme {best.scheme} {best.options}"] },
       { head: "why", cell: "{:why}" },
     ],
   },
@@ -82,6 +102,7 @@ const sectionTables = {
             "[, rounding from t = {rounding_from:three} on][, {seconds:time}[{?wall_clock} of the wall clock]]",
           "[stops rightly {stop}][{?stop}{?refused}, ][refuses {refused}]",
         ],
+        opened: openedTrial,
       },
     ],
   },

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The sections of the page by their ids: their titles, what the contents call them, and their paragraphs, which are templates (say.js)
-// over the section's facts. A paragraph with `each` is said of every element of that list.
+// The sections of the page by their ids: their titles, what the contents call them, and their paragraphs and notes, which are templates
+// (say.js) over the section's facts. A paragraph with `each` is said of every element of that list.
 
 const sectionTexts = {
   answer: {
     title: "Which scheme is cheapest", brief: "Answer",
     paragraphs: [
-      "For each scene and each error, the measured run that reaches it in the least time. The darker the cell, the larger the factor by which " +
-        "the next scheme is slower. [{?first_run}A time is that of the first run of a process, which computes start weights and tables.]" +
-        "[{!first_run}A time is that of a later run: the first run of a process computes start weights and tables too, and its time is beside it.]" +
-        " A click leads to the scene, with the runs, its charts and its equation's source.",
+      "The quickest measured run of each scene to each error. The stronger a cell's colour, the slower the next scheme. A click on a cell shows the scheme's " +
+        "whole name, the run and its command; one on a scene leads to its charts and equations.",
+    ],
+    notes: [
+      "[{?first_run}A time is that of the first run of a process, which computes start weights and tables.]" +
+        "[{!first_run}A time is that of a later run: the first run of a process computes start weights and tables too, and its time is beside it.]",
       "{?several_sessions}The results were made in several sessions; times of different machines or builds do not compare. A run made more " +
         "than once counts with its last session.",
     ],
@@ -29,8 +31,8 @@ const sectionTexts = {
         "within a hundredth of its size of the reference, the bound of the reference included; otherwise it is inaccurate. It fails where it " +
         "ends early, or where from some step on its error is not below the size of the value up to the end. It stops rightly where the " +
         "solution has a singularity, and is not judged where there is no reference or the solution itself overflows. Below the verdict is " +
-        "the error at the end as a part of the value; a darker colour means a smaller error. A pointer that rests there shows the reason, or " +
-        "from when on rounding is at least a quarter of the error, and the time of the solve. Why each scheme fares as it does: docs/stability.md.",
+        "the error at the end as a part of the value; a stronger colour means a smaller error. A click on a cell shows the reason, or " +
+        "from when on rounding is at least a quarter of the error, the time of the solve and its command. Why each scheme fares as it does: docs/stability.md.",
     ],
   },
   regions: {
@@ -113,5 +115,6 @@ const sectionTexts = {
 };
 const textsOf = ({ id, parameter }) => sectionTexts[id] ?? (parameter ? sectionTexts.curve : sectionTexts.scene);
 
-const paragraphsOf = (section) => (textsOf(section).paragraphs ?? []).flatMap((paragraph) =>
+// texts: paragraphs, which come first, or notes, which come last.
+const saidOfSection = (section, texts) => (textsOf(section)[texts] ?? []).flatMap((paragraph) =>
   (paragraph.each ? (section[paragraph.each] ?? []).map((facts) => say(paragraph.text, facts)) : [say(paragraph, section)])).filter(Boolean);

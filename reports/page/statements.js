@@ -67,6 +67,12 @@ const statements = {
   ending: "{ending:outcome}[ {detail}]",
   judged: "{verdict} ({:ending})",
 
+  // What the controls leave.
+  shown: [
+    "{?is_empty}Nothing is left: no scene has “{scene}” in its name.",
+    "Shown: [{scenes} of {all_scenes} scenes][, {schemes} of {all_schemes} schemes][, errors to {accuracy}][, runs of {machine}].[ Cells of other {fade/ or } are faint.]",
+  ],
+
   // Of scenes and sections.
   discontinuity: "The solution is not continuous in {parameter} here: as {parameter} tends to its value, {limit}.",
   kept: "{formulation} with {line} ({drift:error}[, error {error_end:error}] at N = {steps:count})",

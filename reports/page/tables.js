@@ -20,13 +20,17 @@ const swatch = (lines, line) => element("i", { class: "swatch", "data-shape": sh
 // What a verdict is in a map of narrow cells; one that is not here is shown by its id.
 const signs = { survives: "✓", "stops rightly": "✓", inaccurate: "≈", fails: "✗", refuses: "–", "not judged": "?" };
 
-// A map's cells are narrow: a line's short name and a time, a verdict's sign and an error. The whole name is what a screen reader says.
-function mapContent(cell, to) {
+// A map's cells are narrow: a line's short name and a time, a verdict's sign and an error. The whole name is what a screen reader says, and
+// what the cell shows when it is chosen.
+function mapContent(cell, { opened }, to, lines) {
   const sign = cell.line ? shortNameOfLine(cell.line) : signs[cell.tone] ?? cell.tone ?? "";
   const detail = cell.short ?? cell.detail ?? (sign ? "" : cell.text);
   const parts = [...(sign ? [element("b", {}, sign)] : []), ...(sign && detail ? [" "] : []), ...(detail ? [element("small", {}, ...unbroken(detail))] : [])];
-  if (to && cell.text) return [element("a", { href: `#${to}`, "aria-label": `${sign} ${detail}: ${cell.text}` }, ...parts)];
-  return cell.tone ? [element("span", { role: "img", "aria-label": [cell.text, cell.detail].filter(Boolean).join(", ") }, ...parts)] : parts;
+  if (!opened.of.some((name) => name in cell.facts)) return parts;
+  const label = [...new Set([[sign, detail].filter(Boolean).join(" "), cell.text].filter(Boolean))].join(": ");
+  const button = element("button", { type: "button", "aria-haspopup": "dialog", "aria-label": label }, ...parts);
+  button.addEventListener("click", () => openCell(cell, opened, to, lines));
+  return [button];
 }
 
 // A command line, and a button that copies it.
@@ -82,7 +86,7 @@ function tableRow(row, { columns, map }, lines, above) {
   return element("tr", {}, ...cells.map((cell, i) => {
     const marks = ["faint", "variant"].filter((mark) => cell[mark]).join(" ");
     const attributes = { ...(cell.hint && { title: cell.hint }), ...(marks && { class: marks }), ...(map && i > 0 && mapAttributes(cell, columns[i], lines)) };
-    return element(i ? "td" : "th", i ? attributes : { scope: "row", ...attributes }, ...(map && i ? mapContent(cell, cells[0].to) : cellContent(cell, lines, map || i === 0 ? cells[0].to : undefined)));
+    return element(i ? "td" : "th", i ? attributes : { scope: "row", ...attributes }, ...(map && i ? mapContent(cell, columns[i], cells[0].to, lines) : cellContent(cell, lines, map || i === 0 ? cells[0].to : undefined)));
   }));
 }
 
@@ -118,7 +122,7 @@ function tableHead({ columns, map }) {
 // A table in a frame of its own, which scrolls where the screen is narrower.
 function tableFrame(table, lines) {
   return element("div", { class: "frame", role: "region", tabindex: "0", "aria-label": table.caption },
-    element("table", table.map ? { class: "map" } : {}, element("caption", {}, table.caption), tableHead(table),
+    element("table", table.map ? { class: "map", style: `--columns:${table.columns.length - 1}` } : {}, element("caption", {}, table.caption), tableHead(table),
       ...table.groups.map((group) => tableGroup(group, table, lines))));
 }
 

@@ -38,8 +38,35 @@ function readAddress() {
 }
 
 function sayHowManySchemes() {
-  const { schemes } = viewNow();
-  document.querySelector("#schemes summary").textContent = schemes ? `Schemes: ${schemes.length} of ${schemeBoxes().length}` : "Schemes: all";
+  const { schemes } = viewNow(), none = schemeBoxes().every((box) => !box.checked);
+  document.querySelector("#schemes summary").textContent = schemes ? `Schemes: ${schemes.length} of ${schemeBoxes().length}` : none ? "Schemes: all, none is chosen" : "Schemes: all";
+}
+
+// Whether the view leaves out some of what there is; a kind of error leaves out nothing.
+const isPart = ({ accuracy, machine, scene, schemes }) => Boolean(accuracy || machine || scene.trim() || schemes);
+
+function showEverything() {
+  for (const name of ["accuracy", "machine", "scene"]) controls[name].value = unset[name];
+  for (const box of schemeBoxes()) box.checked = true;
+  document.getElementById("view").dispatchEvent(new Event("change"));
+}
+
+// A sentence on what the view leaves, with the way back.
+function leftSaid(text) {
+  const button = element("button", { type: "button" }, "Show everything");
+  button.addEventListener("click", showEverything);
+  return [text, " ", button];
+}
+
+// Beside the controls, where the view leaves something out: how much is left.
+function sayWhatIsShown(view, sections) {
+  const scenes = sections.filter(({ answers }) => answers), left = scenes.filter((section) => wantsScene(view, section)).length, place = document.getElementById("shown");
+  const text = say(statements.shown, {
+    ...view, scene: view.scene.trim(), schemes: view.schemes?.length, all_schemes: schemeBoxes().length,
+    scenes: left, all_scenes: scenes.length, is_empty: left === 0, fade: [view.schemes && "schemes", view.machine && "machines"].filter(Boolean),
+  });
+  place.hidden = !isPart(view);
+  place.replaceChildren(...(isPart(view) ? leftSaid(text) : []));
 }
 
 function offerSchemes(lines) {
@@ -79,6 +106,16 @@ const wantsLines = (view, lines) => lines === undefined || [lines].flat().some((
 const wantsTrial = (view, table, title, { to, text }) => !table.map || Boolean(to) || wantsScene(view, { runs: true, title, name: text });
 const isFaint = (view, { line, facts }) => Boolean(line) && !(wantsLine(view, line) && wantsSession(view, facts.session));
 
+// Whether a section has something that the view shows.
+function hasContent(view, section, kind, sections) {
+  if (!wantsScene(view, section)) return false;
+  if (section.groups) return viewed(tableOf(section, kind, sections), view, sections).groups.length > 0;
+  if (section.regions) return pointsOfRegions(section.regions, (line) => wantsLine(view, line)).length > 0;
+  if (section.schemes) return viewed(tableOf(section, kind, sections), view, sections).groups.length > 0;  // the map
+  return !section.parameter || wantsRuns(view, section);
+}
+const wantsRuns = (view, { runs }) => runs.line.some((line, i) => wantsLine(view, runs.lines[line]) && wantsSession(view, runs.session?.[i]));
+
 // A table as this view shows it. sections: all of the page.
 function viewed(table, view, sections) {
   const kept = table.columns.map((column, i) => i).filter((i) => table.columns[i].each === undefined || wantsColumn(view, table.columns[i]));
@@ -86,7 +123,7 @@ function viewed(table, view, sections) {
   const wantsRow = ([heading], title) => wantsAccuracy(view, heading.facts.accuracy) && !unwanted.has(heading.to) && !unwanted.has(heading.text) &&
     wantsLines(view, heading.facts[table.filter]) && wantsTrial(view, table, title, heading);
   const groups = table.groups.filter(({ title }) => !unwanted.has(title)).map(({ title, rows }) => ({
-    title, rows: rows.filter((row) => wantsRow(row, title)).map((row) => kept.map((i) => ({ ...row[i], faint: Boolean(table.map) && isFaint(view, row[i]) }))),
+    title, rows: rows.filter((row) => wantsRow(row, title)).map((row) => kept.map((i) => ({ ...row[i], faint: isFaint(view, table.fades === "rows" ? row.find(({ line }) => line) ?? {} : table.fades ? row[i] : {}) }))),
   }));
   return { ...table, columns: kept.map((i) => table.columns[i]), groups: groups.filter(({ rows }) => rows.length > 0) };
 }
@@ -104,12 +141,22 @@ function winsIn({ groups }) {
   return new Map([...new Set(shown.map(({ line }) => line))].map((line) => [line, factsOf(shown.filter((cell) => cell.line === line))]));
 }
 
+// What speaks against a line on the scenes that the view shows.
+function againstViewed(against, view, sections) {
+  if (!view.scene.trim()) return against;
+  const titles = new Map(sections.filter(({ answers }) => answers).map(({ title, name }) => [name, title]));
+  const wanted = (id) => wantsScene(view, { runs: true, title: "", name: id }) ||
+    [...titles].some(([name, title]) => name.split(":")[0] === id && wantsScene(view, { runs: true, title, name }));
+  return against?.map((of) => Object.fromEntries(Object.entries(of).map(([verdict, ids]) => [verdict, Array.isArray(ids) ? ids.filter(wanted) : ids])));
+}
+
 // What is said of each line, of the cells of the map that the view shows: { line, won, texts }, the first with the most cells there, then in
-// the whole map. Where a line is nearest is known of the whole map only.
+// the whole map. Where a line is nearest and how many trials it survives is known of all only.
 function verdictsViewed({ schemes }, map, kind, view, sections) {
   const [wins, all] = [viewed(map, view, sections), map].map(winsIn), is_part = Boolean(view.scene.trim() || view.accuracy || view.machine);
+  const faultsOf = ({ against, trials }) => say(statements.faults, { against: againstViewed(against, view, sections), trials: !view.scene.trim() && trials });
   const wonIn = (of, { line }) => of.get(line)?.won ?? 0;
   return schemes.filter(({ line }) => wantsLine(view, line)).map(({ line, nearest, ...facts }) => ({
-    line, won: wonIn(wins, { line }), texts: [say(statements.wins, { ...wins.get(line), is_part, nearest: nearest?.[kind.id] }), say(statements.faults, facts)],
+    line, won: wonIn(wins, { line }), texts: [say(statements.wins, { ...wins.get(line), is_part, nearest: nearest?.[kind.id] }), faultsOf(facts)],
   })).sort((a, b) => b.won - a.won || wonIn(all, b) - wonIn(all, a));
 }

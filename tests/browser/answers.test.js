@@ -20,7 +20,7 @@ test("the first screen has the answer of every scene, the cheapest run in each c
       const within = finished(runs).filter((run) => run.scene === "pendulum" && run.error_maximum_mixed <= accuracy && !run.baseline_maximum_mixed);
       const best = within.reduce((a, b) => (a.time_median < b.time_median ? a : b));
       const cell = row.locator("td").nth(column);
-      assert.equal((await cell.locator("a").getAttribute("aria-label")).split(": ")[1], best.scheme);
+      assert.equal((await cell.locator("button").getAttribute("aria-label")).split(": ")[1], best.scheme);
       assert.match(await cell.getAttribute("title"), new RegExp(`^${best.scheme}: .*N = ${best.steps}, `));
     }
     const least = Math.min(...finished(runs).filter(({ scene }) => scene === "pendulum").map((run) => run.error_maximum_mixed));
@@ -28,9 +28,11 @@ test("the first screen has the answer of every scene, the cheapest run in each c
     assert.equal(await row.locator("td").last().textContent(), `best ${errorText(least)}`);
   }));
 
-test("a click in the map leads to the scene, and the way back to the map", () =>
+test("a cell of the map leads to its scene, and the way back to the map", () =>
   withPage({}, async (page) => {
-    await page.locator('#answer td a[href="#scene-pendulum"]').first().click();
+    await page.locator("#answer tr", { has: page.locator('a[href="#scene-pendulum"]') }).locator("td button").first().click();
+    await page.locator("#cell").getByRole("link").click();
+    assert.equal(await page.locator("#cell").isVisible(), false);
     await settled(page);
     assert.equal(new URL(page.url()).hash, "#scene-pendulum");
     near(await topOf(sectionOf(page, "pendulum").locator("h2")));

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { chromium } from "playwright-core";
+import { repacked, unpackedFrom } from "./packed.js";
 
 const patience = 120_000; // milliseconds; a busy machine draws slowly
 
@@ -26,9 +27,15 @@ function complaintsOf(page) {
   return complaints;
 }
 
-// Opens the page and calls visit with it. address: what follows the file, "#scene-relaxation". changed: a text of the file and its
-// replacement.
-export async function withPage({ width = 1280, height = 900, dark = false, address = "", changed, page: file = PAGE }, visit) {
+// The text with another in the place of one that it has.
+function exchanged(text, [old, other]) {
+  assert.ok(text.includes(old), `the page has no ${old}`);
+  return text.replace(old, () => other);
+}
+
+// Opens the page and calls visit with it. address: what follows the file, "#scene-relaxation". changed, changedData: a text of the file, or
+// of its data, and its replacement. prepare: is run before the page's scripts.
+export async function withPage({ width = 1280, height = 900, dark = false, address = "", changed, changedData, prepare, page: file = PAGE }, visit) {
   const context = await browser.newContext({
     viewport: { width, height }, colorScheme: dark ? "dark" : "light", reducedMotion: "reduce", acceptDownloads: true,
   });
@@ -36,12 +43,13 @@ export async function withPage({ width = 1280, height = 900, dark = false, addre
     const page = await context.newPage();
     page.setDefaultTimeout(patience);
     const complaints = complaintsOf(page);
-    if (changed) {
-      const text = readFileSync(file, "utf8");
-      assert.ok(text.includes(changed[0]), `the page has no ${changed[0]}`);
-      await page.route("file://**/index.html", (route) => route.fulfill({ contentType: "text/html", body: text.replace(changed[0], () => changed[1]) }));
+    if (prepare) await page.addInitScript(prepare);
+    if (changed || changedData) {
+      const text = readFileSync(file, "utf8"), body = changed ? exchanged(text, changed) : repacked(text, "data", exchanged(unpackedFrom(text, "data"), changedData));
+      await page.route("file://**/index.html", (route) => route.fulfill({ contentType: "text/html", body }));
     }
     await page.goto(`file://${file}${address}`);
+    await page.locator("main:not([aria-busy])").waitFor({ state: "attached" });
     await visit(page).catch((error) => {
       error.message = [error.message, ...complaints].join("\n");
       throw error;

@@ -88,6 +88,11 @@ test("values that no axis has room for are left out", async () => {
   });
 });
 
+test("a browser that cannot unpack the page says so in one sentence", () =>
+  withPage({ prepare: () => delete globalThis.DecompressionStream }, async (page) => {
+    assert.match(await page.locator("main").textContent(), /^This browser cannot unpack the page: it needs [^.]*(\.\d[^.]*)?\.$/);
+  }));
+
 // A fault in the script, the part of its section that is missing then, and one that is not.
 for (const [fault, changed, missing] of [
   ["an equation", ["function equation({ left, right }) {", "function equation({ left, right }) { unheard.of();"], "The equation cannot be drawn."],

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a reader with a phone has, and what each recommendation gives: names in full, a command to copy.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { PAGE, settled, withPage } from "./browser.js";
@@ -11,7 +11,7 @@ const { PROGRAM } = process.env;
 const machine = "a machine whose name is much longer than a telephone is wide, as those of processors are";
 
 test("a page with long names of machines and scenes is as wide as a phone", () =>
-  withPage({ width: 390, page: join(dirname(PAGE), "machines", "index.html"), changed: [JSON.stringify("an older machine"), JSON.stringify(machine)] }, async (page) => {
+  withPage({ width: 390, page: join(dirname(PAGE), "machines", "index.html"), changedData: [JSON.stringify("an older machine"), JSON.stringify(machine)] }, async (page) => {
     await page.locator("#machine").waitFor();
     await page.evaluate((of) => {
       document.querySelector("#machine").append(Object.assign(document.createElement("option"), { textContent: of }));
@@ -31,6 +31,75 @@ for (const width of [390, 1280]) {
     }));
 }
 
+// The command's answer, of two times. A run with an accuracy chooses its steps, which --points would limit.
+function answerOf(command) {
+  const [program, ...words] = command.split(" ");
+  assert.equal(program, "fdebench");
+  return spawnSync(PROGRAM, [...words, ...(words.includes("--accuracy") ? [] : ["--points", "2"])], { encoding: "utf8" });
+}
+const facts = (page) => page.locator("#cell dl").evaluate((list) => Object.fromEntries([...list.querySelectorAll("dt")].map((name) => [name.textContent, name.nextElementSibling.textContent])));
+
+// Every cell of a map by its button: [cell, what its dialog shows, the answer of its command].
+async function openEach(page, map) {
+  const cells = await page.locator(`${map} .map td button`).all(), opened = [], answers = new Map();
+  for (const button of cells) {
+    await button.evaluate((node) => node.click());
+    const shown = await page.locator("#cell").evaluate((dialog) => ({ title: dialog.querySelector("h2").textContent, name: dialog.querySelector(".name")?.textContent, command: dialog.querySelector(".command code")?.textContent, right: dialog.getBoundingClientRect().right }));
+    if (shown.command && !answers.has(shown.command)) answers.set(shown.command, answerOf(shown.command));
+    opened.push({ label: await button.getAttribute("aria-label"), ...shown, facts: await facts(page), answer: answers.get(shown.command) });
+    await page.keyboard.press("Escape");
+    assert.equal(await page.locator("#cell").isVisible(), false);
+  }
+  return opened;
+}
+
+test("a tap on a cell of the map shows the scheme in full, its numbers and a command that runs", () =>
+  withPage({ width: 390, height: 844 }, async (page) => {
+    const lines = await page.evaluate(() => data.lines), opened = await openEach(page, "#answer");
+    assert.equal(opened.length, await page.locator("#answer .map td").count());
+    for (const { label, title, name, facts: shown, command, answer, right } of opened) {
+      assert.ok(title.length > 0 && right <= 390, label);
+      assert.ok(lines.includes(shown["the best"] ?? name), `${label}: ${name}`);
+      for (const number of ["N", "error", "time"]) assert.match(shown[number], /\d/, `${label}: ${number}`);
+      assert.equal(answer.status, 0, `${command}: ${answer.stderr}`);
+      assert.match(answer.stdout, /^t,/, command);
+      if (command.includes("--steps")) assert.equal(shown.N.replaceAll("\u202f", ""), /--steps (\d+)/.exec(command)[1]);
+    }
+  }));
+
+test("a tap on a trial shows its verdict with the reason and a command, which ends as the verdict says", () =>
+  withPage({ width: 390, height: 844, address: "#stability" }, async (page) => {
+    await page.locator("#stability td[data-tone]").first().waitFor();
+    const opened = await openEach(page, "#stability");
+    assert.equal(opened.length, await page.locator("#stability .map td:not(:empty)").count());
+    for (const { label, name, facts: { verdict, survives }, command, answer } of opened) {
+      assert.ok(name && (verdict || survives), label);
+      assert.equal(Boolean(verdict), Boolean(command), label);
+      if (/^(survives|inaccurate)$/.test(verdict)) assert.equal(answer.status, 0, `${command}: ${answer.stderr}`);
+      if (/^refuses/.test(verdict)) assert.ok(answer.stderr.includes(verdict.replace("refuses: ", "")), `${command}: ${answer.stderr}`);
+    }
+  }));
+
+test("a cell is opened, copied and closed by the keyboard, and the focus returns to it", () =>
+  withPage({ width: 390, height: 844 }, async (page) => {
+    await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: (of) => { globalThis.copied = of; return Promise.resolve(); } } }));
+    const cell = page.locator("#answer .map td button").first(), dialog = page.getByRole("dialog");
+    await cell.focus();
+    await page.keyboard.press("Enter");
+    assert.equal(await dialog.getAttribute("aria-labelledby"), await dialog.locator("h2").getAttribute("id"));
+    await page.keyboard.press("Enter");  // the first control copies
+    await dialog.getByText("Copied").waitFor();
+    assert.match(await page.evaluate(() => globalThis.copied), /^fdebench solve /);
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.textContent), "Go to this scene");
+    await page.keyboard.press("Escape");
+    assert.equal(await dialog.count(), 0);
+    assert.ok(await cell.evaluate((node) => node === document.activeElement));
+    await cell.click();
+    await page.mouse.click(195, 20);  // beside it
+    assert.equal(await dialog.count(), 0);
+  }));
+
 test("each recommendation is a command that runs, and a button copies it", () =>
   withPage({ address: "#scene-pendulum" }, async (page) => {
     await settled(page);
@@ -40,8 +109,7 @@ test("each recommendation is a command that runs, and a button copies it", () =>
     const row = rows.first(), text = await row.locator(".command code").textContent();
     const steps = /N = (\d+)/.exec(await row.textContent())[1];
     assert.match(text, /^fdebench solve pendulum --scheme \w+ --(steps|accuracy) /);
-    const cost = execFileSync(PROGRAM, [...text.split(" ").slice(1), "--points", "2"].filter((word, i, all) => !text.includes("--accuracy") || i < all.length - 2), { encoding: "utf8" });
-    assert.match(cost, /^t,phi,/);
+    assert.match(answerOf(text).stdout, /^t,phi,/);
     if (text.includes("--steps")) assert.ok(text.includes(`--steps ${steps}`));
     await page.evaluate(() => { document.addEventListener("copy", () => { globalThis.copied = getSelection().toString(); });
       Object.defineProperty(navigator, "clipboard", { value: { writeText: (of) => { globalThis.copied = of; return Promise.resolve(); } } }); });

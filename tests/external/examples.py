@@ -4,13 +4,15 @@
 listed with it in results, on the page and in recommendations."""
 
 import json
-import re
 import shlex
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from page_data import data_of  # noqa: E402
 
 PROGRAM, SCHEME, *WORDS = sys.argv[1:]
 NAME = "theirs λ"
@@ -72,7 +74,7 @@ class Examples(unittest.TestCase):
             self.skipTest("a build without charts")
         self.assertEqual(reported.returncode, 0, reported.stderr)
         page = (Path(self.folder.name) / "index.html").read_text()
-        data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page, re.DOTALL)[1])
+        data = data_of(page)
         self.assertCountEqual(data["lines"], [SCHEME, NAME])  # by cells won, which depends on times
         runs = next(section["runs"] for section in data["sections"] if section["id"] == "scene-relaxation")
         self.assertEqual(runs["line"].count(runs["lines"].index(NAME)), 4)

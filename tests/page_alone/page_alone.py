@@ -5,13 +5,15 @@ computes anything."""
 
 import json
 import os
-import re
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from page_data import data_of  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM, PAGE_ALONE = (Path(word).resolve() for word in sys.argv[1:3])
@@ -25,10 +27,6 @@ SWEEPS = [
 
 def run(*words, **how):
     return subprocess.run([str(word) for word in words], capture_output=True, text=True, **how)
-
-
-def data_of(page):
-    return json.loads(re.search('<script type="application/json" id="data">(.*?)</script>', page.decode(), re.DOTALL)[1])
 
 
 class Page(unittest.TestCase):
@@ -65,7 +63,7 @@ class Page(unittest.TestCase):
         self.assertEqual(list(elsewhere.iterdir()), [], "nothing is computed, so nothing is kept")
 
     def test_shows_what_is_recorded(self):
-        sections = {section["id"]: section for section in data_of(self.page("shown"))["sections"]}
+        sections = {section["id"]: section for section in data_of(self.page("shown").decode())["sections"]}
         lines = [json.loads(line) for line in self.file.read_text().splitlines()]
         for scene in (line["scene"] for line in lines if isinstance(line.get("scene"), dict)):
             settings = ",".join(f"{name}={value}" for name, value in scene["settings"].items())
@@ -106,7 +104,7 @@ class Tomorrow(Page):
         cls.file.write_text("".join(json.dumps(line) + "\n" for line in lines))
 
     def test_shows_what_is_recorded(self):
-        data = data_of(self.page("shown"))
+        data = data_of(self.page("shown").decode())
         self.assertIn("better_l1", data["lines"])
         scene = next(section for section in data["sections"] if section["id"] == "scene-tomorrow:form=new,orders=0.1,0.2")
         self.assertEqual(scene["equations"], [{"left": "D(y, gamma)", "right": "lambda*y"}])

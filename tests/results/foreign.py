@@ -3,13 +3,15 @@
 """foreign.py FDEBENCH WORD...: the program of docs/examples that these words run, `python3 relaxation.py` or
 `octave-cli relaxation.m`, is judged, and is listed with our runs on the page and in the answers."""
 
-import json
 import re
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from page_data import data_of  # noqa: E402
 
 PROGRAM, *WORDS = sys.argv[1:]
 NAME = Path(WORDS[0]).name.split(".")[0].rstrip("0123456789") + " λ"
@@ -46,7 +48,7 @@ class Foreign(unittest.TestCase):
                 self.skipTest("a build without charts")
             self.assertEqual(reported.returncode, 0, reported.stderr)
             page = (Path(folder) / "index.html").read_text()
-            data = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page, re.DOTALL)[1])
+            data = data_of(page)
             self.assertCountEqual(data["lines"], ["l1", "grunwald_letnikov", NAME])
             runs = next(section["runs"] for section in data["sections"] if section["id"] == "scene-relaxation")
             self.assertEqual(runs["line"].count(runs["lines"].index(NAME)), 4)

@@ -13,6 +13,9 @@ from pathlib import Path
 
 import jsonschema
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from page_data import data_of  # noqa: E402
+
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMA = json.loads((ROOT / "docs" / "results.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -193,7 +196,7 @@ class Page(unittest.TestCase):
                 self.assertEqual(run.returncode, 0, run.stderr)
             self.assertEqual(fdebench("report", file, file, "--runs", "1", "--out", folder).returncode, 0)
             page = (Path(folder) / "index.html").read_text()
-        data = json.loads(re.search('<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)[1])
+        data = data_of(page)
         jsonschema.Draft202012Validator.check_schema(self.SCHEMA)
         jsonschema.Draft202012Validator(self.SCHEMA).validate(data)
         held = {name for section in data["sections"] for name in section}

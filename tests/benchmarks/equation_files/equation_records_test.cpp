@@ -12,6 +12,7 @@
 #include "benchmarks/equation_files/equation_files_testing.hpp"
 #include "support/command_line_result.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/unpacked_page.hpp"
 
 namespace fde::bench {
 namespace {
@@ -113,7 +114,7 @@ TEST_F(EquationFileCommand, NeedsNotBeAtHandForItsResults) {
   EXPECT_EQ(fdebench("choose " + file() + ":k=2 --error 0.1 --results " + results()).code, 2);
   const auto folder = (folder_.path() / "page").string();
   EXPECT_EQ(fdebench("report " + results() + " --out " + folder).code, 0);
-  EXPECT_THAT(content(folder + "/index.html"), HasSubstr("decay.toml"));
+  EXPECT_THAT(unpacked(content(folder + "/index.html"), "data"), HasSubstr("decay.toml"));
   EXPECT_EQ(fdebench("compare " + results() + " " + results()).code, 0);
 }
 

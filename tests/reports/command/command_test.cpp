@@ -213,7 +213,7 @@ TEST(Run, ThenReportThenChoose) {
 
   const auto report = fdebench("report " + file + " --out " + page);
   EXPECT_EQ(report.code, 0) << report.err;
-  EXPECT_GT(std::filesystem::file_size(page + "/index.html"), 500'000U);
+  EXPECT_GT(std::filesystem::file_size(page + "/index.html"), 300'000U);
 
   const auto choice = fdebench("choose relaxation --norm end --error 1e-4 --results " + file);
   EXPECT_THAT(choice.out, HasSubstr("--scheme adams_pc --steps "));
