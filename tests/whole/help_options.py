@@ -41,7 +41,7 @@ def help_and_quiet_go_with_all_options(program: Program, case: Case, lists: List
         helped = program.run("solve", *words[:place], "--help", *words[place:])
         if helped.out != program.run("help", "solve").out:
             raise Fault("help", f"--help prints {helped.out[:200]!r}", helped.arguments)
-    begun = [*words[:place], words[place][: len(words[place]) // 2] if place < len(words) else ""]
+    begun = [*words[:place], words[place][: (len(words[place]) + 1) // 2] if place < len(words) else ""]
     offered = program.run("__complete", "solve", *begun)
     for line in offered.out.splitlines():
         if not line.startswith("\t") and not line.startswith(begun[-1]):

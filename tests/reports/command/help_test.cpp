@@ -241,8 +241,6 @@ INSTANTIATE_TEST_SUITE_P(
                "1000000000; see fdebench solve --help"},
         Misuse{"solve pendulum --scheme l1 --steps 8 --steps 9",
                "--steps: must be given once; see fdebench solve --help"},
-        Misuse{"solve pendulum --scheme l1 --steps 8 --check=5",
-               "--check: takes no value; see fdebench solve --help"},
         Misuse{"reference", "one of --out and --check is required; see fdebench reference --help"},
         Misuse{"completion tcsh", "shell = tcsh: must be bash, zsh or fish"}),
     [](const auto& test) { return "misuse_" + std::to_string(test.index); });
