@@ -136,7 +136,7 @@ test("regions of stability are those of the scene's order", () => {
 });
 
 test("what cannot be drawn is refused in a line", () => {
-  for (const [words, complaint] of [[plot("pie", "f.svg"), /--kind = pie: must be one of/], [plot("rate", "f.gif"), /--out = f.gif: must end in/],
+  for (const [words, complaint] of [[plot("pie", "f.svg"), /--kind = pie: must be work-precision, .* or stability/], [plot("rate", "f.gif"), /--out = f.gif: must end in/],
     [plot("rate", "/nonexistent/f.svg"), /cannot be drawn by node/],
     [["plot", "pendulum", "--kind", "rate", "--out", "f.svg"], /--results: --kind rate draws runs/],
     [["plot", "pendulum", "--kind", "stability", "--out", "f.svg"], /has several orders/],
