@@ -44,7 +44,10 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
 set(CPACK_COMPONENTS_ALL ${components})
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+# Not of the components without binaries: cpack would look into each of their files.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DATA_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
 
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "solvers of fractional differential equations, measured
@@ -64,7 +67,9 @@ if(TARGET asmjit::asmjit)
   string(APPEND CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS ", libasmjit-dev")
 endif()
 if("runtime" IN_LIST components)
-  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+  get_target_property(abi fde_c SOVERSION)
+  file(WRITE ${PROJECT_BINARY_DIR}/shlibs "libfdebench ${abi} libfdebench${abi} (= ${PROJECT_VERSION})\n")
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/shlibs)
   string(APPEND CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS ", libfdebench0 (= ${PROJECT_VERSION})")
 endif()
 set(CPACK_COMPONENT_DATA_DESCRIPTION "reference values for fractional differential equations
