@@ -14,8 +14,8 @@ import time
 
 PROGRAM = sys.argv[1]
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
-# Direct sums of so many steps take longer than the budget.
-LONG = ["solve", "relaxation", "--scheme", "l1", "--steps", "600000", "--history", "direct", "--at", "1", "--budget", "3"]
+# Direct sums of so many steps take longer than the budget; on a loaded machine their weights alone take seconds.
+LONG = ["solve", "relaxation", "--scheme", "l1", "--steps", "500000", "--history", "direct", "--at", "1", "--budget"]
 FAULTS = []
 
 
@@ -70,15 +70,15 @@ def check_streams():
 
 
 def check_progress():
-    text, first = on_terminal(LONG)
+    text, first = on_terminal([*LONG, "8"])
     must(first is not None and first >= 2, f"progress begins after {first} s")
-    must(" %  " in text and "/600000" in text and " left" in text, f"progress is {text!r}")
+    must(" %  " in text and "/500000" in text and " left" in text, f"progress is {text!r}")
     last = text.split("\r")
     must(any(not line.strip() and len(line) >= 79 for line in last), "progress is not erased")
     must("\n" not in text.partition("fdebench:")[0], "progress is more than a line")
-    quiet, _ = on_terminal([*LONG, "--quiet"])
-    must("/600000" not in quiet and "fdebench:" in quiet, f"--quiet leaves {quiet!r}")
-    piped = subprocess.run([PROGRAM, *LONG], capture_output=True, text=True, check=False)
+    quiet, _ = on_terminal([*LONG, "3", "--quiet"])
+    must("/500000" not in quiet and "fdebench:" in quiet, f"--quiet leaves {quiet!r}")
+    piped = subprocess.run([PROGRAM, *LONG, "3"], capture_output=True, text=True, check=False)
     must(piped.returncode == 3 and piped.stderr.count("\n") == 1 and "\r" not in piped.stderr, f"a pipe has {piped.stderr!r}")
 
 
