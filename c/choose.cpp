@@ -52,7 +52,9 @@ int fdebench_choice_apply(const fdebench_choice* choice, fdebench_options* optio
   return guarded([&] {
     const auto& facts = facts_of(choice);
     auto texts = given("options", options, options_handle).texts;
-    for (const char* name : {"accuracy", "steps", "grid"}) texts.erase(name);
+    for (const char* name :
+         {"accuracy", "steps", "grid", "error", "norm", "scale", "columns", "runs", "max-time"})
+      texts.erase(name);
     if (const double asked = number_in(facts, "asked"); !std::isnan(asked)) {
       texts["accuracy"] = fmt::format("{}", asked);
     } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "fdebench/c/guard.hpp"
@@ -25,10 +26,10 @@ int fdebench_mittag_leffler_digits(const char* alpha, const char* beta, const ch
     given("value_re", value_re);
     given("value_im", value_im);
     given("bound", bound);
+    constexpr int exponents = 32;  // and signs, points and the final 0
+    require_capacity(capacity, static_cast<std::size_t>(std::max(digits, 0)) + exponents);
     const auto result = fde::reference::mittag_leffler(text_of("alpha", alpha), text_of("beta", beta),
                                                        text_of("re", re), text_of("im", im), digits);
-    for (const auto* text : {&result.re, &result.im, &result.bound})
-      require_capacity(capacity, text->size() + 1);
     std::memcpy(value_re, result.re.c_str(), result.re.size() + 1);
     std::memcpy(value_im, result.im.c_str(), result.im.size() + 1);
     std::memcpy(bound, result.bound.c_str(), result.bound.size() + 1);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/analysis/text.hpp"
 
 namespace fde::bench {
@@ -63,7 +64,7 @@ std::string options_of(const RecommendedRun& option) {
 
 std::string command_of(const SceneSettings& scene, const RecommendedRun& option) {
   if (option.external) return "";
-  return fmt::format("fdebench solve {} --scheme {} {}", label_of(scene), option.schemes.front(),
+  return fmt::format("fdebench solve {} --scheme {} {}", shell_word(label_of(scene)), option.schemes.front(),
                      options_of(option));
 }
 

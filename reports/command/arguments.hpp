@@ -9,6 +9,7 @@
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/count_range.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/reports/command/command_line.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
@@ -62,7 +63,7 @@ bool requests_first_run(const std::string& runs);
 // What --runs may be.
 const Words& run_words();
 
-inline constexpr CountRange digit_counts{1, 100'000};
+inline constexpr CountRange digit_counts{1, reference::max_digits};
 inline constexpr int most_steps = 1'000'000'000;  // the weights are tested up to this lag
 inline constexpr CountRange step_counts{1, most_steps};
 int parse_count(std::string_view name, std::string_view text, const CountRange& allowed);

@@ -13,6 +13,7 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/command_line.hpp"
@@ -181,12 +182,13 @@ void print_one(const SceneFactory& maker, std::ostream& out) {
     print_table(rows, out);
   }
   if (!over_grids.empty()) {
-    out << fmt::format("\nfdebench solve {} --scheme {} --steps 1024 --at {}\n", maker.id, over_grids.back(),
-                       scene.problem.end);
+    out << fmt::format("\nfdebench solve {} --scheme {} --steps 1024 --at {}\n", shell_word(maker.id),
+                       over_grids.back(), scene.problem.end);
   }
   if (!to_accuracies.empty()) {
     out << fmt::format("{}fdebench solve {} --scheme {} --accuracy 1e-6 --at {}\n",
-                       over_grids.empty() ? "\n" : "", maker.id, to_accuracies.front(), scene.problem.end);
+                       over_grids.empty() ? "\n" : "", shell_word(maker.id), to_accuracies.front(),
+                       scene.problem.end);
   }
 }
 

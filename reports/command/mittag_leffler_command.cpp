@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -28,6 +29,7 @@ struct Arguments {
 };
 
 constexpr Range alphas{.low = 0.0, .high = 5.0, .open_low = true};
+constexpr Range parameters{.low = -reference::largest_parameter, .high = reference::largest_parameter};
 constexpr CountRange derivative_counts{0, reference::max_derivative};
 
 // Digits computed before rounding to double, when --digits is not given: the bound stays close to half a unit
@@ -48,11 +50,18 @@ void check(const Arguments& x) {
     throw std::invalid_argument("Z is missing: must be RE, RE,IM or RE+IMi, or --matrix in its place");
 }
 
+// Decimals below the range of double are valid.
+void check_parameter(std::string_view name, const std::string& text) {
+  require_decimal(name, text);
+  if (std::abs(std::strtod(text.c_str(), nullptr)) > parameters.high)
+    reject_text(name, text, parameters.text());
+}
+
 // Checks the parameters without z.
 void check_parameters(const Arguments& x) {
   parse_number("ALPHA", x.alpha, alphas);
-  require_decimal("BETA", x.beta);
-  if (x.gamma) require_decimal("--gamma", *x.gamma);
+  check_parameter("BETA", x.beta);
+  if (x.gamma) check_parameter("--gamma", *x.gamma);
 }
 
 std::optional<int> digits_of(const Arguments& x) {
@@ -196,12 +205,12 @@ void add_mittag_leffler_command(CommandLine& program, const Streams& streams,
                      "Print the Mittag-Leffler function E_{ALPHA,BETA}(Z): re im bound");
   command.group("Look up");
   command.required("ALPHA", arguments->alpha, "the first parameter").takes("ALPHA", alphas);
-  command.required("BETA", arguments->beta, "the second parameter").takes("BETA", any_number);
+  command.required("BETA", arguments->beta, "the second parameter").takes("BETA", parameters);
   command.option("Z", arguments->z, "the argument: RE, RE,IM or RE+IMi").takes("Z");
   command.option("--derivative", arguments->derivative, "the K-th derivative in Z")
       .takes("K", derivative_counts);
   command.option("--gamma", arguments->gamma, "the three-parameter function of Prabhakar")
-      .takes("G", any_number);
+      .takes("G", parameters);
   command
       .option(
           "--matrix", arguments->matrix,

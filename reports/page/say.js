@@ -10,13 +10,16 @@
 const isMissing = (fact) => fact === undefined || fact === null || fact === false || fact === "" || (Array.isArray(fact) && fact.length === 0);
 const factAt = (facts, path) => (path ? path.split(".").reduce((of, name) => of?.[name], facts) : facts);
 
-// The formats of whole lists: the first three names, or how many there are.
+// A text as one word of a shell.
+const shellWord = (text) => (/^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+
+// The formats of whole facts: the first three names, or how many there are.
 const firstNames = (names) => names.slice(0, 3).join(", ") + (names.length > 3 ? ` and ${names.length - 3} more` : "");
-const listFormats = { few: firstNames, scenes: (names) => (names.length > 3 ? `${names.length} scenes` : firstNames(names)) };
+const wholeFormats = { shell: shellWord, few: firstNames, scenes: (names) => (names.length > 3 ? `${names.length} scenes` : firstNames(names)) };
 
 // A fact in its format; of a statement that is a table of words the id itself where it has none. null: nothing is left to say.
 function formatted(fact, format, between = ", ") {
-  if (listFormats[format]) return listFormats[format](fact);
+  if (wholeFormats[format]) return wholeFormats[format](fact);
   if (Array.isArray(fact)) {
     const texts = fact.map((one) => formatted(one, format)).filter((text) => text !== null);
     return texts.filter((text, i) => text !== texts[i - 1]).join(between) || null;

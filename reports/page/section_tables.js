@@ -35,7 +35,7 @@ const stateColumns = (over, scheme) => [
   { head: "time", over, cell: `{?${scheme}.error_end}{${scheme}.time_minimum:time}`, detail: `{?${scheme}.time_minimum}error {${scheme}.error_end:error}` },
 ];
 
-const repeated = ["fdebench solve {row.name} --scheme {scheme} {options}", "fdebench solve {row.name} --scheme {best.scheme} {best.options}"];
+const repeated = ["fdebench solve {row.name:shell} --scheme {scheme} {options}", "fdebench solve {row.name:shell} --scheme {best.scheme} {best.options}"];
 const openedAnswer = {
   of: ["line", "best"], title: "{row.title}", about: "{section.kind:kind} ≤ {each:power}", line: ["{line}", "{:cheapest}"], command: repeated,
   rows: [
@@ -47,7 +47,7 @@ const openedAnswer = {
   ],
 };
 const openedTrial = {
-  of: ["verdict", "trials"], title: ["{row.scene}", "All trials"], about: ["{?verdict}{row.steps:count} steps"], line: "{each}", command: "fdebench solve {row.scene} --scheme {scheme} {options}",
+  of: ["verdict", "trials"], title: ["{row.scene}", "All trials"], about: ["{?verdict}{row.steps:count} steps"], line: "{each}", command: "fdebench solve {row.scene:shell} --scheme {scheme} {options}",
   rows: [
     ["verdict", "{verdict}[{!ending=refused}: {:ending}][{?ending=refused}: {detail}]"], ["error, as a part of the value", "{error:error}"], ["rounding from", "t = {rounding_from:three} on"],
     ["time", "{seconds:time}[{?wall_clock} of the wall clock]"], ["survives", "{survive} of {trials}"], ["stops rightly", "{stop}"], ["refuses", "{refused}"],
@@ -71,7 +71,7 @@ const sectionTables = {
     columns: [
       { head: "{kind:kind}", cell: "≤ {accuracy:power}" },
       { head: "cheapest", cell: "{:cheapest}", detail: "here the same as {same}", line: "{line}" },
-      { head: "its run", cell: "{:its_run}", command: ["fdebench solve {section.name} --scheme {scheme} {options}", "fdebench solve {section.name} --scheme {best.scheme} {best.options}"] },
+      { head: "its run", cell: "{:its_run}", command: ["fdebench solve {section.name:shell} --scheme {scheme} {options}", "fdebench solve {section.name:shell} --scheme {best.scheme} {best.options}"] },
       { head: "why", cell: "{:why}" },
     ],
   },

@@ -8,7 +8,14 @@ const unset = Object.fromEntries(Object.entries(controls).map(([name, control]) 
 const schemeBoxes = () => [...document.querySelectorAll("#schemes input")];
 
 const addressOf = () => {
-  const [place, view = ""] = decodeURIComponent(location.hash.slice(1)).split("?");
+  const hash = location.hash.slice(1);
+  let text = hash;
+  try {
+    text = decodeURIComponent(hash);
+  } catch {
+    // An address with a broken escape is one without a place.
+  }
+  const [place, view = ""] = text.split("?");
   return { place, view: new URLSearchParams(view) };
 };
 

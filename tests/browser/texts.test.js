@@ -116,7 +116,7 @@ test("a trial has a sign and its reason; an unknown verdict is shown by its id",
 test("templates name formats that there are", () => withPage({}, async (page) => {
   const unknown = await page.evaluate(() => {
     const textsIn = (of) => (typeof of === "string" ? [of] : of && typeof of === "object" ? Object.values(of).flatMap(textsIn) : []);
-    const known = { ...numberFormats, ...listFormats, ...statements };
+    const known = { ...numberFormats, ...wholeFormats, ...statements };
     return [statements, sectionTexts, sectionTables].flatMap(textsIn).flatMap((text) => [...text.matchAll(/\{[^}]*?:(\w+)/g)].map(([, format]) => format)).filter((format) => !known[format]);
   });
   assert.deepEqual(unknown, []);

@@ -211,6 +211,7 @@ static void test_choose(void) {
         strstr(command, scheme));
   CHECK(json[0] == '{' && error <= 1e-5 && seconds > 0 && seconds < 1);
   DONE(fdebench_options_new(&run));
+  DONE(fdebench_options_set_text(run, "columns", "y"));
   DONE(fdebench_choice_apply(choice, run));
   DONE(fdebench_options_set_reals(run, "at", 1, &end));
   DONE(fdebench_solve(problem, scheme, run, &table));

@@ -19,10 +19,9 @@ void check_order(const std::string& function, const Number& alpha) {
 
 template <class Number>
 void check_parameter(const std::string& function, const char* argument, const Number& value) {
-  constexpr int largest = 10000;
-  if (value >= -largest && value <= largest) return;
+  if (value >= -largest_parameter && value <= largest_parameter) return;
   throw std::invalid_argument(fmt::format("{}: {} = {} has to be in [-{}, {}]", function, argument,
-                                          static_cast<double>(value), largest, largest));
+                                          static_cast<double>(value), largest_parameter, largest_parameter));
 }
 
 }  // namespace
@@ -66,8 +65,9 @@ void require_finite(const std::string& function, std::complex<double> z) {
 }
 
 void require_digits(const std::string& function, int digits) {
-  if (digits < 1)
-    throw std::invalid_argument(fmt::format("{}: digits = {} has to be positive", function, digits));
+  if (digits >= 1 && digits <= max_digits) return;
+  throw std::invalid_argument(
+      fmt::format("{}: digits = {} has to be in [1, {}]", function, digits, max_digits));
 }
 
 int decimal_places(const std::string& text) {

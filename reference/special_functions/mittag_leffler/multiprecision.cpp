@@ -19,8 +19,8 @@ using Arguments = MittagLefflerArguments;
 // For real s* with log s* above this, e^s* overflows however s* is rounded.
 constexpr double beyond_exponents = 50.0;
 
-// e^-nothing is negligible at every number of digits.
-constexpr double nothing = 1e6;
+// e^-nothing is near the smallest number that MPFR represents.
+constexpr double nothing = 1e18;
 
 // Adds Res(e^s F, s*) = (1/alpha) e^(s* + (1-beta) log s*) times a factor known to that many ulps.
 void add_residue(BoundedSum<BigReal>& sum, const Arguments& x, const BigComplex& log_pole,
@@ -28,12 +28,17 @@ void add_residue(BoundedSum<BigReal>& sum, const Arguments& x, const BigComplex&
   if (imag_part<BigReal>(log_pole) == 0 && real_part<BigReal>(log_pole) > beyond_exponents)
     return sum.add_infinite(BigComplex(1), exp(BigReal(real_part<BigReal>(log_pole))));
   const BigComplex pole = x.alpha == 1 ? x.z : BigComplex(exp(log_pole));
-  if (real_part<BigReal>(pole) < -8 / epsilon<BigReal>())
-    return;  // e^s* is negligible, and s* may have overflowed
+  if (real_part<BigReal>(pole) < -8 / epsilon<BigReal>()) {  // s* may have overflowed
+    sum.error += exp(BigReal(-nothing));
+    return;
+  }
   const BigReal power = 1 - x.beta;
   const BigReal pole_ulps = x.alpha == 1 ? BigReal(1) : BigReal(1 + norm1(log_pole));
   const BigComplex exponent = pole + power * log_pole;
-  if (real_part<BigReal>(exponent) + norm1(exponent) * pole_ulps * epsilon<BigReal>() < -nothing) return;
+  if (real_part<BigReal>(exponent) + norm1(exponent) * pole_ulps * epsilon<BigReal>() < -nothing) {
+    sum.error += exp(BigReal(-nothing));
+    return;
+  }
   if (exp_overflows(pole, BigReal(pole_ulps * epsilon<BigReal>()))) {
     sum.add_infinite(exp(BigComplex(BigReal(0), imag_part<BigReal>(exponent))), real_part<BigReal>(pole));
     return;

@@ -182,6 +182,15 @@ TEST(Recommendation, AnswersInThreeLinesBeforeItsTable) {
   EXPECT_THAT(to_text(made, true), HasSubstr("power_series"));
 }
 
+// A name may be that of a file from elsewhere, and the command is copied to a shell.
+TEST(Recommendation, QuotesWhatAShellWouldTakeApart) {
+  const auto run = option("l1", 64, {1e-3, 1e-3, 1e-3});
+  EXPECT_EQ(command_of({"it's $(id).toml"}, run),
+            "fdebench solve 'it'\\''s $(id).toml' --scheme l1 --steps 64");
+  EXPECT_EQ(command_of({"pendulum:alpha=1.9"}, run),
+            "fdebench solve pendulum:alpha=1.9 --scheme l1 --steps 64");
+}
+
 // bdf4 takes 2 ms and its first run 22 ms; adams_pc takes 5 ms at any time.
 TEST(Recommendation, RanksByTheRunThatIsAskedFor) {
   Results results = empty_results();
