@@ -52,8 +52,7 @@ void check(const Arguments& x) {
 
 // Decimals below the range of double are valid.
 void check_parameter(std::string_view name, const std::string& text) {
-  require_decimal(name, text);
-  if (std::abs(std::strtod(text.c_str(), nullptr)) > parameters.high)
+  if (!is_decimal(text) || std::abs(std::strtod(text.c_str(), nullptr)) > parameters.high)
     reject_text(name, text, parameters.text());
 }
 

@@ -175,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "--set gamma = 0.1:0.9:0.1: must be a number in (0, 2]"},
         Mistake{"mittag-leffler 1 1", "Z is missing: must be RE, RE,IM or RE+IMi, or --matrix"},
         Mistake{"mittag-leffler 1 1 1 --derivative 1.5", "--derivative = 1.5: must be a whole number from 0"},
-        Mistake{"mittag-leffler 1 1 1 --gamma x", "--gamma = x: must be a finite number"},
+        Mistake{"mittag-leffler 1 1 1 --gamma x", "--gamma = x: must be a number in [-10000, 10000]"},
         Mistake{"mittag-leffler 1 1 1 --gamma 2 --derivative 1", "--gamma = 2: must be without --derivative"},
         Mistake{"mittag-leffler 1 1 --matrix 1 --gamma 2", "--gamma = 2: must be without --matrix"},
         Mistake{"mittag-leffler 1 1 1 --matrix 1", "Z = 1: must be left out with --matrix"},
