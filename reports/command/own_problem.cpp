@@ -62,10 +62,10 @@ void require_posed(const Problem& problem, const std::vector<std::string>& names
                fmt::format("{} different names", rows.size()));
   }
   const auto is_column = [](const std::string& name) {
-    return name != "t" && is_printable(name) && split_names(name) == std::vector{name};
+    return is_printable(name) && split_names(name) == std::vector{name};
   };
   if (!std::ranges::all_of(names, is_column))
-    throw std::invalid_argument("names: must be texts that print, without a comma, and not t");
+    throw std::invalid_argument("names: must be texts that print, without a comma");
   for (const double time : problem.jump_times) require_positive("jumps", time);
   if (std::ranges::adjacent_find(problem.jump_times, std::greater_equal<>()) != problem.jump_times.end())
     reject_own("jumps", fmt::format("[{}]", fmt::join(problem.jump_times, ", ")), "increasing");

@@ -17,7 +17,7 @@ static void test_problem(void) {
   fdebench_problem* p = NULL;
   const double two[2] = {1.0, 2.0}, large = 2.5, between = 1.5;
   const char *same[2] = {"a", "a"}, *none[1] = {NULL}, *empty[1] = {""}, *name;
-  const char* refused[3] = {"\xff", "a,b", "t"};
+  const char* refused[2] = {"\xff", "a,b"};
   size_t n, m;
   double x;
   REJECTS(fdebench_problem_new(1, &half, 1, &one, 1.0, zero, NULL, NULL), "problem = NULL: must be ");
@@ -53,7 +53,7 @@ static void test_problem(void) {
   REJECTS(fdebench_problem_set_names(p, 1, none), "names = NULL: must be a text");
   for (size_t i = 0; i < sizeof refused / sizeof *refused; ++i)
     REJECTS(fdebench_problem_set_names(p, 1, &refused[i]),
-            "names: must be texts that print, without a comma, and not t");
+            "names: must be texts that print, without a comma");
   REJECTS(fdebench_problem_set_names(p, 1, empty), "names = \"\": must not be empty");
   REJECTS(fdebench_problem_set_jumps(NULL, 1, &half), "problem = NULL: must be ");
   REJECTS(fdebench_problem_set_jumps(p, 1, NULL), "times = NULL: must be ");
