@@ -294,7 +294,8 @@ TEST(Prabhakar, SaysWhatIsWrong) {
                         "prabhakar: beta: 'x' is not a finite decimal number");
   bench::expect_message([] { mittag_leffler_derivative(1, "x", "1", "1", "0", 10); },
                         "mittag_leffler_derivative: alpha: 'x' is not a finite decimal number");
-  bench::expect_message([] { prabhakar("0.5", "1", "1", "1", "0", 0); }, "digits = 0 has to be in [1, 100000]");
+  bench::expect_message([] { prabhakar("0.5", "1", "1", "1", "0", 0); },
+                        "digits = 0 has to be in [1, 100000]");
   EXPECT_THROW(prabhakar(0.5, 1.0, 1.5, 1e3), std::runtime_error);    // e^1000000
   EXPECT_THROW(prabhakar(2.0, 1.0, 1.5, -1e13), std::runtime_error);  // too far from the axis
   EXPECT_THROW(prabhakar(0.05, 1.0, 1.5, 1e300), std::runtime_error);
