@@ -42,7 +42,7 @@ void say(const Streams& streams, Message kind, std::string_view message);
 // Runs the command `fdebench` within this process, with the arguments after the program's name. Returns the
 // exit code: 0 done, 1 worse results, 2 bad input or output that cannot be written, 3 numerical failure; all
 // but 0 with one line on err. `known`: the scenes that arguments may name besides equation files.
-int run_fdebench(const std::vector<std::string>& arguments, const Streams& streams,
+int run_fdebench(const std::vector<std::string>& arguments, const Streams& given,
                  const SceneRegistry& known = built_in_scenes());
 
 // What the help says of the program.

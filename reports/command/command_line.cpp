@@ -45,7 +45,7 @@ int next_choice(const SubcommandText& subcommand) {
 // The first word that looks like an option and is none of the subcommand.
 std::string unknown_option(const CLI::App& command, const std::vector<std::string>& arguments) {
   for (const auto& word : arguments) {
-    const auto name = word.substr(0, word.find('='));
+    auto name = word.substr(0, word.find('='));
     if (!name.starts_with("--") || name == "--") continue;
     if (command.get_option_no_throw(name) == nullptr) return name;
   }
@@ -91,7 +91,7 @@ std::string mistake(const CLI::ParseError& error, const CLI::App& command, const
     return fmt::format("{}: {} has no such option{}", option, subcommand.name,
                        suggestion(subcommand, option));
   }
-  const std::string said = error.what();
+  std::string said = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const auto rest = command.remaining(true);
     return fmt::format("{}: {} takes no such argument", rest.empty() ? said : rest.front(), subcommand.name);

@@ -221,7 +221,7 @@ function __NAME_candidates
 end
 complete -c NAME -f -a '(__NAME_candidates)'
 )";
-  const auto shells = completion_shells();
+  const auto& shells = completion_shells();
   std::string text = shell == shells[0] ? bash : shell == shells[1] ? zsh : fish;
   constexpr std::string_view place = "NAME";
   for (auto at = text.find(place); at != std::string::npos; at = text.find(place, at + program.size()))

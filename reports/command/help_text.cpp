@@ -40,9 +40,10 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::string examples_text(const SubcommandText& subcommand, const Style& style) {
   std::string text;
-  for (const auto& [command, what] : subcommand.examples)
+  for (const auto& [command, what] : subcommand.examples) {
     text += fmt::format("  {}\n{}", in_colour(command, Colour::green, style.colours),
                         wrapped(what, style.columns, 6));
+  }
   return text;
 }
 

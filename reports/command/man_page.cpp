@@ -79,7 +79,7 @@ std::string bold_options(const std::string& part) {
 std::string tagged(const ArgumentText& argument) {
   const auto name =
       argument.is_positional() ? "" : fmt::format("\\fB{}\\fR", escaped(display_name(argument)));
-  const auto gap = name.empty() || argument.value.empty() ? "" : " ";
+  const auto* const gap = name.empty() || argument.value.empty() ? "" : " ";
   const auto value = argument.value.empty() ? "" : fmt::format("\\fI{}\\fR", escaped(argument.value));
   return fmt::format(".TP\n{}{}{}\n{}", name, gap, value, sentences(full_description(argument)));
 }
@@ -146,9 +146,10 @@ std::string man_page(const ProgramText& program) {
   }
   text += ".SH OPTIONS\n";
   for (const auto& option : common_options()) text += tagged(option);
-  for (const auto& topic : topics())
+  for (const auto& topic : topics()) {
     text += fmt::format(".SH {}\n{}", title(topic.name),
                         paragraphs(fmt::format("{}.\n\n{}", topic.what, topic.text)));
+  }
   return text + see_also(pages);
 }
 

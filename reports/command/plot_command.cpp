@@ -181,7 +181,7 @@ std::filesystem::path figure(const PlotArguments& arguments, const FigureKind& k
   const bool several = data["sections"].front().contains("family");
   if (several && kind.family.empty())
     throw std::invalid_argument(fmt::format("--kind = {}: one value of each parameter", kind.name));
-  const auto out = std::filesystem::absolute(arguments.out);
+  auto out = std::filesystem::absolute(arguments.out);
   const bool on_paper = arguments.out.ends_with(".pdf");
   const TemporaryFile script(".cjs"), request(".json"), drawn(".svg");
   script.write(assets::plot());
