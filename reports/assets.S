@@ -57,33 +57,12 @@ BEGIN(script)
 END(script)
 
 // The topics of `fdebench help`.
-BEGIN(topic_accuracy)
-  TEXT(command/topics/accuracy.txt)
-END(topic_accuracy)
-BEGIN(topic_choosing)
-  TEXT(command/topics/choosing.txt)
-END(topic_choosing)
-BEGIN(topic_parameters)
-  TEXT(command/topics/parameters.txt)
-END(topic_parameters)
-BEGIN(topic_equation_files)
-  TEXT(command/topics/equation_files.txt)
-END(topic_equation_files)
-BEGIN(topic_grids)
-  TEXT(command/topics/grids.txt)
-END(topic_grids)
-BEGIN(topic_history)
-  TEXT(command/topics/history.txt)
-END(topic_history)
-BEGIN(topic_output)
-  TEXT(command/topics/output.txt)
-END(topic_output)
-BEGIN(topic_exit_codes)
-  TEXT(command/topics/exit_codes.txt)
-END(topic_exit_codes)
-BEGIN(topic_environment)
-  TEXT(command/topics/environment.txt)
-END(topic_environment)
+#define FDE_TOPIC(id, name) BEGIN(topic_##id) TEXT(command/topics/id.txt); END(topic_##id)
+#include "command/topics.def"
+
+// The scripts with which shells complete `fdebench`.
+#define FDE_SHELL(id) BEGIN(completion_##id) .incbin QUOTED(command/completions/id); END(completion_##id)
+#include "command/shells.def"
 
 // Without the packages of setup.sh these are empty, and `fdebench report` says so.
 BEGIN(vega)

@@ -16,8 +16,7 @@ std::string_view trimmed(std::string_view text);
 
 // Names separated by commas; a comma in parentheses is part of a name: "x,D(x,0.5)" has two names.
 std::vector<std::string> split_names(std::string_view text);
-// The text as one word of a shell: in single quotes where it has other characters than file names usually
-// have.
+// The text as one word of a shell: in single quotes, unless it has letters, digits and @%+=:,./_- only.
 std::string shell_word(std::string_view text);
 // The header line of CSV: a name that contains a comma is quoted.
 std::string csv_names(const std::vector<std::string>& names);

@@ -98,8 +98,6 @@ def solve(
     texts = {name: _text(name, value) for name, value in given.items() if value is not None}
     if at is not None:
         texts["at"] = ",".join(map(repr, numpy.atleast_1d(_reals("at", at)).tolist()))
-    if (at is not None) + (every is not None) + (points is not None) > 1:
-        raise ValueError("at, every and points: one of them at most")
     of = ("", [], known._core) if is_own else (known._name, known._settings, None)
     solution = Solution(*_core.solve(*of, scheme, texts, bool(check), bool(events)))
     if solution.warning:

@@ -12,23 +12,30 @@
 #include "fdebench/reports/command/topics.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
+// The symbols of assets.S for each script: its first byte, and one past its last.
+#define FDE_SHELL(id) extern "C" const char fde_asset_completion_##id[], fde_asset_completion_##id##_end[];
+#include "fdebench/reports/command/shells.def"
+#undef FDE_SHELL
+
 namespace fde::bench {
 namespace {
 
-// Lines of candidates that begin with a word.
+// Lines of candidates that begin with a word. What precedes that word in its argument, as "--scheme=",
+// precedes the candidates too.
 class Candidates {
  public:
-  explicit Candidates(std::string begin) : begin_(std::move(begin)) {}
+  explicit Candidates(std::string begin, std::string prefix)
+      : begin_(std::move(begin)), prefix_(std::move(prefix)) {}
 
   void add(std::string_view word, std::string_view what) {
-    if (word.starts_with(begin_)) text_ += fmt::format("{}\t{}\n", word, what);
+    if (word.starts_with(begin_)) text_ += fmt::format("{}{}\t{}\n", prefix_, word, what);
   }
   void add_files(std::string_view ending) { text_ += fmt::format("\t{}\n", ending); }
   [[nodiscard]] const std::string& begin() const { return begin_; }
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
-  std::string begin_, text_;
+  std::string begin_, prefix_, text_;
 };
 
 void add_names(const ProgramText& program, Candidates& found) {
@@ -108,14 +115,45 @@ void add_option(const ArgumentText& argument, Candidates& found) {
   if (comma != std::string::npos) found.add(argument.name.substr(0, comma), argument.what);
 }
 
+// The argument whose value comes after these words of a subcommand: of an option without its value, or the
+// next positional one. nullptr: none.
+const ArgumentText* argument_at_end(const SubcommandText& subcommand, const std::vector<std::string>& words) {
+  std::vector<const ArgumentText*> positional;
+  for (const auto& argument : subcommand.arguments)
+    if (argument.is_positional()) positional.push_back(&argument);
+  const ArgumentText* open = nullptr;
+  std::size_t next = 0;
+  for (const auto& word : words) {
+    if (open != nullptr) {
+      open = nullptr;
+    } else if (word.starts_with("--")) {
+      const auto option = std::ranges::find(subcommand.arguments, word, &ArgumentText::name);
+      if (option != subcommand.arguments.end() && !option->value.empty()) open = &*option;
+    } else if (next < positional.size() && !positional[next]->repeated) {
+      ++next;
+    }
+  }
+  if (open != nullptr) return open;
+  return next < positional.size() ? positional[next] : nullptr;
+}
+
 }  // namespace
 
-std::string candidates(const ProgramText& program, const std::vector<std::string>& words,
+std::string candidates(const ProgramText& program, std::vector<std::string> words,
                        const SceneRegistry& known) {
-  Candidates found(words.empty() ? "" : words.back());
-  const std::vector<std::string> before(words.begin(), words.empty() ? words.end() : words.end() - 1);
-  const auto name = std::ranges::find_if(before, [](const auto& word) { return !word.starts_with('-'); });
-  if (name == before.end()) {
+  std::string last, prefix;
+  if (!words.empty()) {
+    last = words.back();
+    words.pop_back();
+  }
+  if (const auto equals = last.find('='); last.starts_with("--") && equals != std::string::npos) {
+    words.push_back(last.substr(0, equals));
+    prefix = last.substr(0, equals + 1);
+    last = last.substr(equals + 1);
+  }
+  Candidates found(last, prefix);
+  const auto name = std::ranges::find_if(words, [](const auto& word) { return !word.starts_with('-'); });
+  if (name == words.end()) {
     add_names(program, found);
     for (const auto& option : common_options()) add_option(option, found);
     found.add("--version", "print the version");
@@ -123,106 +161,34 @@ std::string candidates(const ProgramText& program, const std::vector<std::string
   }
   const auto* const subcommand = program.find(*name);
   if (subcommand == nullptr) return {};
-  // Which argument the last word is the value of.
-  const ArgumentText* open = nullptr;
-  std::vector<const ArgumentText*> positional;
-  for (const auto& argument : subcommand->arguments)
-    if (argument.is_positional()) positional.push_back(&argument);
-  std::size_t next = 0;
-  for (auto word = name + 1; word != before.end(); ++word) {
-    if (open != nullptr) {
-      open = nullptr;
-    } else if (word->starts_with("--")) {
-      const auto option = std::ranges::find(subcommand->arguments, *word, &ArgumentText::name);
-      if (option != subcommand->arguments.end() && !option->value.empty()) open = &*option;
-    } else if (next < positional.size() && !positional[next]->repeated) {
-      ++next;
-    }
-  }
-  if (open != nullptr) {
-    add_values(program, *open, {name + 1, before.end()}, known, found);
-    return found.text();
-  }
-  if (found.begin().starts_with('-')) {
-    for (const auto& argument : subcommand->arguments)
-      if (!argument.is_positional()) add_option(argument, found);
+  const std::vector<std::string> given(name + 1, words.end());
+  const auto* const argument = argument_at_end(*subcommand, given);
+  const bool is_value = argument != nullptr && !argument->is_positional();
+  if (is_value || (argument != nullptr && !last.starts_with('-'))) {
+    add_values(program, *argument, given, known, found);
+  } else if (last.starts_with('-')) {
+    for (const auto& option : subcommand->arguments)
+      if (!option.is_positional()) add_option(option, found);
     for (const auto& option : common_options()) add_option(option, found);
-    return found.text();
   }
-  if (next < positional.size()) add_values(program, *positional[next], before, known, found);
   return found.text();
 }
 
 const std::vector<std::string>& completion_shells() {
-  static const std::vector<std::string> shells{"bash", "zsh", "fish"};
+  static const std::vector<std::string> shells{
+#define FDE_SHELL(id) #id,
+#include "fdebench/reports/command/shells.def"
+#undef FDE_SHELL
+  };
   return shells;
 }
 
 std::string completion_script(const std::string& program, std::string_view shell) {
-  // In bash ":" and "=" end a word; the words of the command line are put together again, and what a
-  // candidate has before the last of them is cut off.
-  constexpr auto bash = R"(# bash completion for NAME
-_NAME() {
-  local line="${COMP_LINE:0:COMP_POINT}" word what current cut
-  local -a words
-  read -r -a words <<< "$line"
-  [[ $line == *[[:space:]] ]] && words+=("")
-  current="${words[${#words[@]}-1]}"
-  cut="${current%"${current##*[:=]}"}"
-  COMPREPLY=()
-  while IFS= read -r word; do
-    what="${word#*$'\t'}" word="${word%%$'\t'*}"
-    if [[ -n $word ]]; then
-      COMPREPLY+=("${word#"$cut"}")
-      [[ $word == *= ]] && compopt -o nospace
-    elif [[ $what == / ]]; then
-      compopt -o filenames
-      while IFS= read -r word; do COMPREPLY+=("$word"); done < <(compgen -d -- "$current")
-    else
-      compopt -o filenames
-      while IFS= read -r word; do
-        [[ -d $word || $word == *"$what" ]] && COMPREPLY+=("$word")
-      done < <(compgen -f -- "$current")
-    fi
-  done < <("${words[0]}" __complete "${words[@]:1}" 2>/dev/null)
-}
-complete -F _NAME NAME
-)";
-  constexpr auto zsh = R"(#compdef NAME
-local line word what
-local -a found
-while IFS= read -r line; do
-  word=${line%%$'\t'*} what=${line#*$'\t'}
-  if [[ -n $word ]]; then
-    found+=("${word//:/\\:}:$what")
-  elif [[ $what == / ]]; then
-    _files -/
-  elif [[ -n $what ]]; then
-    _files -g "*$what"
-  else
-    _files
-  fi
-done < <("${words[1]}" __complete "${(@)words[2,CURRENT]}" 2>/dev/null)
-(( $#found )) && _describe NAME found
-)";
-  constexpr auto fish = R"(# fish completion for NAME
-function __NAME_candidates
-    set -l words (commandline -opc) (commandline -ct)
-    for line in ($words[1] __complete $words[2..-1] 2>/dev/null)
-        set -l parts (string split -m 1 \t -- $line)
-        if test -n "$parts[1]"
-            echo $line
-        else if test "$parts[2]" = /
-            __fish_complete_directories (commandline -ct)
-        else
-            __fish_complete_suffix (commandline -ct) $parts[2]
-        end
-    end
-end
-complete -c NAME -f -a '(__NAME_candidates)'
-)";
-  const auto& shells = completion_shells();
-  std::string text = shell == shells[0] ? bash : shell == shells[1] ? zsh : fish;
+  std::string text;
+#define FDE_SHELL(id) \
+  if (shell == #id) text.assign(fde_asset_completion_##id, fde_asset_completion_##id##_end);
+#include "fdebench/reports/command/shells.def"
+#undef FDE_SHELL
   constexpr std::string_view place = "NAME";
   for (auto at = text.find(place); at != std::string::npos; at = text.find(place, at + program.size()))
     text.replace(at, place.size(), program);

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -102,10 +103,9 @@ std::vector<double> spread_times(int count, double end) {
 
 // The output times; empty: all.
 std::vector<double> times_of(const RunArguments& arguments, const Resolution& resolution, double end) {
-  if (static_cast<int>(arguments.at.has_value()) + static_cast<int>(arguments.every.has_value()) +
-          static_cast<int>(arguments.points.has_value()) >
-      1)
-    throw std::invalid_argument("--at, --every and --points: only one of them may be given");
+  const std::array given{arguments.at.has_value(), arguments.every.has_value(), arguments.points.has_value()};
+  if (std::ranges::count(given, true) > 1)
+    throw std::invalid_argument("--at, --every and --points: one of them at most");
   if (arguments.at) return parse_times(*arguments.at, resolution, end);
   const auto* grid = std::get_if<Grid>(&resolution);
   if (arguments.every || arguments.points) {

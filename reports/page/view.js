@@ -7,15 +7,17 @@ const controls = Object.fromEntries(["norm", "scale", "accuracy", "machine", "sc
 const unset = Object.fromEntries(Object.entries(controls).map(([name, control]) => [name, control.value]));
 const schemeBoxes = () => [...document.querySelectorAll("#schemes input")];
 
-const addressOf = () => {
-  const hash = location.hash.slice(1);
-  let text = hash;
+// An address with a broken escape is taken as it is.
+function decoded(text) {
   try {
-    text = decodeURIComponent(hash);
+    return decodeURIComponent(text);
   } catch {
-    // An address with a broken escape is one without a place.
+    return text;
   }
-  const [place, view = ""] = text.split("?");
+}
+
+const addressOf = () => {
+  const [place, view = ""] = decoded(location.hash.slice(1)).split("?");
   return { place, view: new URLSearchParams(view) };
 };
 

@@ -43,3 +43,9 @@ test("scenes, schemes, norms and accuracies are chosen, and a link restores the 
     assert.ok(top > -5 && top < 200, `the heading is at ${top} pixels`);
   }));
 });
+
+test("an address with a broken escape shows the page", () =>
+  withPage({ address: "#%E0%A4%A" }, async (page) => {
+    await page.locator("#answer .map").first().waitFor();
+    await page.locator("main:not([aria-busy=true])").waitFor();
+  }));

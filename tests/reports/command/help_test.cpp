@@ -306,51 +306,5 @@ TEST(ManualPages, HaveTheSectionsOfAPage) {
   EXPECT_EQ(fdebench("help --man nothing").code, 2);
 }
 
-// The words that a shell offers for the last word.
-std::vector<std::string> offered(std::vector<std::string> words) {
-  words.insert(words.begin(), "__complete");
-  std::vector<std::string> found;
-  for (const auto& line : lines_in(fdebench(words).out)) found.push_back(line.substr(0, line.find('\t')));
-  return found;
-}
-
-TEST(Completions, AreThoseOfTheTables) {
-  using testing::Contains;
-  using testing::ElementsAre;
-  EXPECT_THAT(offered({""}), AllOf(Contains("solve"), Contains("--quiet")));
-  EXPECT_THAT(offered({"sc"}), ElementsAre("scenes", "schemes"));
-  EXPECT_THAT(offered({"-q", "ch"}), ElementsAre("choose"));
-  EXPECT_THAT(offered({"solve", "pend"}), ElementsAre("pendulum", ""));
-  EXPECT_THAT(offered({"solve", "pendulum", "--sch"}), ElementsAre("--scheme"));
-  EXPECT_THAT(offered({"solve", "pendulum", "--scheme", "bdf"}), Contains("bdf5"));
-  EXPECT_THAT(offered({"choose", "pendulum", "--norm", ""}), ElementsAre("end", "maximum"));
-  EXPECT_THAT(offered({"solve", "pendulum", "--set", "al"}), ElementsAre("alpha="));
-  EXPECT_THAT(offered({"solve", "pendulum:alpha=1.9,be"}), ElementsAre("pendulum:alpha=1.9,beta="));
-  EXPECT_THAT(offered({"solve", "pendulum", "--grid", "graded"}), ElementsAre("graded:", "graded:auto"));
-  EXPECT_THAT(offered({"plot", "pendulum", "--kind", "s"}), ElementsAre("solution", "stability"));
-  EXPECT_THAT(offered({"help", "acc"}), ElementsAre("accuracy"));
-  EXPECT_THAT(offered({"completion", ""}), ElementsAre("bash", "zsh", "fish"));
-  EXPECT_EQ(fdebench(std::vector<std::string>{"__complete", "report", ""}).out, "\t.jsonl\n");
-  EXPECT_THAT(offered({"nothing", ""}), ElementsAre());
-}
-
-TEST(Completions, HaveTheScenesOfTheUsersFolder) {
-  const TemporaryFolder folder;
-  folder.write("mine.toml",
-               "end = 1.0\n[parameters]\nstiffness = 2.0\n[unknown.x]\norder = 0.5\n"
-               "rhs = \"-stiffness*x\"\ninitial = [1.0]\n");
-  setenv("FDEBENCH_SCENES", folder.path().c_str(), 1);
-  EXPECT_THAT(offered({"solve", "mi"}), testing::ElementsAre("mine", ""));
-  EXPECT_THAT(offered({"solve", "mine", "--set", "st"}), testing::ElementsAre("stiffness="));
-  unsetenv("FDEBENCH_SCENES");
-}
-
-TEST(CompletionScripts, NameTheProgram) {
-  for (const std::string shell : {"bash", "zsh", "fish"}) {
-    const auto script = fdebench("completion " + shell).out;
-    EXPECT_THAT(script, AllOf(HasSubstr("fdebench"), Not(HasSubstr("NAME")), HasSubstr("__complete")));
-  }
-}
-
 }  // namespace
 }  // namespace fde::bench
