@@ -42,7 +42,7 @@ std::string packed(std::string_view text) {
   if (text.size() > longest_text) throw std::length_error("report: the results are too many for one page");
   const Bytes bytes = compressed(text);
   constexpr std::size_t group = 3, letters = 4;
-  // OpenSSL writes a zero byte behind the letters, where std::string has one.
+  // OpenSSL writes a zero byte after the letters, where std::string has one.
   std::string result((bytes.size() + group - 1) / group * letters, '\0');
   EVP_EncodeBlock(reinterpret_cast<unsigned char*>(result.data()), bytes.data(),
                   static_cast<int>(bytes.size()));

@@ -7,8 +7,9 @@
 namespace fde {
 
 // The times t_n = end (n / steps)^grading, n = 0 ... steps; the exponent `grading` is at least 1. Grading 1
-// is the uniform grid; larger values concentrate the times near 0. The times are computed from n and not as n
-// h: a grid time that is a double, such as the time of a jump, is exact.
+// is the uniform grid; larger values concentrate the times near 0. The last time is `end` exactly: no
+// solution is known after it. The others are computed from n and not as n h: a grid time that is a double,
+// such as the time of a jump, is exact.
 struct Grid {
   double end = 1.0;
   int steps = 1;
@@ -16,6 +17,7 @@ struct Grid {
 
   [[nodiscard]] bool uniform() const { return grading == 1.0; }
   [[nodiscard]] double time(int n) const {
+    if (n == steps) return end;
     return uniform() ? end * n / steps : end * std::pow(static_cast<double>(n) / steps, grading);
   }
   // The step size t_n - t_(n-1), n >= 1; on a uniform grid the same double for all n. It does not decrease
