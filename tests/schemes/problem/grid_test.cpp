@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 TEST(Grid, EndsAtTheEnd) {
@@ -27,4 +27,4 @@ TEST(Grid, HasTimesThatAreDoublesExactly) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench
