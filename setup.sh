@@ -28,7 +28,8 @@ for option in "$@"; do
       packages+=(patchelf python3-pip python3-setuptools python3-wheel)
       python3 -c "import jsonschema" 2>/dev/null || packages+=(python3-jsonschema)
       command -v octave-cli >/dev/null || packages+=(octave)
-      command -v chromium >/dev/null || packages+=(chromium)
+      # Chromium without a window. Its package does not name that of its data.
+      command -v chromium-headless-shell >/dev/null || packages+=(chromium-headless-shell chromium-common)
       npm_folders+=(tests/browser)
       ;;
     --lint) packages+=(clang-format clang-tidy libclang-dev llvm-dev python3) ;;

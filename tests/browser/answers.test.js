@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { RESULTS, settled, withPage } from "./browser.js";
+import { RESULTS, settled, withPage, withReadPage } from "./browser.js";
 import { sectionOf } from "./charts.js";
 import { errorText, finished, isTrial, runsOf, scenesOf } from "./records.js";
 
@@ -11,7 +11,7 @@ const topOf = (heading) => heading.evaluate((node) => node.getBoundingClientRect
 const near = (top) => assert.ok(top > -5 && top < 120, `the heading is at ${top} pixels`);
 
 test("the first screen has the answer of every scene, the cheapest run in each cell", () =>
-  withPage({}, async (page) => {
+  withReadPage("", async (page) => {
     const table = page.locator("#answer table.map");
     assert.equal(await table.locator("tbody tr").count(), scenesOf(runs).length);
     assert.ok((await table.boundingBox()).y < 400);
@@ -47,7 +47,7 @@ test("a link to a scene opens there", () =>
   }));
 
 test("each scheme has a sentence on where it wins and where not to use it", () =>
-  withPage({}, async (page) => {
+  withReadPage("", async (page) => {
     const words = await page.locator("#answer .said dt").evaluateAll((names) => Object.fromEntries(names.map((name) =>
       [name.textContent.slice(name.querySelector("b").textContent.length), { short: name.querySelector("b").textContent, wins: name.nextElementSibling.textContent, not: name.nextElementSibling.nextElementSibling.textContent }])));
     assert.deepEqual(Object.values(words).map(({ short }) => short).sort(), ["ap", "bdf4", "l1", "pt", "sc"]);
@@ -63,7 +63,7 @@ test("each scheme has a sentence on where it wins and where not to use it", () =
   }));
 
 test("trials have their verdict", () =>
-  withPage({ address: "#stability" }, async (page) => {
+  withReadPage("#stability", async (page) => {
     const trials = runs.filter(isTrial);
     const cells = page.locator("#stability tbody td[data-tone]");
     await cells.first().waitFor();

@@ -16,8 +16,8 @@ const faults = {
 
 for (const [fault, [complaint, before, after]] of Object.entries(faults)) {
   test(`${fault} is seen`, () =>
-    assert.rejects(withPage({ changed: [before, after], address: "#scene-relaxation" }, async (page) => {
+    assert.rejects(withPage({ changed: [before, after], address: "#scene-pendulum?scene=pendulum" }, async (page) => {
       await settled(page);
-      await checkCharts(page, runsOf(RESULTS), "error_maximum_mixed", ["relaxation"]);
+      await checkCharts(page, runsOf(RESULTS), "error_maximum_mixed", ["pendulum"]);
     }), complaint));
 }

@@ -35,29 +35,50 @@ function exchanged(text, [old, other]) {
 
 // Opens the page and calls visit with it. address: what follows the file, "#scene-relaxation". changed, changedData: a text of the file, or
 // of its data, and its replacement. prepare: is run before the page's scripts.
-export async function withPage({ width = 1280, height = 900, dark = false, address = "", changed, changedData, prepare, page: file = PAGE }, visit) {
+export async function withPage(how, visit) {
+  const opened = await open(how);
+  try {
+    await visited(opened, visit);
+  } finally {
+    await opened.page.context().close();
+  }
+}
+
+// As withPage, for a test that only reads the page of 1280 pixels: it is opened once for all of them, or twice where two run at a time.
+const idle = [];
+export async function withReadPage(address, visit) {
+  const opened = idle.pop() ?? await open({}), { page } = opened;
+  await page.evaluate((place) => { location.hash = place; if (!place) scrollTo(0, 0); }, address);
+  const stateOf = () => page.evaluate(() => JSON.stringify([viewNow(), document.querySelector("#answer").innerText]));
+  const before = await stateOf();
+  await visited(opened, visit);
+  assert.equal(await stateOf(), before, "the test has changed the page");
+  idle.push(opened);
+}
+
+async function open({ width = 1280, height = 900, dark = false, address = "", changed, changedData, prepare, page: file = PAGE }) {
   const context = await browser.newContext({
     viewport: { width, height }, colorScheme: dark ? "dark" : "light", reducedMotion: "reduce", acceptDownloads: true,
   });
-  try {
-    const page = await context.newPage();
-    page.setDefaultTimeout(patience);
-    const complaints = complaintsOf(page);
-    if (prepare) await page.addInitScript(prepare);
-    if (changed || changedData) {
-      const text = readFileSync(file, "utf8"), body = changed ? exchanged(text, changed) : repacked(text, "data", exchanged(unpackedFrom(text, "data"), changedData));
-      await page.route("file://**/index.html", (route) => route.fulfill({ contentType: "text/html", body }));
-    }
-    await page.goto(`file://${file}${address}`);
-    await page.locator("main:not([aria-busy])").waitFor({ state: "attached" });
-    await visit(page).catch((error) => {
-      error.message = [error.message, ...complaints].join("\n");
-      throw error;
-    });
-    assert.deepEqual(complaints, []);
-  } finally {
-    await context.close();
+  const page = await context.newPage();
+  page.setDefaultTimeout(patience);
+  const complaints = complaintsOf(page);
+  if (prepare) await page.addInitScript(prepare);
+  if (changed || changedData) {
+    const text = readFileSync(file, "utf8"), body = changed ? exchanged(text, changed) : repacked(text, "data", exchanged(unpackedFrom(text, "data"), changedData));
+    await page.route("file://**/index.html", (route) => route.fulfill({ contentType: "text/html", body }));
   }
+  await page.goto(`file://${file}${address}`);
+  await page.locator("main:not([aria-busy])").waitFor({ state: "attached" });
+  return { page, complaints };
+}
+
+async function visited({ page, complaints }, visit) {
+  await visit(page).catch((error) => {
+    error.message = [error.message, ...complaints].join("\n");
+    throw error;
+  });
+  assert.deepEqual(complaints, []);
 }
 
 // Has every section drawn, as print does, and waits for the charts.

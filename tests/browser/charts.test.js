@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { drawAll, RESULTS, settled, withPage } from "./browser.js";
+import { drawAll, RESULTS, settled, withPage, withReadPage } from "./browser.js";
 import { checkCharts, sectionOf } from "./charts.js";
 import { errorText, finished, runsOf } from "./records.js";
 
@@ -21,7 +21,7 @@ test("every chart has the marks of its records, and those of another norm and sc
   }));
 
 test("errors over a parameter have a point for each line and value", () =>
-  withPage({ address: "#curve-relaxation-gamma" }, async (page) => {
+  withReadPage("#curve-relaxation-gamma", async (page) => {
     await settled(page);
     const most = Math.max(...finished(runs).map(({ steps }) => steps));
     const expected = finished(runs).filter((run) => run.scene.startsWith("relaxation") && run.steps === most);
@@ -31,7 +31,7 @@ test("errors over a parameter have a point for each line and value", () =>
   }));
 
 test("the band in the chart of errors and times is the Pareto front", () =>
-  withPage({ address: "#scene-pendulum" }, async (page) => {
+  withReadPage("#scene-pendulum", async (page) => {
     await settled(page);
     const ofPendulum = finished(runs).filter((run) => run.scene === "pendulum" && run[shown] > 0 && run.time_minimum > 0);
     const front = ofPendulum.filter((run) => !ofPendulum.some((other) => other !== run && other.time_minimum <= run.time_minimum && other[shown] <= run[shown]));
@@ -67,7 +67,7 @@ const visiblePoint = (figure) =>
   });
 
 test("hovering tells the run under the pointer", () =>
-  withPage({ address: "#scene-pendulum" }, async (page) => {
+  withReadPage("#scene-pendulum", async (page) => {
     await settled(page);
     for (const [scene, chart] of [["pendulum", "error-against-time"], ["loxodrome", "error-against-step"], ["pendulum", "energy-against-step"]]) {
       const point = await visiblePoint(sectionOf(page, scene).locator(`figure[data-chart="${chart}"]`));
@@ -100,7 +100,7 @@ test("a click in the legend leaves one line bright", () =>
   }));
 
 test("the numbers behind a chart are a table and a file", () =>
-  withPage({ address: "#scene-pendulum" }, async (page) => {
+  withReadPage("#scene-pendulum", async (page) => {
     await settled(page);
     const figure = sectionOf(page, "pendulum").locator('figure[data-chart="delivered-against-requested"]');
     const requested = finished(runs).filter((run) => run.scene === "pendulum" && run.requested);

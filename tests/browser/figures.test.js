@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Figures for papers: drawn without a browser, by the charts of the page.
 import assert from "node:assert/strict";
-import { execFileSync, spawnSync } from "node:child_process";
+import { execFile } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
-import { PAGE, RESULTS, withPage } from "./browser.js";
+import { promisify } from "node:util";
+import { PAGE, RESULTS, withReadPage } from "./browser.js";
 import { drawn, finished, runsOf } from "./records.js";
 
 const { PROGRAM } = process.env;
 const ofPendulum = finished(runsOf(RESULTS)).filter(({ scene }) => scene === "pendulum");
 const figure = (name) => join(dirname(PAGE), name);
 const plot = (kind, out) => ["plot", "pendulum", "--results", RESULTS, "--kind", kind, "--out", out];
-const draw = (out, scene, kind, ...more) => {
-  execFileSync(PROGRAM, ["plot", scene, "--kind", kind, ...more, "--out", figure(out)]);
+const fdebench = (words) => promisify(execFile)(PROGRAM, words);
+const draw = async (out, scene, kind, ...more) => {
+  await fdebench(["plot", scene, "--kind", kind, ...more, "--out", figure(out)]);
   return readFileSync(figure(out));
 };
-const specOf = (...words) => JSON.parse(draw("spec.vl.json", ...words));
+// Two tests may draw at a time.
+let specs = 0;
+const specOf = async (...words) => JSON.parse(await draw(`spec${++specs}.vl.json`, ...words));
 
 // 3.4 inches of 96 pixels; letters of 8 points are 32/3 pixels high.
 function checkPaper(svg, name) {
@@ -27,10 +31,10 @@ function checkPaper(svg, name) {
   assert.ok(Math.max(...frames) > 180 && Math.max(...frames) < 326.4, `${name}: a frame of ${frames}`);
 }
 
-test("a figure has a mark for each record", () => {
+test("a figure has a mark for each record", async () => {
   for (const [kind, chart] of [["work-precision", "error-against-time"], ["memory", "error-against-memory"], ["rate", "error-against-step"], ["accuracy", "delivered-against-requested"], ["energy", "energy-against-step"]]) {
     const out = figure(`${kind}.svg`);
-    assert.equal(execFileSync(PROGRAM, plot(kind, out), { encoding: "utf8" }), `${out}\n`);
+    assert.equal((await fdebench(plot(kind, out))).stdout, `${out}\n`);
     const svg = readFileSync(out, "utf8");
     const marks = [...svg.matchAll(/class="mark-symbol role-mark[^"]*".*?<\/g>/gs)].map(([group]) => group.match(/<path/g)?.length ?? 0);
     assert.equal(marks.reduce((a, b) => a + b, 0), drawn[chart](ofPendulum, "error_maximum_mixed").length, kind);
@@ -39,10 +43,10 @@ test("a figure has a mark for each record", () => {
   }
 });
 
-test("every kind of figure is as wide as a column, its letters have 8 points", () => {
+test("every kind of figure is as wide as a column, its letters have 8 points", async () => {
   for (const [scene, kind, ...more] of [["pendulum", "solution"], ["pendulum", "phase"], ["loxodrome", "motion"], ["rolling_disc", "motion"], ["relaxation", "stability"],
     ["relaxation", "solution", "--set", "lambda=-3:-1:1"], ["pendulum", "work-precision", "--results", RESULTS, "--scheme", "l1"]]) {
-    checkPaper(draw("paper.svg", scene, kind, ...more).toString(), `${scene} ${kind}`);
+    checkPaper((await draw("paper.svg", scene, kind, ...more)).toString(), `${scene} ${kind}`);
   }
 });
 
@@ -62,10 +66,11 @@ function marksIn(spec) {
 }
 
 test("a scheme has its colour and its mark in every figure and on the page", async () => {
-  const figures = [["pendulum", "work-precision", "--results", RESULTS], ["relaxation", "rate", "--results", RESULTS], ["pendulum", "rate", "--results", RESULTS, "--scheme", "bdf4", "--scheme", "l1"],
-    ["relaxation:gamma=0.8", "work-precision", "--results", RESULTS], ["relaxation", "stability", "--scheme", "bdf4", "--scheme", "adams_pc", "--scheme", "l1"]].map((words) => marksIn(specOf(...words)));
-  await withPage({}, async (page) => {
-    for (const marks of figures) {
+  const drawings = [["pendulum", "work-precision", "--results", RESULTS], ["relaxation", "rate", "--results", RESULTS], ["pendulum", "rate", "--results", RESULTS, "--scheme", "bdf4", "--scheme", "l1"],
+    ["relaxation:gamma=0.8", "work-precision", "--results", RESULTS], ["relaxation", "stability", "--scheme", "bdf4", "--scheme", "adams_pc", "--scheme", "l1"]];
+  const figures = await Promise.all(drawings.map((words) => specOf(...words)));
+  await withReadPage("", async (page) => {
+    for (const marks of figures.map(marksIn)) {
       assert.ok(Object.keys(marks).length >= 2);
       for (const [line, { color, shape }] of Object.entries(marks))
         assert.deepEqual({ color, shape }, await page.evaluate((of) => ({ color: colourOf(data.lines, of), shape: shapeOf(data.lines, of) }), line), line);
@@ -73,60 +78,60 @@ test("a scheme has its colour and its mark in every figure and on the page", asy
   });
 });
 
-test("a figure's specification is Vega-Lite with its numbers", () => {
-  const spec = specOf("pendulum", "solution");
+test("a figure's specification is Vega-Lite with its numbers", async () => {
+  const spec = await specOf("pendulum", "solution");
   assert.match(spec.$schema, /vega-lite\/v6/);
   assert.deepEqual(spec.data.values[0], { t: 0, column: "phi", value: 1 });
 });
 
-test("a figure as PDF has one page of a column's width and its letters in it", () => {
-  const pdf = draw("solution.pdf", "pendulum", "solution").toString("latin1");
+test("a figure as PDF has one page of a column's width and its letters in it", async () => {
+  const pdf = (await draw("solution.pdf", "pendulum", "solution")).toString("latin1");
   assert.match(pdf, /^%PDF-/);
   const [width] = /\/MediaBox \[ 0 0 ([\d.]+) /.exec(pdf).slice(1).map(Number);
   assert.ok(Math.abs(width - 3.4 * 72) < 0.1, `${width} points wide`);
   assert.match(pdf, /\/FontFile/);
 });
 
-test("energy, multipliers and any columns are drawn over time", () => {
-  const [first] = specOf("pendulum", "solution", "--columns", "energy").data.values;
+test("energy, multipliers and any columns are drawn over time", async () => {
+  const [first] = (await specOf("pendulum", "solution", "--columns", "energy")).data.values;
   assert.equal(first.column, "energy");
   assert.ok(Math.abs(first.value - (0.3 ** 2 / 2 + 1 - Math.cos(1))) < 1e-4);
   // The multiplier of z' = y x' is x' y' / (1 + y^2).
-  const [start] = specOf("nonholonomic_particle", "solution", "--columns", "lambda").data.values;
+  const [start] = (await specOf("nonholonomic_particle", "solution", "--columns", "lambda")).data.values;
   assert.ok(Math.abs(start.value - 1 / 1.25) < 1e-4);
 });
 
-test("a range of a parameter is a family of curves", () => {
-  const { data, vconcat } = specOf("relaxation", "solution", "--set", "lambda=-3:-1:1");
+test("a range of a parameter is a family of curves", async () => {
+  const { data, vconcat } = await specOf("relaxation", "solution", "--set", "lambda=-3:-1:1");
   assert.deepEqual([...new Set(data.values.map(({ parameter }) => parameter))], ["-3", "-2", "-1"]);
   assert.equal(vconcat.length, 1);
-  assert.match(draw("family.svg", "relaxation", "solution", "--set", "lambda=-3:-1:1").toString(), /<svg/);
+  assert.match((await draw("family.svg", "relaxation", "solution", "--set", "lambda=-3:-1:1")).toString(), /<svg/);
 });
 
 // D^beta phi tends to phi - phi(0) for beta to 0, and D^alpha phi to phi' - phi'(0) for alpha to 1: of a start at rest to phi'.
-test("a curve that is not the limit of its neighbours is dashed, and a note says what they tend to", () => {
+test("a curve that is not the limit of its neighbours is dashed, and a note says what they tend to", async () => {
   const dashed = ({ data }) => [...new Set(data.values.filter(({ apart }) => apart).map(({ parameter }) => parameter))];
-  const overBeta = specOf("pendulum:until=1", "solution", "--set", "beta=0:0.5:0.25");
+  const overBeta = await specOf("pendulum:until=1", "solution", "--set", "beta=0:0.5:0.25");
   assert.deepEqual(dashed(overBeta), ["0"]);
   assert.deepEqual(overBeta.title.text, ["Dashed: β = 0, not the limit of its neighbours.", "As β → 0, Dᵝφ tends to φ − φ(0)."]);
-  const overAlpha = specOf("pendulum:until=1", "phase", "--columns", "phi,dphi", "--set", "alpha=1:2:0.5");
+  const overAlpha = await specOf("pendulum:until=1", "phase", "--columns", "phi,dphi", "--set", "alpha=1:2:0.5");
   assert.deepEqual(dashed(overAlpha), ["1"]);
   assert.deepEqual(overAlpha.title.text, ["Dashed: α = 1, not the limit of its neighbours.", "As α → 1, Dᵅφ tends to φ′ − φ′(0)."]);
-  const fromRest = specOf("pendulum:until=1,dphi0=0", "solution", "--set", "alpha=1:2:0.5");
+  const fromRest = await specOf("pendulum:until=1,dphi0=0", "solution", "--set", "alpha=1:2:0.5");
   assert.deepEqual(dashed(fromRest), []);
   assert.equal(fromRest.title, undefined);
-  checkPaper(draw("apart.svg", "pendulum:until=1", "solution", "--set", "beta=0:0.5:0.25").toString(), "a family with a note");
+  checkPaper((await draw("apart.svg", "pendulum:until=1", "solution", "--set", "beta=0:0.5:0.25")).toString(), "a family with a note");
 });
 
-test("a motion is drawn where it is: in the plane, on its sphere", () => {
-  const disc = specOf("rolling_disc", "motion").data.values;
+test("a motion is drawn where it is: in the plane, on its sphere", async () => {
+  const disc = (await specOf("rolling_disc", "motion")).data.values;
   assert.ok(disc.every(({ x, y }) => Math.abs(x ** 2 + (y - 1) ** 2 - 1) < 1e-3));  // a circle of radius R psi'(0) / phi'(0)
-  const course = specOf("loxodrome", "motion").data.values;
+  const course = (await specOf("loxodrome", "motion")).data.values;
   assert.ok(course.every(({ x, y, z }) => Math.abs(x ** 2 + y ** 2 + z ** 2 - 1) < 1e-3));
 });
 
-test("regions of stability are those of the scene's order", () => {
-  const { data } = specOf("relaxation:gamma=1", "stability", "--scheme", "adams_pc", "--scheme", "grunwald_letnikov");
+test("regions of stability are those of the scene's order", async () => {
+  const { data } = await specOf("relaxation:gamma=1", "stability", "--scheme", "adams_pc", "--scheme", "grunwald_letnikov");
   assert.deepEqual([...new Set(data.values.map(({ line }) => line))], ["adams_pc", "grunwald_letnikov"]);
   // Backward Euler: |1 - z| = 1. Heun's method: |1 + z + z^2/2| = 1.
   for (const { line, re, im } of data.values) {
@@ -135,14 +140,14 @@ test("regions of stability are those of the scene's order", () => {
   }
 });
 
-test("what cannot be drawn is refused in a line", () => {
+test("what cannot be drawn is refused in a line", async () => {
   for (const [words, complaint] of [[plot("pie", "f.svg"), /--kind = pie: must be work-precision, .* or stability/], [plot("rate", "f.gif"), /--out = f.gif: must end in/],
     [plot("rate", "/nonexistent/f.svg"), /cannot be drawn by node/],
     [["plot", "pendulum", "--kind", "rate", "--out", "f.svg"], /--results: --kind rate draws runs/],
     [["plot", "pendulum", "--kind", "stability", "--out", "f.svg"], /has several orders/],
     [["plot", "pendulum", "--kind", "solution", "--columns", "psi", "--out", "f.svg"], /--columns: psi is none of phi,/]]) {
-    const { status, stderr } = spawnSync(PROGRAM, words, { encoding: "utf8" });
-    assert.equal(status, 2);
+    const { code, stderr } = await fdebench(words).catch((refused) => refused);
+    assert.equal(code, 2);
     assert.match(stderr, complaint);
     assert.equal(stderr.trim().split("\n").length, 1);
   }

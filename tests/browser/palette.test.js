@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { test } from "node:test";
-import { RESULTS, withPage } from "./browser.js";
+import { RESULTS, withPage, withReadPage } from "./browser.js";
 import { finished, runsOf } from "./records.js";
 
 const { PROGRAM } = process.env;
@@ -46,7 +46,7 @@ for (const dark of [false, true]) {
 }
 
 test("every scheme has a mark of its own, whatever else is drawn, and another one on another grid", () =>
-  withPage({}, async (page) => {
+  withReadPage("", async (page) => {
     const ids = JSON.parse(execFileSync(PROGRAM, ["schemes", "--json"], { encoding: "utf8" })).map(({ id }) => id);
     const marksOf = (lines, of) => page.evaluate(([all, some]) => some.map((line) => `${colourOf(all, line)} ${shapeOf(all, line)}`), [lines, of]);
     assert.deepEqual(await page.evaluate((all) => all.filter((id) => !schemesMarked.includes(id)), ids), [], "schemes without a place in scheme_marks.js");
@@ -61,7 +61,7 @@ test("every scheme has a mark of its own, whatever else is drawn, and another on
   }));
 
 test("no two lines have colour and shape in common, and short names are their own", () =>
-  withPage({}, async (page) => {
+  withReadPage("", async (page) => {
     const many = Array.from({ length: 60 }, (_, i) => `line_${i}`);
     const marks = await page.evaluate((lines) => lines.map((line) => `${colourOf(lines, line)} ${shapeOf(lines, line)}`), many);
     assert.equal(new Set(marks).size, many.length);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What a reader with a phone has, and what each recommendation gives: names in full, a command to copy.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
+import { execFile } from "node:child_process";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
+import { promisify } from "node:util";
 import { PAGE, settled, withPage } from "./browser.js";
 import { sectionOf } from "./charts.js";
 
@@ -35,7 +36,8 @@ for (const width of [390, 1280]) {
 function answerOf(command) {
   const [program, ...words] = command.split(" ");
   assert.equal(program, "fdebench");
-  return spawnSync(PROGRAM, [...words, ...(words.includes("--accuracy") ? [] : ["--points", "2"])], { encoding: "utf8" });
+  return promisify(execFile)(PROGRAM, [...words, ...(words.includes("--accuracy") ? [] : ["--points", "2"])])
+    .then((answer) => ({ ...answer, status: 0 }), (refused) => ({ ...refused, status: refused.code }));
 }
 const facts = (page) => page.locator("#cell dl").evaluate((list) => Object.fromEntries([...list.querySelectorAll("dt")].map((name) => [name.textContent, name.nextElementSibling.textContent])));
 
@@ -45,7 +47,7 @@ async function openEach(page, map) {
   for (const button of cells) {
     await button.evaluate((node) => node.click());
     const shown = await page.locator("#cell").evaluate((dialog) => ({ title: dialog.querySelector("h2").textContent, name: dialog.querySelector(".name")?.textContent, command: dialog.querySelector(".command code")?.textContent, right: dialog.getBoundingClientRect().right }));
-    if (shown.command && !answers.has(shown.command)) answers.set(shown.command, answerOf(shown.command));
+    if (shown.command && !answers.has(shown.command)) answers.set(shown.command, await answerOf(shown.command));
     opened.push({ label: await button.getAttribute("aria-label"), ...shown, facts: await facts(page), answer: answers.get(shown.command) });
     await page.keyboard.press("Escape");
     assert.equal(await page.locator("#cell").isVisible(), false);
@@ -109,7 +111,7 @@ test("each recommendation is a command that runs, and a button copies it", () =>
     const row = rows.first(), text = await row.locator(".command code").textContent();
     const steps = /N = (\d+)/.exec(await row.textContent())[1];
     assert.match(text, /^fdebench solve pendulum --scheme \w+ --(steps|accuracy) /);
-    assert.match(answerOf(text).stdout, /^t,phi,/);
+    assert.match((await answerOf(text)).stdout, /^t,phi,/);
     if (text.includes("--steps")) assert.ok(text.includes(`--steps ${steps}`));
     await page.evaluate(() => { document.addEventListener("copy", () => { globalThis.copied = getSelection().toString(); });
       Object.defineProperty(navigator, "clipboard", { value: { writeText: (of) => { globalThis.copied = of; return Promise.resolve(); } } }); });

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { RESULTS, drawAll, settled, withPage } from "./browser.js";
+import { RESULTS, drawAll, settled, withReadPage } from "./browser.js";
 import { sectionOf } from "./charts.js";
 import { finished, runsOf } from "./records.js";
 
 const runs = runsOf(RESULTS);
 
 test("a scene has its equation, its solution and a conclusion", () =>
-  withPage({ address: "#scene-pendulum" }, async (page) => {
+  withReadPage("#scene-pendulum", async (page) => {
     await settled(page);
     const section = sectionOf(page, "pendulum");
     assert.equal(await section.locator("math").count(), 1);
@@ -24,7 +24,7 @@ test("a scene has its equation, its solution and a conclusion", () =>
   }));
 
 test("a formula says from where a derivative looks", () =>
-  withPage({}, async (page) => {
+  withReadPage("", async (page) => {
     const set = await page.evaluate(() => {
       const made = equation({ left: "D_right(p, alpha) + sum(k, b_k*D(u, 1))", right: "J(mu, 1 - alpha)" });
       return { text: made.textContent, sided: made.querySelectorAll("msubsup").length, alternative: made.getAttribute("alttext") };
@@ -37,7 +37,7 @@ test("a formula says from where a derivative looks", () =>
   }));
 
 test("a constrained scene has its multiplier, its constraint and its motion", () =>
-  withPage({ address: "#scene-loxodrome" }, async (page) => {
+  withReadPage("#scene-loxodrome", async (page) => {
     await drawAll(page);
     const section = sectionOf(page, "loxodrome");
     const equations = await section.locator("math").allTextContents();

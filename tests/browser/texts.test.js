@@ -3,13 +3,13 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { withPage } from "./browser.js";
+import { withReadPage } from "./browser.js";
 
 // What the page says of facts, each [template or name of a statement, facts].
 const saidOf = (page, all) => page.evaluate((cases) => cases.map(([template, facts]) => say(statements[template] ?? template, facts)), all);
 
 async function checkSaid(cases) {
-  await withPage({}, async (page) => {
+  await withReadPage("", async (page) => {
     const said = await saidOf(page, cases.map(([template, facts]) => [template, facts]));
     assert.deepEqual(said, cases.map(([, , text]) => text));
   });
@@ -30,7 +30,7 @@ test("a template is filled with facts, and what lacks one is left out", () => ch
   ["{a}", { a: "{b} [c]" }, "{b} [c]"],
 ]));
 
-test("numbers are rounded for readers", () => withPage({}, async (page) => {
+test("numbers are rounded for readers", () => withReadPage("", async (page) => {
   const texts = await page.evaluate(() => Object.entries({
     error: [1.23e-7, 9.96e-8, 0, 370], time: [3.456e-3, 1.2345e-5, 78.91, 640, 5e-10], bytes: [123, 65536], count: [8192, 1234567, 1.2e9], rough: [34567, 42],
     ratio: [1.5, 34567], power: [1e-10], three: [7360.4, 2.4427e-4],
@@ -87,7 +87,7 @@ test("of a scheme it says where it wins or is nearest, and what speaks against i
 ]));
 
 const outcomes = [...readFileSync(new URL("../../benchmarks/measures/run_outcome.cpp", import.meta.url), "utf8").matchAll(/OutcomeText\{[\w:]+, "(\w+)"/g)].map(([, id]) => id);
-test("every way in which a run ends has its words, and an unknown one is shown by its id", () => withPage({}, async (page) => {
+test("every way in which a run ends has its words, and an unknown one is shown by its id", () => withReadPage("", async (page) => {
   assert.ok(outcomes.length > 10);
   const words = await page.evaluate(() => Object.keys(statements.outcome));
   assert.deepEqual(words.sort(), outcomes.filter((id) => id !== "finished").sort());
@@ -105,7 +105,7 @@ const trials = [
   [{ survive: 2, trials: 5, stop: 1, refused: 2 }, "2 of 5", "stops rightly 1, refuses 2"],
   [{ survive: 0, trials: 5, refused: 2 }, "0 of 5", "refuses 2"],
 ];
-test("a trial has a sign and its reason; an unknown verdict is shown by its id", () => withPage({}, async (page) => {
+test("a trial has a sign and its reason; an unknown verdict is shown by its id", () => withReadPage("", async (page) => {
   const content = await page.evaluate((cells) => {
     const table = tableOfFacts(sectionTables.stability, [{ rows: cells.map((cell) => ({ scene: "s", steps: 64, cells: [cell] })) }], { lines: ["l1"] });
     return [...tableFrame(table, ["l1"]).querySelectorAll("td")].map((cell) => [cell.textContent, cell.title]);
@@ -113,7 +113,7 @@ test("a trial has a sign and its reason; an unknown verdict is shown by its id",
   assert.deepEqual(content, trials.map(([, ...texts]) => texts));
 }));
 
-test("templates name formats that there are", () => withPage({}, async (page) => {
+test("templates name formats that there are", () => withReadPage("", async (page) => {
   const unknown = await page.evaluate(() => {
     const textsIn = (of) => (typeof of === "string" ? [of] : of && typeof of === "object" ? Object.values(of).flatMap(textsIn) : []);
     const known = { ...numberFormats, ...wholeFormats, ...statements };

@@ -29,7 +29,7 @@ print(*faults, sep="\n")
 if faults:
     sys.exit(1)
 
-chromium = shutil.which("chromium") or shutil.which("chromium-browser")
+chromium = next(filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "chromium-browser"))), None)
 if not (chromium and shutil.which("node") and (HERE.parent / "browser/node_modules/.package-lock.json").exists()):
     print("the links are right; skipped without Chromium and node: ./setup.sh --tests installs them")
     sys.exit(SKIPPED)
