@@ -13,6 +13,11 @@ array([0.52315658, 0.42758358])
 ``scenes()`` and ``schemes()`` list what there is; ``Problem`` is an equation of one's own.
 """
 
+try:
+    import numpy  # noqa: F401
+except ModuleNotFoundError as missing:
+    raise ImportError(f"fdebench needs NumPy (Debian's python3-numpy, or pip install numpy): {missing}") from None
+
 from . import _core
 from ._exact import Digits, Exact, exact, mittag_leffler, mittag_leffler_digits
 from ._failure import DoubtfulResult, NumericalFailure

@@ -4,6 +4,8 @@
 import ast
 import inspect
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -33,3 +35,11 @@ def test_every_name_of_the_compiled_half_is_declared():
 def test_everything_says_what_it_is():
     public = [getattr(fdebench, name) for name in fdebench.__all__]
     assert [thing.__name__ for thing in public if not thing.__doc__] == []
+
+
+def test_without_numpy_the_last_line_says_what_is_missing():
+    program = "import sys; sys.modules['numpy'] = None; import fdebench"
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert ended.returncode == 1
+    assert ended.stderr.splitlines()[-1].startswith("ImportError: fdebench needs NumPy (Debian's python3-numpy, or pip install numpy): ")
+    assert "During handling" not in ended.stderr
