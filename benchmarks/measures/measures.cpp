@@ -4,6 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/measures/errors.hpp"
 #include "fdebench/benchmarks/measures/time_spread.hpp"
@@ -21,10 +26,24 @@ Seconds median(const TimedSolves& timed) { return spread_of(timed.seconds).media
 Seconds low(const TimedSolves& timed) { return spread_of(timed.seconds).low; }
 Seconds high(const TimedSolves& timed) { return spread_of(timed.seconds).high; }
 
+template <auto condition>
+std::optional<double> observed(const TimedSolves& timed) {
+  return timed.conditions ? std::optional<double>((*timed.conditions).*condition) : std::nullopt;
+}
+std::optional<double> disturbed(const TimedSolves& timed) {
+  return timed.waited.empty() ? std::nullopt : std::optional(is_disturbed(timed) ? 1.0 : 0.0);
+}
+
 constexpr std::array all_of_time{
-    TimeMeasure{"time_setup", setup},   TimeMeasure{"time_minimum", minimum},
-    TimeMeasure{"time_median", median}, TimeMeasure{"time_low", low},
+    TimeMeasure{"time_setup", setup},
+    TimeMeasure{"time_minimum", minimum},
+    TimeMeasure{"time_median", median},
+    TimeMeasure{"time_low", low},
     TimeMeasure{"time_high", high},
+    TimeMeasure{"load", observed<&TimingConditions::load>, ""},
+    TimeMeasure{"switches", observed<&TimingConditions::switches>, ""},
+    TimeMeasure{"frequency", observed<&TimingConditions::frequency>, "Hz"},
+    TimeMeasure{"disturbed", disturbed, ""},
 };
 
 }  // namespace
@@ -42,6 +61,18 @@ std::span<const Measure* const> measures() {
 }
 
 std::span<const TimeMeasure> time_measures() { return all_of_time; }
+
+bool is_disturbed(const TimedSolves& timed) {
+  constexpr double most_waited = 0.02, clock = 5e-6, most_spread = 1.1;
+  std::vector<std::pair<double, double>> solves;  // seconds, waited
+  for (std::size_t i = 0; i < timed.seconds.size(); ++i)
+    solves.emplace_back(timed.seconds[i], timed.waited.at(i));
+  const auto median = solves.begin() + std::ssize(solves) / 2;
+  std::ranges::nth_element(solves, median);
+  const auto [seconds, waited] = *median;
+  return waited > most_waited * seconds + clock ||
+         seconds > most_spread * std::ranges::min(timed.seconds) + clock;
+}
 
 double mescd(const Rows& values, const Rows& reference) {
   const auto error = (values.rightCols(1) - reference.rightCols(1)).array().abs();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 #include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
@@ -59,18 +60,25 @@ namespace measure {
 // The errors of all kinds and their baselines, then those of list.def in its order.
 std::span<const Measure* const> measures();
 
-// The seconds of repeated solves, and by how much the first run of a process takes longer (SetupTime).
+// The seconds of repeated solves, and by how much the first run of a process takes longer (SetupTime). The
+// thread did not run for `waited` seconds of each solve.
 struct TimedSolves {
-  std::vector<double> seconds{};
+  std::vector<double> seconds{}, waited{};
   double setup_seconds = 0.0;
+  std::optional<TimingConditions> conditions{};
 };
 
-// Measures of the times of repeated solves, in seconds; nullopt where one does not apply.
+// Measures of the times of repeated solves and of what disturbed them; nullopt where one does not apply.
 struct TimeMeasure {
   std::string_view id;
   std::optional<double> (*value)(const TimedSolves& timed);
+  std::string_view unit = "s";
 };
 std::span<const TimeMeasure> time_measures();
+
+// Whether other work on the machine made the times longer: the median solve waited for the processor, or took
+// much longer than the quickest. docs/cluster.md says how often this is right.
+bool is_disturbed(const TimedSolves& timed);
 
 // A measured number.
 struct MeasuredValue {

@@ -45,9 +45,11 @@ struct Record {
 struct Session {
   std::string date, machine, system, compiler, flags, commit, version;
   unsigned cores = 0;
+  std::string node{};  // name of the machine; empty: not told
 };
 
-// The session of this process, with the present time.
+// The session of this process, with the present time. Its node is the environment variable FDEBENCH_NODE.
+// Throws std::invalid_argument if that cannot be printed.
 Session this_session();
 
 // The contents of a results file.
@@ -57,10 +59,13 @@ struct Results {
   std::vector<SceneDescription> scenes{};
 };
 
-// Whether two sessions are of the same build on the same machine, so that their rows can be combined.
+// Whether two sessions are of the same build, whose examinations give the same rows on every machine.
 bool same_build(const Session& a, const Session& b);
 
-// Whether the row is a time of a run, measured after its examination: its unit is the second.
+// Whether their machines are alike, so that their times can be compared.
+bool same_machine(const Session& a, const Session& b);
+
+// Whether the row was measured after the examination of a run: a time, or a condition of the timing.
 bool is_time(const Record& row);
 
 }  // namespace fde::bench

@@ -15,7 +15,6 @@
 
 namespace fde::bench {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Session, date, machine, system, compiler, flags, commit, version, cores)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Course, t, value)
 
 namespace {
@@ -60,6 +59,27 @@ RunSettings external_setup_of(const Json& json, int steps) {
   return {.resolution = steps, .grading = parse_grading(json.value("grid", grid_text(1.0)))};
 }
 
+// Absent entry: the node, unless it is told.
+Json json_of(const Session& session) {
+  Json json{{"date", session.date},         {"machine", session.machine}, {"system", session.system},
+            {"compiler", session.compiler}, {"flags", session.flags},     {"commit", session.commit},
+            {"version", session.version},   {"cores", session.cores}};
+  if (!session.node.empty()) json["node"] = session.node;
+  return json;
+}
+
+Session session_of(const Json& json) {
+  return {.date = json.at("date"),
+          .machine = json.at("machine"),
+          .system = json.at("system"),
+          .compiler = json.at("compiler"),
+          .flags = json.at("flags"),
+          .commit = json.at("commit"),
+          .version = json.at("version"),
+          .cores = json.at("cores"),
+          .node = json.value("node", "")};
+}
+
 RunOutcome outcome_of(const Json& json) {
   return {outcome_named(present_name(json.at("ending"))), json.value("detail", "")};
 }
@@ -102,7 +122,7 @@ Record row_of(const Json& json) {
 }  // namespace
 
 std::string line_of(const Session& session) {
-  return Json{{"format", format}, {"session", session}}.dump() + '\n';
+  return Json{{"format", format}, {"session", json_of(session)}}.dump() + '\n';
 }
 
 std::string line_of(const Record& row, bool last) {
@@ -145,7 +165,7 @@ ResultsLine parse_line(const std::string& line) {
     return {.row = row_of(json), .last = json.value("last", false)};
   }
   if (json.value("format", 1) != format) throw UnsupportedFormat("a session of another format");
-  return {.session = json["session"].get<Session>()};
+  return {.session = session_of(json["session"])};
 }
 
 }  // namespace fde::bench

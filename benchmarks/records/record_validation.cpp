@@ -30,7 +30,7 @@ const std::vector<Quantity>& quantities() {
     std::vector<Quantity> found{{"ending", "t"}};
     for (const auto* measure : measures())
       found.push_back({measure->id, measure->unit, measure->may_be_negative ? any_number : not_negative});
-    for (const auto& measure : time_measures()) found.push_back({measure.id, "s"});
+    for (const auto& measure : time_measures()) found.push_back({measure.id, measure.unit});
     return found;
   }();
   return all;

@@ -6,7 +6,7 @@ namespace fde::bench {
 void RecordedRun::add(const Record& row) {
   if (is_time(row)) {
     if (!ending_) return;
-    timed_ = true;
+    if (row.quantity == "time_minimum") ++timings_;
     wall_clock_ = row.wall_clock;
   } else if (ending_) {
     *this = {};
@@ -20,7 +20,7 @@ void RecordedRun::add(const Record& row) {
 
 RecordedAmount RecordedRun::amount() const {
   if (!ending_) return RecordedAmount::nothing;
-  return timed_ || !is_compared(*ending_) ? RecordedAmount::everything : RecordedAmount::all_but_times;
+  return timings_ > 0 || !is_compared(*ending_) ? RecordedAmount::everything : RecordedAmount::all_but_times;
 }
 
 std::optional<double> RecordedRun::operator[](std::string_view quantity) const {

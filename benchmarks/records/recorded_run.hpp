@@ -28,12 +28,17 @@ class RecordedRun {
   // Whether the times are those of whole processes.
   [[nodiscard]] bool wall_clock() const { return wall_clock_; }
 
+  // How often the examined run has been timed, and whether other work disturbed the last of the timings.
+  [[nodiscard]] int timings() const { return timings_; }
+  [[nodiscard]] bool is_disturbed() const { return (*this)["disturbed"].value_or(0.0) > 0.0; }
+
   // The value of a quantity; nullopt: not measured.
   [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;
 
  private:
   std::optional<OutcomeKind> ending_{};
-  bool timed_ = false, wall_clock_ = false;
+  int timings_ = 0;
+  bool wall_clock_ = false;
   std::map<std::string, double, std::less<>> values_{};  // by quantity
 };
 

@@ -19,6 +19,7 @@
 #include <tuple>
 #include <utility>
 
+#include "fdebench/benchmarks/measures/measures.hpp"
 #include "fdebench/benchmarks/records/lines.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
 #include "fdebench/benchmarks/records/results_scan.hpp"
@@ -42,6 +43,13 @@ bool try_lock_for(std::chrono::seconds wait, int descriptor) {
   return true;
 }
 
+// Whether rows of the same build, written at once, count here after what is recorded of their run. Of another
+// machine, an examination counts unless one is known or the run was too slow there; a time does not.
+bool counts(const std::vector<Record>& rows, bool from_here, const RecordedRun& known) {
+  const auto& ending = rows.back().ending;
+  return from_here || (!known.ending() && ending && ending->kind != SolveStatus::out_of_budget);
+}
+
 // The recorded runs and scenes of this build, and the offset of the end of the last complete write.
 struct RecordedContents {
   RecordedByKey runs;
@@ -50,32 +58,39 @@ struct RecordedContents {
 };
 RecordedContents recorded_in(const std::filesystem::path& file, const Session& build) {
   RecordedContents found;
-  bool is_ours = false;
-  found.valid = scan_results(
-      file, {.session = [&](const Session& session, auto) { is_ours = same_build(session, build); },
-             .scene =
-                 [&](const SceneDescription& scene, auto) {
-                   if (is_ours) found.scenes.insert(scene.scene);
-                 },
-             .rows =
-                 [&](const std::vector<Record>& rows, auto) {
-                   for (const Record& row : rows) {
-                     if (is_ours) found.runs[row.key].add(row);
-                   }
-                 }});
+  bool is_ours = false, from_here = false;
+  found.valid = scan_results(file, {.session =
+                                        [&](const Session& session, auto) {
+                                          is_ours = same_build(session, build);
+                                          from_here = same_machine(session, build);
+                                        },
+                                    .scene =
+                                        [&](const SceneDescription& scene, auto) {
+                                          if (is_ours) found.scenes.insert(scene.scene);
+                                        },
+                                    .rows =
+                                        [&](const std::vector<Record>& rows, auto) {
+                                          if (!is_ours) return;
+                                          RecordedRun& run = found.runs[rows.front().key];
+                                          if (!counts(rows, from_here, run)) return;
+                                          for (const Record& row : rows) run.add(row);
+                                        }});
   return found;
 }
 
 }  // namespace
 
 bool same_build(const Session& a, const Session& b) {
-  const auto facts = [](const Session& s) {
-    return std::tie(s.machine, s.compiler, s.flags, s.commit, s.version);
-  };
+  const auto facts = [](const Session& s) { return std::tie(s.compiler, s.flags, s.commit, s.version); };
   return facts(a) == facts(b);
 }
 
-bool is_time(const Record& row) { return row.unit == "s"; }
+bool same_machine(const Session& a, const Session& b) { return a.machine == b.machine; }
+
+bool is_time(const Record& row) {
+  return row.unit == "s" ||
+         std::ranges::find(time_measures(), row.quantity, &TimeMeasure::id) != time_measures().end();
+}
 
 // Rows are counted first: growing the vector would need twice the memory.
 Results read_results(const std::filesystem::path& file) {

@@ -15,7 +15,7 @@ namespace fde::bench {
 // The contents of a results file, as scan_results reads it.
 Results read_results(const std::filesystem::path& file);
 
-// The recorded rows of each run by this build on this machine.
+// The recorded rows of each run by this build: its times on this machine, its examination on any.
 using RecordedByKey = std::map<RunKey, RecordedRun>;
 RecordedRun recorded_of(const RecordedByKey& runs, const RunKey& run);
 
@@ -34,10 +34,10 @@ class ResultsFile {
   ResultsFile& operator=(const ResultsFile&) = delete;
   ~ResultsFile();
 
-  // The recorded rows of this run by the same build on the same machine.
+  // The recorded rows of this run, as RecordedByKey has them.
   [[nodiscard]] RecordedRun recorded(const RunKey& run) const { return recorded_of(recorded_, run); }
 
-  // Whether the same build on the same machine has described this scene.
+  // Whether the same build has described this scene.
   [[nodiscard]] bool describes(const SceneSettings& scene) const { return described_.contains(scene); }
 
   // Appends the rows of an examination, the ending last, or the times of a recorded one; or the description

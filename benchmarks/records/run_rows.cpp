@@ -29,7 +29,8 @@ std::vector<Record> rows_of_examination(const Record& run, const Assessment& jud
 std::vector<Record> rows_of_times(const Record& run, const TimedSolves& timed) {
   std::vector<Record> rows;
   for (const auto& measure : time_measures()) {
-    if (const auto value = measure.value(timed)) rows.push_back(with_value(run, {measure.id, "s", *value}));
+    if (const auto value = measure.value(timed))
+      rows.push_back(with_value(run, {measure.id, measure.unit, *value}));
   }
   return rows;
 }

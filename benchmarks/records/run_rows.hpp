@@ -9,7 +9,7 @@
 namespace fde::bench {
 
 // The rows of an examination, one a measure and the ending last; and the rows of the times of repeated
-// solves, in seconds. `run` is a row without quantity and value.
+// solves. `run` is a row without quantity and value.
 std::vector<Record> rows_of_examination(const Record& run, const Assessment& judgement);
 std::vector<Record> rows_of_times(const Record& run, const TimedSolves& timed);
 

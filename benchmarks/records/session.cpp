@@ -4,12 +4,14 @@
 #include <sys/utsname.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <thread>
 
 #include "build_facts.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/records/well_formed.hpp"
 
 namespace fde::bench {
 namespace {
@@ -22,6 +24,13 @@ std::string machine_name(const utsname& system) {
     if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return system.machine;
+}
+
+std::string node_name() {
+  const char* told = std::getenv("FDEBENCH_NODE");  // NOLINT(concurrency-mt-unsafe): nothing sets it
+  if (told == nullptr || *told == '\0') return {};
+  require_name("FDEBENCH_NODE", told);
+  return told;
 }
 
 }  // namespace
@@ -37,7 +46,8 @@ Session this_session() {
           .flags = build_facts::flags,
           .commit = build_facts::commit,
           .version = build_facts::version,
-          .cores = std::thread::hardware_concurrency()};
+          .cores = std::thread::hardware_concurrency(),
+          .node = node_name()};
 }
 
 }  // namespace fde::bench

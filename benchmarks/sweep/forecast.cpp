@@ -170,13 +170,18 @@ class RefinementSimulation {
     Probe probe;
   };
 
+  [[nodiscard]] bool is_made(const RecordedRun& run) const {
+    return run.amount() == RecordedAmount::everything ||
+           (sweep_.examines_only && run.amount() == RecordedAmount::all_but_times);
+  }
+
   RefinementRun take(const ProbedLine& line, const StepsOrTolerance& resolution) {
     RunKey key{name_, std::string(line.scheme->id), line.setup};
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
-    if (recorded.amount() == RecordedAmount::everything) return refinement_run(key.setup, recorded);
+    if (is_made(recorded)) return refinement_run(key.setup, recorded);
     RefinementRun run = line.probe.forecast(resolution);
-    expected_[key] = seconds_of(run) + seconds_of_timing(run, sweep_.repeats);
+    expected_[key] = seconds_of(run) + (sweep_.examines_only ? 0.0 : seconds_of_timing(run, sweep_.repeats));
     return run;
   }
 
@@ -186,8 +191,8 @@ class RefinementSimulation {
     RunKey key = key_of(program, name_, sweep_.setup);
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
-    if (recorded.amount() == RecordedAmount::everything) return refinement_run(key.setup, recorded);
-    expected_[key] = guess + guess * sweep_.repeats.most;
+    if (is_made(recorded)) return refinement_run(key.setup, recorded);
+    expected_[key] = guess + (sweep_.examines_only ? 0.0 : guess * sweep_.repeats.most);
     return {.resolution = resolution, .steps = std::get<int>(resolution)};
   }
 

@@ -2,6 +2,7 @@
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 
 #include <mpfr.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,6 +12,13 @@
 #include <vector>
 
 namespace fde::bench {
+
+unsigned usable_cores() {
+  cpu_set_t usable;
+  CPU_ZERO(&usable);
+  if (sched_getaffinity(0, sizeof usable, &usable) == 0) return static_cast<unsigned>(CPU_COUNT(&usable));
+  return std::thread::hardware_concurrency();  // a machine with more processors than a set holds
+}
 
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
   std::atomic<std::size_t> next = 0;

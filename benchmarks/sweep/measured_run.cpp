@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <iterator>
@@ -10,6 +11,7 @@
 
 #include "fdebench/benchmarks/measures/judge.hpp"
 #include "fdebench/benchmarks/measures/rounding.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 #include "fdebench/benchmarks/measures/total_variation.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/observers/drift.hpp"
@@ -149,18 +151,22 @@ struct TimedRun {
 TimedRun solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
                           const Options& options, const TimingRepeats& repeats) {
   TimedRun timed;
-  auto& seconds = timed.solves.seconds;
+  auto& [seconds, waited, setup_seconds, conditions] = timed.solves;
+  const TimingWatch watch;
   double total = 0.0;
   while (total < repeats.min_seconds ||
          (std::ssize(seconds) < repeats.most && total < repeats.enough_seconds)) {
     const SetupTime setup;
+    const double ran_before = thread_seconds();
     const auto start = std::chrono::steady_clock::now();
     const auto path = scheme.solve(problem, resolution, options);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    timed.solves.setup_seconds = setup.seconds();
+    waited.push_back(std::max(0.0, seconds.back() - (thread_seconds() - ran_before)));
+    setup_seconds = setup.seconds();
     total += seconds.back();
     timed.steps = path.steps;
   }
+  conditions = watch.conditions();
   return timed;
 }
 
@@ -177,9 +183,11 @@ std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, c
   Options options = setup.options();
   options.budget = std::numeric_limits<double>::infinity();  // the examined run has finished
   options.output_times = {scene.problem.end};
-  const auto [steps, solves] =
-      solve_repeatedly(scheme, scene.problem, resolution_of(setup, scene.problem.end), options, repeats);
-  return rows_of_times(row_of(name, scene, scheme, setup, steps), solves);
+  const auto resolution = resolution_of(setup, scene.problem.end);
+  TimedRun timed;
+  for (int attempt = 0; attempt < repeats.attempts && (attempt == 0 || is_disturbed(timed.solves)); ++attempt)
+    timed = solve_repeatedly(scheme, scene.problem, resolution, options, repeats);
+  return rows_of_times(row_of(name, scene, scheme, setup, timed.steps), timed.solves);
 }
 
 }  // namespace fde::bench

@@ -17,14 +17,16 @@ std::vector<Record> examine(const SceneSettings& name, const Scene& scene, Memoi
                             const Scheme& scheme, const RunSettings& setup);
 
 // The number of timed repeats of a run: `most`; more while they take less than `min_seconds` in total, no
-// more once they have taken `enough_seconds`.
+// more once they have taken `enough_seconds`. Where other work disturbs them, all are repeated, `attempts`
+// times in total at most.
 struct TimingRepeats {
   int most = 3;
   double min_seconds = 0.01, enough_seconds = 10.0;
+  int attempts = 1;
 };
 
-// The time records of a run; the solves store the last step only. Preconditions: is_compared(ending) of the
-// run, and no other work on the machine during the call.
+// The time records of a run; of several attempts the last. The solves store the last step only.
+// Preconditions: is_compared(ending) of the run, and no other work on the machine during the call.
 std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
                                 const RunSettings& setup, const TimingRepeats& repeats);
 

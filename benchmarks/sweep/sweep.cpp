@@ -106,10 +106,19 @@ class GuardedCallbacks {
   std::atomic<bool> failed_ = false;
 };
 
-void append(const std::vector<Record>& rows, RefinementSeries& line, GuardedCallbacks& log) {
+// What the sweep leaves to do of a run.
+bool is_timed_next(const RefinementSeries& line, const Sweep& sweep) {
+  if (line.ended || sweep.examines_only) return false;
+  if (line.run.amount() == RecordedAmount::all_but_times) return true;
+  return sweep.retimes && line.run.is_disturbed() && line.run.timings() < most_timings;
+}
+
+void append(const std::vector<Record>& rows, RefinementSeries& line, const Sweep& sweep,
+            GuardedCallbacks& log) {
   log.append(rows);
   for (const Record& row : rows) line.run.add(row);
-  if (line.run.amount() == RecordedAmount::everything) log.on_event(SweepEvent::Kind::is_done, line.key);
+  if (sweep.examines_only || line.run.amount() == RecordedAmount::everything)
+    log.on_event(SweepEvent::Kind::is_done, line.key);
 }
 
 std::vector<Record> examine(SceneRefinements& of, const RefinementSeries& line) {
@@ -125,22 +134,22 @@ std::vector<Record> time_line(const SceneRefinements& of, const RefinementSeries
   return time_solves(of.name, of.scene, *std::get<const Scheme*>(line.solver), line.setup, repeats);
 }
 
-void examine_runs(SceneRefinements& of, GuardedCallbacks& log) {
+void examine_runs(SceneRefinements& of, const Sweep& sweep, GuardedCallbacks& log) {
   for (RefinementSeries& line : of.lines) {
     if (log.failed()) return;
     if (line.ended || line.run.amount() != RecordedAmount::nothing) continue;
     log.on_event(SweepEvent::Kind::examines, line.key);
     const auto rows = examine(of, line);
     if (!log.describes(of.name)) log.append(describe(of.variant, of.scene, of.reference));
-    append(rows, line, log);
+    append(rows, line, sweep, log);
   }
 }
 
-void time_runs(SceneRefinements& of, const TimingRepeats& repeats, GuardedCallbacks& log) {
+void time_runs(SceneRefinements& of, const Sweep& sweep, GuardedCallbacks& log) {
   for (RefinementSeries& line : of.lines) {
-    if (line.ended || line.run.amount() == RecordedAmount::everything) continue;
+    if (!is_timed_next(line, sweep)) continue;
     log.on_event(SweepEvent::Kind::times, line.key);
-    append(time_line(of, line, repeats), line, log);
+    append(time_line(of, line, sweep.repeats), line, sweep, log);
   }
 }
 
@@ -193,8 +202,9 @@ bool take_turn(std::deque<SceneRefinements>& scenes, const Sweep& sweep, const S
   bool goes_on = false;
   for (auto& of : scenes) goes_on = choose_next_runs(of, sweep.plan, callbacks, log) || goes_on;
   const auto order = longest_first(scenes, expected);
-  in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) { examine_runs(scenes[order[i]], log); });
-  for (auto& of : scenes) time_runs(of, sweep.repeats, log);
+  in_parallel(scenes.size(), sweep.threads,
+              [&](std::size_t i) { examine_runs(scenes[order[i]], sweep, log); });
+  for (auto& of : scenes) time_runs(of, sweep, log);
   for (auto& of : scenes) add_runs(of);
   return goes_on;
 }

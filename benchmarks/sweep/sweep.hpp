@@ -4,12 +4,12 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "fdebench/benchmarks/external/external_program.hpp"
 #include "fdebench/benchmarks/records/recorded_run.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/sweep/in_parallel.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/sweep/sweep_plan.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
@@ -27,7 +27,9 @@ struct Sweep {
   bool optimal_grids = false;           // each scheme with optimal_grading() instead of the setup's grading
   std::vector<const Scheme*> graded{};  // these with both gradings, where solutions are not smooth at 0
   TimingRepeats repeats{};
-  unsigned threads = std::thread::hardware_concurrency();  // for the untimed part
+  bool examines_only = false;         // no run is timed
+  bool retimes = false;               // disturbed times of earlier sweeps are measured again
+  unsigned threads = usable_cores();  // for the untimed part
 };
 
 // The settings of a scheme's runs on a problem, one element per grading: one, or two for a scheme of
@@ -54,6 +56,9 @@ struct SweepCallbacks {
   std::function<bool(const SceneSettings&)> describes{};
   std::function<void(const SceneDescription&)> append_scene{};
 };
+
+// How often a run is timed at most where Sweep::retimes holds.
+inline constexpr int most_timings = 3;
 
 // Makes each run that is not recorded yet, once. In turns: the next run of each refinement is examined, one
 // thread per scene; their solves are timed, one at a time; then the plan decides, from recorded and new runs

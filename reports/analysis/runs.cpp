@@ -39,18 +39,21 @@ auto order_of(const RunKey& key) {
 }
 using Order = decltype(order_of({}));
 
-// A run made by one build.
+// A run made by one build, and the session of its examination.
 struct BuildRun {
   MeasuredRun run{};
+  std::size_t examined = 0;
   bool begun = false, ended = false;
 };
 
-// Adds a row to a run. Times may be from a later session than the examination; any other row of a later
-// session restarts the run.
+// Adds a row to a run. Times may be from a later session than the examination, on another machine; any other
+// row of a later session restarts the run.
 void add(BuildRun& made, const Record& row) {
   auto& run = made.run;
-  if (!made.begun || (row.session != run.session && !is_time(row)))
-    made = {.run = {.key = row.key, .steps = row.steps, .h = row.h, .session = row.session}, .begun = true};
+  if (!made.begun || (row.session != made.examined && !is_time(row))) {
+    made = {.run = {.key = row.key, .steps = row.steps, .h = row.h}, .examined = row.session, .begun = true};
+  }
+  run.session = row.session;
   if (row.ending) {
     run.ending = *row.ending;
     made.ended = true;
@@ -103,7 +106,7 @@ class Collector {
 
  private:
   std::vector<Session> sessions_{};
-  std::vector<std::size_t> builds_{};  // for each session the first session of the same build and machine
+  std::vector<std::size_t> builds_{};  // for each session the first session of the same build
   std::map<Order, RunsByBuild> all_{};
   std::map<SceneSettings, SceneDescription> scenes_{};
 };

@@ -19,7 +19,8 @@ struct MeasuredRun {
   RunKey key{};
   int steps = 0;
   double h = 0.0;
-  std::size_t session = 0;  // session of the examination, index into Results::sessions
+  std::size_t session =
+      0;  // of the times, or of the examination of a run without; index into Results::sessions
   RunOutcome ending{};
   std::map<std::string, double, std::less<>> values{};   // by quantity
   std::map<std::string, Course, std::less<>> courses{};  // of the quantities that have one

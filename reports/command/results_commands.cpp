@@ -39,6 +39,16 @@ std::set<std::string> machines_of(const std::vector<Session>& sessions) {
   return machines;
 }
 
+// Empty if the file says of no timing that it was disturbed.
+std::string disturbed_text(const std::string& file, const Runs& runs) {
+  const auto disturbed = std::ranges::count_if(
+      runs.finished, [](const MeasuredRun& run) { return run["disturbed"].value_or(0.0) > 0.0; });
+  const auto timed = std::ranges::count_if(
+      runs.finished, [](const MeasuredRun& run) { return run["time_median"].has_value(); });
+  return disturbed == 0 ? ""
+                        : fmt::format("{}: other work disturbed {} of {} times\n", file, disturbed, timed);
+}
+
 struct CompareArguments {
   std::string first, second;
   std::optional<std::string> max_slowdown;
@@ -77,6 +87,7 @@ void compare_files(const CompareArguments& arguments, const Streams& streams) {
                              fmt::join(builds_of(sessions_now), "; "));
   if (machines_of(sessions_before) != machines_of(sessions_now))
     streams.out << "times are of different machines: they say nothing of the programs\n";
+  streams.out << disturbed_text(first, before) << disturbed_text(second, now);
   streams.out << comparison_text(comparison, LineNames(now));
   const auto worse = complaints(comparison, most, require_all);
   if (!worse.empty()) throw WorseResults(fmt::format("{}: {}", second, fmt::join(worse, "; ")));

@@ -47,7 +47,7 @@ struct SweepArguments {
   std::string repeats = "3";
   std::optional<std::string> out;
   std::optional<std::string> shard;
-  bool trials = false, thorough = false, dry_run = false;
+  bool trials = false, thorough = false, dry_run = false, examine = false, undisturbed = false;
 };
 
 std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
@@ -95,6 +95,19 @@ SweepPlan chosen_plan(const SweepArguments& arguments) {
   return chosen;
 }
 
+// Timings that are left out, or repeated where they are disturbed, need runs that do not depend on times.
+void set_timing(bool examine, bool undisturbed, Sweep& sweep) {
+  constexpr int attempts = 3;
+  constexpr auto allowed =
+      "with --steps, --accuracy or --thorough: otherwise times decide which runs are made";
+  if (examine && sweep.plan.goal) reject_text("--examine", "yes", allowed);
+  if (undisturbed && sweep.plan.goal) reject_text("--undisturbed", "yes", allowed);
+  if (examine && undisturbed) reject_text("--undisturbed", "yes", "without --examine, which times nothing");
+  sweep.examines_only = examine;
+  sweep.retimes = undisturbed;
+  if (undisturbed) sweep.repeats.attempts = attempts;
+}
+
 Sweep sweep_of(const SweepArguments& arguments, const SceneRegistry& known) {
   Sweep sweep{.scenes = chosen_scenes(arguments.scenes, arguments.settings, known),
               .schemes = chosen_schemes(arguments),
@@ -115,6 +128,7 @@ Sweep sweep_of(const SweepArguments& arguments, const SceneRegistry& known) {
         sweep.plan.goal ? far_from_an_answer * sweep.plan.goal->most_seconds : thorough_budget;
   }
   sweep.repeats.most = parse_count("--repeat", arguments.repeats, repeat_counts);
+  set_timing(arguments.examine, arguments.undisturbed, sweep);
   return sweep;
 }
 
@@ -218,6 +232,10 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
   run_command.flag("--thorough", of_run->thorough, "all numbers of steps, all tolerances and all trials");
   run_command.flag("--trials", of_run->trials, "only the stiff and extreme trials of the report");
   run_command.option("--shard", of_run->shard, "every N-th scene, from the I-th on").takes("I/N");
+  run_command.flag("--examine", of_run->examine,
+                   "everything but the times, which the same command without it adds");
+  run_command.flag("--undisturbed", of_run->undisturbed,
+                   "repeat the times that other work disturbed, also those of the file");
   run_command.flag("--dry-run", of_run->dry_run, "list the runs and how long they take, and do nothing");
   run_command.option("--out", of_run->out, "results file; needed without --dry-run")
       .takes("FILE")

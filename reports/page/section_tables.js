@@ -150,6 +150,6 @@ const sectionTables = {
   sessions: {
     caption: "Where and with what the numbers were made",
     columns: [{ head: "session", cell: "{property}" }, { each: "numbers", head: "{each}", cell: "{text}" }],
-    properties: ["date", "machine", "cores", "system", "compiler", "flags", "commit", "version"],
+    properties: ["date", "machine", "cores", "system", "compiler", "flags", "commit", "version", "node", "disturbed times"],
   },
 };

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstddef>
 #include <nlohmann/json.hpp>
 
 #include "fdebench/reports/page/facts.hpp"
@@ -6,6 +9,23 @@
 namespace fde::bench {
 
 using nlohmann::json;
+
+namespace {
+
+// "3 of 50": how many of the session's times other work disturbed; null if none.
+json disturbed_times(const PageInput& page, std::size_t session) {
+  std::size_t timed = 0, disturbed = 0;
+  for (const auto* some : {&page.runs.finished, &page.trials}) {
+    for (const MeasuredRun& run : *some) {
+      if (run.session != session || !run["time_median"]) continue;
+      ++timed;
+      if (run["disturbed"].value_or(0.0) > 0.0) ++disturbed;
+    }
+  }
+  return disturbed > 0 ? json(fmt::format("{} of {}", disturbed, timed)) : json();
+}
+
+}  // namespace
 
 json session_facts(const PageInput& page) {
   json all = json::array();
@@ -17,7 +37,9 @@ json session_facts(const PageInput& page) {
                    {"compiler", of.compiler},
                    {"flags", of.flags},
                    {"commit", of.commit},
-                   {"version", of.version}});
+                   {"version", of.version},
+                   {"node", of.node},
+                   {"disturbed times", disturbed_times(page, all.size())}});
   }
   return compact(all);
 }

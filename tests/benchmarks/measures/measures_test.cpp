@@ -88,6 +88,28 @@ TEST(Measures, OfTimes) {
   EXPECT_EQ(time_measure("time_median", {3.0, 1.0, 10.0, 2.0}), 2.5);
 }
 
+// The median solve counts: one of the others may have waited for the processor.
+TEST(Measures, OfTimesTellWhetherOtherWorkDisturbedThem) {
+  const auto disturbed = [](std::vector<double> seconds, std::vector<double> waited) {
+    const auto& measure = *std::ranges::find(time_measures(), "disturbed", &TimeMeasure::id);
+    return measure.value({.seconds = std::move(seconds), .waited = std::move(waited)});
+  };
+  EXPECT_EQ(disturbed({0.100, 0.101, 0.102}, {0.0, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(disturbed({0.100, 0.200, 0.101}, {0.0, 0.099, 0.0}), 0.0) << "one of three";
+  EXPECT_EQ(disturbed({0.103, 0.200, 0.101}, {0.004, 0.099, 0.0}), 1.0) << "the median waited";
+  EXPECT_EQ(disturbed({0.100, 0.112, 0.115}, {0.0, 0.0, 0.0}), 1.0) << "the quickest is far from the median";
+  EXPECT_EQ(disturbed({1.0e-5, 1.3e-5, 1.4e-5}, {3e-6, 3e-6, 3e-6}), 0.0) << "the clock takes as long";
+  EXPECT_EQ(disturbed({0.1}, {0.05}), 1.0);
+  EXPECT_EQ(disturbed({0.1}, {}), std::nullopt) << "of another program it is not known";
+}
+
+TEST(TimingWatch, CountsWhatTheSystemTells) {
+  const TimingWatch watch;
+  const auto conditions = watch.conditions();
+  EXPECT_TRUE(conditions.load.has_value());
+  EXPECT_GE(conditions.switches, 0.0);
+}
+
 // The 8th and the 18th of 25 values enclose the median with 95 % probability (any table of the sign test).
 TEST(MedianInterval, IsAnIntervalOfTheMedian) {
   std::vector<double> seconds(25);

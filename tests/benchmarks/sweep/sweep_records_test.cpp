@@ -70,6 +70,50 @@ TEST(Sweeps, RecordStartWeightsOfSchemesThatHaveThem) {
   EXPECT_EQ(all[0].value, 3.0);
 }
 
+// What run_sweep() appends to the recorded rows of one run.
+std::vector<Record> appended(const Sweep& sweep, const RecordedRun& recorded) {
+  std::vector<Record> all;
+  run_sweep(sweep, {.recorded = [&](const auto&) { return recorded; },
+                    .append = [&](const auto& rows) { all.insert(all.end(), rows.begin(), rows.end()); },
+                    .on_event = [](const auto&) {}});
+  return all;
+}
+
+RecordedRun with(RecordedRun recorded, const std::vector<Record>& rows) {
+  for (const Record& row : rows) recorded.add(row);
+  return recorded;
+}
+
+TEST(Sweeps, ExamineFirstAndTimeLater) {
+  Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
+              .schemes = {find_scheme("l1")},
+              .plan = {{16}},
+              .examines_only = true};
+  const auto examined = appended(sweep, {});
+  EXPECT_TRUE(std::ranges::none_of(examined, is_time));
+  EXPECT_TRUE(appended(sweep, with({}, examined)).empty());
+  sweep.examines_only = false;
+  const auto timed = appended(sweep, with({}, examined));
+  EXPECT_TRUE(std::ranges::all_of(timed, is_time));
+  EXPECT_EQ(std::ranges::count(timed, "disturbed", &Record::quantity), 1);
+  EXPECT_TRUE(appended(sweep, with(with({}, examined), timed)).empty());
+}
+
+TEST(Sweeps, TimeAgainWhatWasDisturbedUpToALimit) {
+  Sweep sweep{.scenes = {{&scene_maker("relaxation")}}, .schemes = {find_scheme("l1")}, .plan = {{16}}};
+  const RunKey key{.scene = {"relaxation"}, .scheme = "l1", .setup = sweep.setup};
+  RecordedRun run = complete(key);
+  run.add({.key = key, .quantity = "disturbed", .value = 1.0});
+  EXPECT_TRUE(appended(sweep, run).empty()) << "only on demand";
+  sweep.retimes = true;
+  EXPECT_TRUE(appended(sweep, complete(key)).empty()) << "undisturbed";
+  for (int timings = 1; timings < most_timings; ++timings) {
+    EXPECT_FALSE(appended(sweep, run).empty());
+    run.add({.key = key, .quantity = "time_minimum", .unit = "s"});
+  }
+  EXPECT_TRUE(appended(sweep, run).empty());
+}
+
 TEST(Sweeps, MeasureOnceWhatIsAskedForTwice) {
   const SceneVariant power{&scene_maker("power")};
   const auto* l1 = find_scheme("l1");

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "fdebench/reports/analysis/runs.hpp"
@@ -39,12 +42,12 @@ class RecordedRuns : public testing::Test {
   }
   void write(const std::string& content) const { std::ofstream(file_) << content; }
 
-  // Changes the commit of the file's session number `session`.
-  void change_build(int session) const {
-    const std::string commit = R"("commit":")";
+  // Changes a field of the file's session number `session`.
+  void change(const std::string& field, int session) const {
+    const std::string begin = fmt::format("\"{}\":\"", field);
     auto changed = text();
     std::size_t place = 0;
-    for (int i = 0; i <= session; ++i) place = changed.find(commit, place) + commit.size();
+    for (int i = 0; i <= session; ++i) place = changed.find(begin, place) + begin.size();
     write(changed.insert(place, "x"));
   }
 
@@ -100,19 +103,65 @@ TEST_F(RecordedRuns, TimesOfALaterSessionJoinTheirExamination) {
   ASSERT_EQ(runs.finished.size(), 1U);
   EXPECT_EQ(runs.finished[0].values,
             (decltype(MeasuredRun::values){{"error_end", 0.1}, {"time_minimum", 0.5}, {"time_median", 0.6}}));
-  EXPECT_EQ(runs.finished[0].session, 0U);
+  EXPECT_EQ(runs.finished[0].session, 1U) << "that of the times";
 }
 
 // Time and error of a run must be from the same build.
 TEST_F(RecordedRuns, TimesOfAnotherBuildDoNotJoin) {
   ResultsFile(file_).append(examination());
   ResultsFile(file_).append(times());
-  change_build(1);
+  change("commit", 1);
   const Runs runs = runs_of(read_results(file_));
   ASSERT_EQ(runs.finished.size(), 1U);
   EXPECT_EQ(runs.finished[0]["time_minimum"], std::nullopt);
   EXPECT_EQ(runs.failed.size(), 0U);
   EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
+}
+
+// The rows of an examination are the same on every machine, a time is not.
+TEST_F(RecordedRuns, OfAnotherMachineCountWithoutTheirTimes) {
+  {
+    ResultsFile file(file_);
+    file.append(examination());
+    file.append(times());
+  }
+  change("machine", 0);
+  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
+  ResultsFile(file_).append({row("time_minimum", 0.25)});
+  EXPECT_EQ(recorded(), RecordedAmount::everything);
+  const Runs runs = runs_of(read_results(file_));
+  ASSERT_EQ(runs.finished.size(), 1U);
+  EXPECT_EQ(runs.finished[0]["error_end"], 0.1);
+  EXPECT_EQ(runs.finished[0]["time_minimum"], 0.25);
+}
+
+TEST_F(RecordedRuns, OfASlowerMachineThatRanOutOfTimeAreMadeAgain) {
+  ResultsFile(file_).append(examination({SolveStatus::out_of_budget, ""}));
+  EXPECT_EQ(recorded(), RecordedAmount::everything);
+  change("machine", 0);
+  EXPECT_EQ(recorded(), RecordedAmount::nothing);
+}
+
+// A later examination on another machine would otherwise remove the times of this one.
+TEST_F(RecordedRuns, OfThisMachinePrecedeThoseOfAnother) {
+  ResultsFile(file_).append(examination());
+  ResultsFile(file_).append(times());
+  ResultsFile(file_).append(examination({}, 0.2));
+  change("machine", 2);
+  EXPECT_EQ(recorded(), RecordedAmount::everything);
+}
+
+TEST_F(RecordedRuns, TellTheNodeWhereItIsGiven) {
+  ResultsFile(file_).append(examination());
+  setenv("FDEBENCH_NODE", "node7", 1);
+  ResultsFile(file_).append(times());
+  setenv("FDEBENCH_NODE", "two\nlines", 1);
+  EXPECT_THROW(ResultsFile{file_}, std::invalid_argument);
+  unsetenv("FDEBENCH_NODE");
+  const auto sessions = read_results(file_).sessions;
+  ASSERT_EQ(sessions.size(), 2U);
+  EXPECT_EQ(sessions[0].node, "");
+  EXPECT_EQ(sessions[1].node, "node7");
 }
 
 TEST_F(RecordedRuns, ALaterExaminationReplacesTheEarlierWithItsTimes) {
