@@ -10,8 +10,6 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "fdebench/benchmarks/equation_files/deep_keys.hpp"
-
 namespace fde::bench {
 namespace {
 
@@ -52,7 +50,7 @@ void reject_in(const std::string& file, const FormulaText& formula, std::size_t 
   reject_at(file, {formula.position.line, formula.position.column + static_cast<int>(byte)}, what);
 }
 
-EquationText read_equation_text(const std::filesystem::path& file) {
+std::string read_text_file(const std::filesystem::path& file, std::size_t most_bytes) {
   const auto refuse = [&](const std::string& why) {
     throw std::invalid_argument(fmt::format("{}: cannot be read: {}", file.string(), why));
   };
@@ -62,14 +60,17 @@ EquationText read_equation_text(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(kind)) refuse("it is no file");
   const auto size = std::filesystem::file_size(file, problem);
   if (problem) refuse(problem.message());
-  if (size > max_equation_file_bytes)
-    refuse(fmt::format("it has {} bytes: must be at most {}", size, max_equation_file_bytes));
+  if (size > most_bytes) refuse(fmt::format("it has {} bytes: must be at most {}", size, most_bytes));
   std::string text(size, '\0');
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse(std::strerror(errno));
   stream.read(text.data(), static_cast<std::streamsize>(size));
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  return parse_equation_text(file.string(), text);
+  return text;
+}
+
+EquationText read_equation_text(const std::filesystem::path& file) {
+  return parse_equation_text(file.string(), read_text_file(file, max_equation_file_bytes));
 }
 
 }  // namespace fde::bench

@@ -131,6 +131,9 @@ EquationText present_parts(EquationText text, const Parameters& parameters);
 inline constexpr std::size_t max_equation_file_bytes = std::size_t{1} << 20;  // bytes
 inline constexpr std::size_t max_unknowns = 100;
 
+// The bytes of a regular file. Throws std::invalid_argument naming the file and why it cannot be read.
+std::string read_text_file(const std::filesystem::path& file, std::size_t most_bytes);
+
 // Each throws std::invalid_argument naming file, line and column, the text there and what is allowed.
 EquationText read_equation_text(const std::filesystem::path& file);
 EquationText parse_equation_text(const std::string& file, std::string_view text);

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "fdebench/benchmarks/equation_files/declaration_reader.hpp"
-#include "fdebench/benchmarks/equation_files/deep_keys.hpp"
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
 #include "fdebench/benchmarks/equation_files/mechanics_reader.hpp"
 
@@ -253,17 +252,11 @@ std::string meaning_of(toml::table all, const EquationText& text) {
 EquationText parse_equation_text(const std::string& file, std::string_view text) {
   if (text.size() > max_equation_file_bytes)
     reject_at(file, {}, fmt::format("{} bytes: must be at most {}", text.size(), max_equation_file_bytes));
-  if (const auto deep = find_deep_key(text))
-    reject_at(file, *deep, fmt::format("a key of more than {} parts", max_key_parts));
-  try {
-    toml::table all = toml::parse(text);
-    EquationText read = EquationReader(file, text).read(all);
-    read.meaning = meaning_of(std::move(all), read);
-    read.contents = text;
-    return read;
-  } catch (const toml::parse_error& fault) {
-    reject_at(file, position_of(fault.source()), fmt::format("no TOML: {}", fault.description()));
-  }
+  toml::table all = parse_toml(file, text);
+  EquationText read = EquationReader(file, text).read(all);
+  read.meaning = meaning_of(std::move(all), read);
+  read.contents = text;
+  return read;
 }
 
 }  // namespace fde::bench

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "fdebench/benchmarks/equation_files/deep_keys.hpp"
 #include "fdebench/benchmarks/text/entry_named.hpp"
 
 namespace fde::bench {
@@ -39,6 +40,16 @@ TextPosition position_of(const toml::source_region& region) {
 }
 
 TextPosition position_of(const toml::node& node) { return position_of(node.source()); }
+
+toml::table parse_toml(const std::string& file, std::string_view text) {
+  if (const auto deep = find_deep_key(text))
+    reject_at(file, *deep, fmt::format("a key of more than {} parts", max_key_parts));
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& fault) {
+    reject_at(file, position_of(fault.source()), fmt::format("no TOML: {}", fault.description()));
+  }
+}
 
 TomlReader::TomlReader(const std::string& file, std::string_view text) : file_(file), text_(text) {
   for (std::size_t i = 0; i < text.size(); ++i)

@@ -21,6 +21,9 @@ struct TomlEntry {
 TextPosition position_of(const toml::source_region& region);
 TextPosition position_of(const toml::node& node);
 
+// Throws std::invalid_argument naming file, line and column where the text is no TOML.
+toml::table parse_toml(const std::string& file, std::string_view text);
+
 // The contents of a TOML file with positions in its text. A value of another kind than requested throws
 // std::invalid_argument naming file, line and column, the value and what is allowed. `file` and `text` must
 // outlive this object.

@@ -70,7 +70,8 @@ std::optional<TrialRuns> trial_of(const SceneSettings& scene) {
 
 }  // namespace
 
-SceneDescription describe(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference) {
+SceneDescription describe(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference,
+                          bool with_solution) {
   const SceneSettings key = variant.key();
   SceneDescription description{.scene = key,
                                .title = variant.maker->title,
@@ -83,7 +84,7 @@ SceneDescription describe(const SceneVariant& variant, const Scene& scene, Memoi
   try {
     const reference::Reference& exact = reference.exact();
     description.reference_seconds = exact.seconds;
-    description.solution = sample_solution(scene, exact);
+    if (with_solution) description.solution = sample_solution(scene, exact);
   } catch (const std::runtime_error&) {  // without a reference there is no solution
   }
   return description;

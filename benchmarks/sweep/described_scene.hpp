@@ -7,8 +7,9 @@
 
 namespace fde::bench {
 
-// What results files say of a scene, its solution included if there is a reference. `scene` is made from the
-// variant, and `reference` is of the scene.
-SceneDescription describe(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference);
+// What results files say of a scene, on request with its solution, if there is a reference. `scene` is made
+// from the variant, and `reference` is of the scene.
+SceneDescription describe(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference,
+                          bool with_solution = true);
 
 }  // namespace fde::bench

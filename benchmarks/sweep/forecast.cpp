@@ -6,9 +6,14 @@
 #include <chrono>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
+#include "fdebench/benchmarks/sweep/probe_choice.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde::bench {
@@ -129,24 +134,49 @@ double seconds_of_timing(const RefinementRun& run, const TimingRepeats& repeats)
   return std::max({wanted, once, repeats.min_seconds});
 }
 
-// Simulates the refinement of all schemes on one scene.
+// The settings of a scheme on a scene, and its probe there.
+struct ProbedLine {
+  const Scheme* scheme;
+  Probe probe;
+};
+
+// What is measured of a scene: its schemes, and the seconds of its reference at one time.
+struct ProbedScene {
+  ProbedScene(const SceneVariant& variant, const Sweep& sweep) {
+    const Scene scene = make_scene(variant);
+    has_solution = scene.reference.at != nullptr;
+    reference = seconds_of_reference(scene);
+    for (const auto* scheme : sweep.schemes) {
+      for (const RunSettings& setup : setups_of(sweep, *scheme, scene.problem))
+        lines.push_back({scheme, Probe(scene, *scheme, setup, sweep.plan)});
+    }
+  }
+
+  // The probe of the scheme with its setup of this number, or its last.
+  [[nodiscard]] const Probe& probe(const Scheme* scheme, std::size_t number) const {
+    const auto first = std::ranges::find(lines, scheme, &ProbedLine::scheme);
+    const auto count = static_cast<std::size_t>(std::ranges::count(lines, scheme, &ProbedLine::scheme));
+    return (first + static_cast<std::ptrdiff_t>(std::min(number, count - 1)))->probe;
+  }
+
+  bool has_solution = false;  // the reference is not computed by two methods
+  double reference = 0.0;
+  std::vector<ProbedLine> lines{};
+};
+
+// Simulates the refinement of all schemes on one scene, from what is measured of a scene like it.
 class RefinementSimulation {
  public:
-  RefinementSimulation(const SceneVariant& variant, const Sweep& sweep,
+  RefinementSimulation(const SceneVariant& variant, const ProbedScene& probed, const Sweep& sweep,
                        const std::function<RecordedRun(const RunKey&)>& recorded)
-      : name_(variant.key()), scene_(make_scene(variant)), sweep_(sweep), recorded_(recorded) {}
+      : name_(variant.key()), variant_(variant), probed_(probed), sweep_(sweep), recorded_(recorded) {}
 
   Forecast simulate() {
-    reference_ = seconds_of_reference(scene_);
-    std::vector<ProbedLine> probes;
-    for (const auto* scheme : sweep_.schemes) {
-      for (const RunSettings& setup : setups_of(sweep_, *scheme, scene_.problem))
-        probes.push_back({scheme, setup, Probe(scene_, *scheme, setup, sweep_.plan)});
-    }
+    const auto lines = series();
     std::vector<Refinement> refinements;
     std::vector<std::vector<StepsOrTolerance>> listed;
-    for (std::size_t i = 0; i < probes.size() + sweep_.programs.size(); ++i) {
-      const Capabilities takes = i < probes.size() ? probes[i].scheme->capabilities : Capabilities{};
+    for (std::size_t i = 0; i < lines.size() + sweep_.programs.size(); ++i) {
+      const Capabilities takes = i < lines.size() ? lines[i].scheme->capabilities : Capabilities{};
       refinements.push_back({.is_adaptive = takes.is_adaptive()});
       listed.push_back(resolutions_for(sweep_.plan, takes));
     }
@@ -155,8 +185,8 @@ class RefinementSimulation {
       const auto next = next_runs(sweep_.plan, listed, refinements);
       for (std::size_t i = 0; i < next.size(); ++i) {
         if (!next[i]) continue;
-        refinements[i].runs.push_back(i < probes.size() ? take(probes[i], *next[i])
-                                                        : take(sweep_.programs[i - probes.size()], *next[i]));
+        refinements[i].runs.push_back(i < lines.size() ? take(lines[i], *next[i])
+                                                       : take(sweep_.programs[i - lines.size()], *next[i]));
         goes_on = true;
       }
     }
@@ -164,10 +194,10 @@ class RefinementSimulation {
   }
 
  private:
-  struct ProbedLine {
+  struct Series {
     const Scheme* scheme;
     RunSettings setup;
-    Probe probe;
+    const Probe* probe;
   };
 
   [[nodiscard]] bool is_made(const RecordedRun& run) const {
@@ -175,13 +205,27 @@ class RefinementSimulation {
            (sweep_.examines_only && run.amount() == RecordedAmount::all_but_times);
   }
 
-  RefinementRun take(const ProbedLine& line, const StepsOrTolerance& resolution) {
+  // A scene is made only where the settings depend on it.
+  [[nodiscard]] std::vector<Series> series() const {
+    std::optional<Scene> scene;
+    if (sweep_.optimal_grids || !sweep_.graded.empty()) scene = make_scene(variant_);
+    std::vector<Series> all;
+    for (const auto* scheme : sweep_.schemes) {
+      const auto setups =
+          scene ? setups_of(sweep_, *scheme, scene->problem) : std::vector<RunSettings>{sweep_.setup};
+      for (std::size_t i = 0; i < setups.size(); ++i)
+        all.push_back({scheme, setups[i], &probed_.probe(scheme, i)});
+    }
+    return all;
+  }
+
+  RefinementRun take(const Series& line, const StepsOrTolerance& resolution) {
     RunKey key{name_, std::string(line.scheme->id), line.setup};
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
     if (is_made(recorded)) return refinement_run(key.setup, recorded);
-    RefinementRun run = line.probe.forecast(resolution);
-    expected_[key] = seconds_of(run) + (sweep_.examines_only ? 0.0 : seconds_of_timing(run, sweep_.repeats));
+    RefinementRun run = line.probe->forecast(resolution);
+    expected_[key] = {seconds_of(run), sweep_.examines_only ? 0.0 : seconds_of_timing(run, sweep_.repeats)};
     return run;
   }
 
@@ -192,7 +236,7 @@ class RefinementSimulation {
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
     if (is_made(recorded)) return refinement_run(key.setup, recorded);
-    expected_[key] = guess + (sweep_.examines_only ? 0.0 : guess * sweep_.repeats.most);
+    expected_[key] = {guess, sweep_.examines_only ? 0.0 : guess * sweep_.repeats.most};
     return {.resolution = resolution, .steps = std::get<int>(resolution)};
   }
 
@@ -202,18 +246,18 @@ class RefinementSimulation {
     constexpr double least = 0.002, computed_reference = 0.5;
     double seconds = least + 2.0 * run.seconds.value_or(0.0);
     const int times = run.seconds ? std::min(run.steps, max_comparison_steps) : 0;
-    if (times > 0 && known_ == 0 && !scene_.reference.at) seconds += computed_reference;
-    seconds += reference_ * std::max(0, times - known_);
+    if (times > 0 && known_ == 0 && !probed_.has_solution) seconds += computed_reference;
+    seconds += probed_.reference * std::max(0, times - known_);
     known_ = std::max(known_, times);
     const auto side_by_side = std::min<std::size_t>(std::max(1U, sweep_.threads), sweep_.scenes.size());
     return seconds / static_cast<double>(side_by_side);
   }
 
   SceneSettings name_;
-  Scene scene_;
+  const SceneVariant& variant_;
+  const ProbedScene& probed_;
   const Sweep& sweep_;
   const std::function<RecordedRun(const RunKey&)>& recorded_;
-  double reference_ = 0.0;
   int known_ = 0;  // number of times at which the reference has been evaluated
   Forecast expected_{};
 };
@@ -222,16 +266,17 @@ class RefinementSimulation {
 
 double total_seconds(const Forecast& forecast) {
   return std::accumulate(forecast.begin(), forecast.end(), 0.0,
-                         [](double sum, const auto& run) { return sum + run.second; });
+                         [](double sum, const auto& run) { return sum + run.second.total(); });
 }
 
 Forecast forecast(const Sweep& sweep, const std::function<RecordedRun(const RunKey&)>& recorded) {
-  std::vector<Forecast> parts(sweep.scenes.size());
-  in_parallel(parts.size(), sweep.threads, [&](std::size_t i) {
-    parts[i] = RefinementSimulation(sweep.scenes[i], sweep, recorded).simulate();
-  });
+  const auto choice = choose_probes(sweep.scenes);
+  std::vector<std::optional<ProbedScene>> probed(choice.probed.size());
+  in_parallel(probed.size(), sweep.threads,
+              [&](std::size_t i) { probed[i].emplace(sweep.scenes[choice.probed[i]], sweep); });
   Forecast all;
-  for (auto& part : parts) all.merge(part);
+  for (std::size_t i = 0; i < sweep.scenes.size(); ++i)
+    all.merge(RefinementSimulation(sweep.scenes[i], *probed[choice.of[i]], sweep, recorded).simulate());
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <deque>
 #include <mutex>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -140,7 +141,8 @@ void examine_runs(SceneRefinements& of, const Sweep& sweep, GuardedCallbacks& lo
     if (line.ended || line.run.amount() != RecordedAmount::nothing) continue;
     log.on_event(SweepEvent::Kind::examines, line.key);
     const auto rows = examine(of, line);
-    if (!log.describes(of.name)) log.append(describe(of.variant, of.scene, of.reference));
+    if (!log.describes(of.name))
+      log.append(describe(of.variant, of.scene, of.reference, sweep.describes_solutions));
     append(rows, line, sweep, log);
   }
 }
@@ -181,7 +183,7 @@ double seconds_of_turn(const SceneRefinements& of, const Forecast& expected) {
   double seconds = 0.0;
   for (const RefinementSeries& line : of.lines) {
     const auto run = line.ended ? expected.end() : expected.find(line.key);
-    if (run != expected.end()) seconds += run->second;
+    if (run != expected.end()) seconds += run->second.total();
   }
   return seconds;
 }
@@ -230,13 +232,15 @@ void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Fo
     if (std::ranges::find(sweep.plan.resolutions, resolution) == sweep.plan.resolutions.end())
       sweep.plan.resolutions.push_back(resolution);
   }
-  std::deque<SceneRefinements> scenes;
-  for (const auto& variant : sweep.scenes) {
-    if (std::ranges::find(scenes, variant.key(), &SceneRefinements::name) == scenes.end())
-      scenes.emplace_back(variant, sweep);
-  }
+  std::set<SceneSettings> known;
+  std::erase_if(sweep.scenes, [&](const auto& variant) { return !known.insert(variant.key()).second; });
   GuardedCallbacks log(callbacks);
-  while (take_turn(scenes, sweep, callbacks, expected, log)) {
+  for (std::size_t begin = 0; begin < sweep.scenes.size(); begin += scenes_at_once) {
+    std::deque<SceneRefinements> scenes;
+    for (auto i = begin; i < std::min(begin + scenes_at_once, sweep.scenes.size()); ++i)
+      scenes.emplace_back(sweep.scenes[i], sweep);
+    while (take_turn(scenes, sweep, callbacks, expected, log)) {
+    }
   }
 }
 

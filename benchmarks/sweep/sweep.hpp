@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <string>
@@ -27,6 +28,7 @@ struct Sweep {
   bool optimal_grids = false;           // each scheme with optimal_grading() instead of the setup's grading
   std::vector<const Scheme*> graded{};  // these with both gradings, where solutions are not smooth at 0
   TimingRepeats repeats{};
+  bool describes_solutions = true;    // results have the reference solution of each scene
   bool examines_only = false;         // no run is timed
   bool retimes = false;               // disturbed times of earlier sweeps are measured again
   unsigned threads = usable_cores();  // for the untimed part
@@ -36,8 +38,15 @@ struct Sweep {
 // sweep.graded on a problem whose solution is not smooth at 0.
 std::vector<RunSettings> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem& problem);
 
-// The runs that a sweep is expected to make, and the seconds of each.
-using Forecast = std::map<RunKey, double>;
+// The expected seconds of a run: to examine it, and to time it.
+struct ExpectedSeconds {
+  double examination = 0.0, timing = 0.0;
+
+  [[nodiscard]] double total() const { return examination + timing; }
+};
+
+// The runs that a sweep is expected to make.
+using Forecast = std::map<RunKey, ExpectedSeconds>;
 
 // Progress of a sweep: it starts to examine or to time a run, a run is done, or the refinement has ended (no
 // further run of this scene, scheme and grading follows).
@@ -66,9 +75,10 @@ inline constexpr int most_timings = 3;
 // passed to `append` as soon as they are computed, in one call per examination and one per timing; before the
 // first rows of a scene its description is passed to `append_scene`, unless it is recorded. At one resolution
 // the runs of a scene keep the order of the schemes; those of different scenes
-// interleave, the scene with the longest forecast first. The number of threads and the forecast change no row
-// except the times. An exception of `append` or `append_scene` ends
+// interleave, the scene with the longest forecast first; only scenes_at_once scenes are in memory. The number
+// of threads and the forecast change no row except the times. An exception of `append` or `append_scene` ends
 // the sweep and is rethrown.
+inline constexpr std::size_t scenes_at_once = 256;
 void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Forecast& expected = {});
 
 }  // namespace fde::bench

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace fde::bench {
@@ -23,8 +24,8 @@ void SweepEstimate::on_event(const SweepEvent& event) {
       ++done_;
       const auto run = left_.find(event.run);
       if (run == left_.end()) return;
-      seconds_done_ += run->second;
-      seconds_left_ -= run->second;
+      seconds_done_ += run->second.total();
+      seconds_left_ -= run->second.total();
       left_.erase(run);
       return;
     }
@@ -33,15 +34,20 @@ void SweepEstimate::on_event(const SweepEvent& event) {
   }
 }
 
-// Removes the runs that were forecast but are not made, because the refinement has ended.
+// Removes the runs that were forecast but are not made, because the refinement has ended. Runs are ordered by
+// scene, scheme and resolution.
 void SweepEstimate::drop_series(const RunKey& last) {
-  std::erase_if(left_, [&](const auto& run) {
-    const auto& [key, seconds] = run;
-    const bool of_line =
-        key.scene == last.scene && key.scheme == last.scheme && same_series(key.setup, last.setup);
-    if (of_line) seconds_left_ -= seconds;
-    return of_line;
-  });
+  auto run = left_.lower_bound({.scene = last.scene,
+                                .scheme = last.scheme,
+                                .setup = {.resolution = std::numeric_limits<int>::lowest()}});
+  while (run != left_.end() && run->first.scene == last.scene && run->first.scheme == last.scheme) {
+    if (same_series(run->first.setup, last.setup)) {
+      seconds_left_ -= run->second.total();
+      run = left_.erase(run);
+    } else {
+      ++run;
+    }
+  }
 }
 
 double SweepEstimate::part_done() const {

@@ -47,25 +47,29 @@ SceneVariant read_variant(const SceneArguments& arguments, const SceneRegistry& 
   return read_variant(arguments.scene, arguments.settings, known);
 }
 
-void add_options(Subcommand& command, RunSettingsArguments& arguments) {
-  command
-      .option("--grid", arguments.grid,
-              "where the times of the steps are; graded:auto takes R from the orders")
-      .takes("GRID", "uniform or graded:R with R in [1, 100], or graded:auto")
-      .offers({"uniform", "graded:", "graded:auto"})
-      .usual(arguments.grid);
-  command.option("--history", arguments.history, "how the sums over earlier steps are computed")
-      .takes("KIND", Words{std::string(name(HistoryKind::automatic)), std::string(name(HistoryKind::direct)),
-                           std::string(name(HistoryKind::exponentials))})
-      .usual(arguments.history);
-  command
-      .option("--tolerance", arguments.tolerance,
-              "relative error of Newton's method and of the history, added to the discretisation error")
-      .takes("E", tolerances)
-      .usual("rounding");
-  command.option("--budget", arguments.budget, "time after which the run ends")
-      .takes("SECONDS", positive, "seconds")
-      .usual(arguments.budget_text.empty() ? arguments.budget : arguments.budget_text);
+std::vector<Argument> add_options(Subcommand& command, RunSettingsArguments& arguments) {
+  const auto grid = command
+                        .option("--grid", arguments.grid,
+                                "where the times of the steps are; graded:auto takes R from the orders")
+                        .takes("GRID", "uniform or graded:R with R in [1, 100], or graded:auto")
+                        .offers({"uniform", "graded:", "graded:auto"})
+                        .usual(arguments.grid);
+  const auto history =
+      command.option("--history", arguments.history, "how the sums over earlier steps are computed")
+          .takes("KIND",
+                 Words{std::string(name(HistoryKind::automatic)), std::string(name(HistoryKind::direct)),
+                       std::string(name(HistoryKind::exponentials))})
+          .usual(arguments.history);
+  const auto tolerance =
+      command
+          .option("--tolerance", arguments.tolerance,
+                  "relative error of Newton's method and of the history, added to the discretisation error")
+          .takes("E", tolerances)
+          .usual("rounding");
+  const auto budget = command.option("--budget", arguments.budget, "time after which the run ends")
+                          .takes("SECONDS", positive, "seconds")
+                          .usual(arguments.budget_text.empty() ? arguments.budget : arguments.budget_text);
+  return {grid, history, tolerance, budget};
 }
 
 Argument add_digits(Subcommand& command, std::optional<std::string>& digits) {

@@ -41,7 +41,7 @@ struct RunSettingsArguments {
   std::string grid = "uniform", history = "auto", budget, budget_text{};
   std::optional<std::string> tolerance{};
 };
-void add_options(Subcommand& command, RunSettingsArguments& arguments);
+std::vector<Argument> add_options(Subcommand& command, RunSettingsArguments& arguments);
 // For --grid graded:auto the grading is 1 here: it depends on scheme and scene (optimal_grading).
 RunSettings parse_run_settings(const RunSettingsArguments& arguments);
 bool requests_optimal_grading(const RunSettingsArguments& arguments);

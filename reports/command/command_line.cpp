@@ -231,6 +231,10 @@ void Subcommand::exclude(const Argument& one, const Argument& other, bool one_is
   first.required = second.required = first.required || one_is_required;
 }
 
+void Subcommand::replaces(const Argument& one, const std::vector<Argument>& others) {
+  for (const auto& other : others) one.option_->excludes(other.option_);
+}
+
 void Subcommand::need(const Argument& one, const Argument& other) { one.option_->needs(other.option_); }
 
 Subcommand& Subcommand::group(const std::string& name) {

@@ -31,6 +31,7 @@ import python_module  # noqa: F401
 import references  # noqa: F401
 import results  # noqa: F401
 import solving  # noqa: F401
+import studies  # noqa: F401
 from case import Case, shell
 from drawn_scenes import Lists
 from program import Fault, Program

@@ -116,7 +116,8 @@ TEST(Forecasts, OfAFixedSweepAreItsRuns) {
   std::map<std::string, std::vector<int>> steps;
   for (const auto& [key, seconds] : expected) {
     steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
-    EXPECT_GT(seconds, 0.0);
+    EXPECT_GT(seconds.examination, 0.0);
+    EXPECT_GT(seconds.timing, 0.0);
   }
   EXPECT_EQ(steps, book.steps());
   EXPECT_TRUE(forecast(sweep, book.hooks().recorded).empty()) << "nothing is left to do";
@@ -136,7 +137,7 @@ RunKey run_with(int steps, const std::string& scheme = "l1") {
 
 TEST(Remainings, LeaveOutTheRunsOfALineThatEnds) {
   SweepEstimate remaining(
-      {{run_with(64), 1.0}, {run_with(128), 2.0}, {run_with(256), 4.0}, {run_with(64, "x"), 1.0}});
+      {{run_with(64), {1.0}}, {run_with(128), {2.0}}, {run_with(256), {4.0}}, {run_with(64, "x"), {1.0}}});
   EXPECT_EQ(remaining.part_done(), 0.0);
   remaining.on_event({SweepEvent::Kind::is_done, run_with(64)});
   EXPECT_EQ(remaining.part_done(), 1.0 / 8.0);
@@ -147,7 +148,7 @@ TEST(Remainings, LeaveOutTheRunsOfALineThatEnds) {
 }
 
 TEST(Remainings, TakeThePaceSoFar) {
-  SweepEstimate remaining({{run_with(64), 990.0}, {run_with(128), 100.0}});
+  SweepEstimate remaining({{run_with(64), {990.0}}, {run_with(128), {100.0}}});
   EXPECT_EQ(remaining.seconds_left(0.0), 1090.0);
   remaining.on_event({SweepEvent::Kind::is_done, run_with(64)});
   EXPECT_DOUBLE_EQ(remaining.seconds_left(1990.0), 200.0);

@@ -68,7 +68,7 @@ std::string shown(double seconds, int columns, std::chrono::milliseconds taken =
   std::ostringstream out, err;
   const Streams streams{.out = out, .err = err, .columns = columns};
   {
-    SweepProgress progress(streams, {{run_with(64), seconds / 2}, {run_with(128), seconds / 2}}, true);
+    SweepProgress progress(streams, {{run_with(64), {seconds / 2}}, {run_with(128), {seconds / 2}}}, true);
     progress.on_event({SweepEvent::Kind::examines, run_with(64)});
     std::this_thread::sleep_for(taken);
     progress.on_event({SweepEvent::Kind::examines, run_with(64)});
@@ -93,7 +93,7 @@ TEST(SweepsProgress, OfATerminalBeginsAfterTwoSecondsAndIsErased) {
 TEST(SweepsProgress, IsSilentWhereQuietIsAsked) {
   std::ostringstream out, err;
   const Streams streams{.out = out, .err = err, .columns = 80, .quiet = true};
-  { SweepProgress progress(streams, {{run_with(64), 150.0}}, true, std::chrono::milliseconds(5)); }
+  { SweepProgress progress(streams, {{run_with(64), {150.0}}}, true, std::chrono::milliseconds(5)); }
   EXPECT_EQ(err.str(), "");
 }
 
@@ -137,7 +137,7 @@ TEST(SweepsProgress, GoesOnDuringALongRunWhereThereIsNoTerminal) {
   std::ostringstream out, err;
   {
     const Streams streams{.out = out, .err = err, .columns = 0};
-    SweepProgress progress(streams, {{run_with(64), 1.0}}, true, std::chrono::milliseconds(5));
+    SweepProgress progress(streams, {{run_with(64), {1.0}}}, true, std::chrono::milliseconds(5));
     progress.on_event({SweepEvent::Kind::examines, run_with(64)});
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }

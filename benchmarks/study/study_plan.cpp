@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/study/study_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "fdebench/benchmarks/files/atomic_file.hpp"
+#include "fdebench/benchmarks/records/record_text.hpp"
+#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+
+namespace fde::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view plan_name = "plan.json", shard_prefix = "shard-";
+
+// Bytes of a run: a row of usual length for each of its quantities.
+double bytes_of(const RunKey& run) {
+  constexpr double rows = 24.0, value = 0.1234567890123456;
+  return rows *
+         static_cast<double>(
+             line_of(Record{.key = run, .h = value, .quantity = "error_maximum", .value = value}, false)
+                 .size());
+}
+
+Json json_of(const PlannedWork& work) {
+  return {{"scenes", work.scenes},
+          {"runs", work.runs},
+          {"seconds_examine", work.seconds.examination},
+          {"seconds_time", work.seconds.timing},
+          {"bytes", static_cast<std::int64_t>(std::llround(work.bytes))}};
+}
+
+// For each scene the number of its part.
+std::map<SceneSettings, std::size_t> distributed(const PlannedScenes& scenes, std::size_t count) {
+  std::vector<const PlannedScenes::value_type*> longest;
+  for (const auto& scene : scenes) longest.push_back(&scene);
+  std::ranges::stable_sort(longest, std::ranges::greater{},
+                           [](const auto* scene) { return scene->second.seconds.total(); });
+  std::vector<double> seconds(count);
+  std::map<SceneSettings, std::size_t> parts;
+  for (const auto* scene : longest) {
+    const auto least = std::ranges::min_element(seconds);
+    *least += scene->second.seconds.total();
+    parts.emplace(scene->first, static_cast<std::size_t>(least - seconds.begin()));
+  }
+  return parts;
+}
+
+// Removes the parts of an earlier plan, which has plan.json.
+void remove_parts(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / plan_name)) return;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const auto name = entry.path().filename().string();
+    if (name.starts_with(shard_prefix) && name.ends_with(equation_file_extension))
+      std::filesystem::remove(entry.path());
+  }
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace
+
+PlannedWork& PlannedWork::operator+=(const PlannedWork& other) {
+  scenes += other.scenes;
+  runs += other.runs;
+  seconds.examination += other.seconds.examination;
+  seconds.timing += other.seconds.timing;
+  bytes += other.bytes;
+  return *this;
+}
+
+PlannedScenes planned_scenes(const Forecast& expected) {
+  constexpr double description = 1000.0;  // bytes
+  PlannedScenes scenes;
+  for (const auto& [run, seconds] : expected) {
+    auto& work = scenes.try_emplace(run.scene, PlannedWork{.scenes = 1, .bytes = description}).first->second;
+    work += {.runs = 1, .seconds = seconds, .bytes = bytes_of(run)};
+  }
+  return scenes;
+}
+
+PlannedWork sum_of(const PlannedScenes& scenes) {
+  PlannedWork sum;
+  for (const auto& scene : scenes) sum += scene.second;
+  return sum;
+}
+
+std::vector<StudyShard> shards_of(const Study& study, const PlannedScenes& scenes, int count) {
+  const auto parts = distributed(scenes, static_cast<std::size_t>(count));
+  std::vector<StudyShard> shards(static_cast<std::size_t>(count), {.study = {.title = study.title}});
+  for (const auto& scene : scenes) shards[parts.at(scene.first)].work += scene.second;
+  for (const auto& family : study.families) {
+    std::vector<StudyFamily> split(shards.size(), {.position = family.position, .settings = family.settings});
+    for (const auto& scene : family.scenes) {
+      const auto part = parts.find(scene.key());
+      if (part != parts.end()) split[part->second].scenes.push_back(scene);
+    }
+    for (std::size_t i = 0; i < split.size(); ++i)
+      if (!split[i].scenes.empty()) shards[i].study.families.push_back(std::move(split[i]));
+  }
+  std::erase_if(shards, [](const auto& shard) { return shard.study.families.empty(); });
+  return shards;
+}
+
+void write_plan(const Study& study, const std::vector<StudyShard>& shards,
+                const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    throw std::invalid_argument(fmt::format("{}: cannot be made: {}", folder.string(), failure.message()));
+  remove_parts(folder);
+  Json plan{{"study", study.file}, {"checksum", study.checksum}, {"shards", Json::array()}};
+  for (std::size_t i = 0; i < shards.size(); ++i) {
+    const auto name = fmt::format("{}{:04}{}", shard_prefix, i + 1, equation_file_extension);
+    write_file(folder / name, text_of(shards[i].study, folder));
+    Json shard{{"file", name}};
+    shard.update(json_of(shards[i].work));
+    plan["shards"].push_back(std::move(shard));
+  }
+  write_file(folder / plan_name, plan.dump(2) + '\n');
+}
+
+}  // namespace fde::bench

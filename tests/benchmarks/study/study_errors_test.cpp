@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Invalid study files: one line with file, line and column, before anything runs.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "support/command_output.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace fde::bench {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct InvalidStudy {
+  std::string text, place, what;
+};
+
+class WrongStudy : public testing::TestWithParam<InvalidStudy> {};
+
+TEST_P(WrongStudy, IsRefusedInOneLine) {
+  const auto& [text, place, what] = GetParam();
+  const TemporaryFolder folder;
+  folder.write("s.toml", text);
+  const std::string file = folder.path() / "s.toml", out = folder.path() / "out";
+  for (const auto& command : {std::vector<std::string>{"run", "--study", file, "--out", out},
+                              std::vector<std::string>{"study", "plan", file, "--out", out}}) {
+    const auto answer = fdebench(command);
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_THAT(answer.err, StartsWith("fdebench: " + file + ": " + place + ": "));
+    EXPECT_THAT(answer.err, HasSubstr(what));
+    EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
+    EXPECT_FALSE(std::filesystem::exists(out));
+  }
+}
+
+std::string family(const std::string& lines) { return "[[family]]\nscene = \"relaxation\"\n" + lines + "\n"; }
+std::string gamma_is(const std::string& value) { return family("parameters.gamma = " + value); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, WrongStudy,
+    testing::Values(
+        InvalidStudy{"", "line 1, column 1", "a study: has no family, which it must have"},
+        InvalidStudy{"family = []\n", "line 1, column 10", "is an empty list"},
+        InvalidStudy{"[family]\nscene = \"power\"\n", "line 1, column 1", "must be tables [[family]]"},
+        InvalidStudy{"steps = 4\n[[family]\n", "line 2", "no TOML"},
+        InvalidStudy{"stepps = 4\n" + family(""), "line 1, column 1", "did you mean 'steps'?"},
+        InvalidStudy{"[[family]]\nsteps = 4\n", "line 1, column 1", "a family: has no scene"},
+        InvalidStudy{"[[family]]\nscene = \"relaxatoin\"\n", "line 2, column 9",
+                     "did you mean 'relaxation'?"},
+        InvalidStudy{"[[family]]\nscene = \"gone.toml\"\n", "line 2, column 9", "there is no such file"},
+        InvalidStudy{family("parameters.gama = 1"), "line 3, column 12", "did you mean 'gamma'?"},
+        InvalidStudy{gamma_is("3"), "line 3, column 20", "gamma = 3: must be a number in (0, 2)"},
+        InvalidStudy{gamma_is("\"x\""), "line 3, column 20", "gamma: is a text, must be a number in (0, 2)"},
+        InvalidStudy{gamma_is("[0.5, 2.5]"), "line 3, column 26", "gamma = 2.5: must be"},
+        InvalidStudy{gamma_is("[]"), "line 3, column 20", "is an empty list"},
+        InvalidStudy{gamma_is("nan"), "line 3, column 20", "gamma = nan: must be a finite number"},
+        InvalidStudy{gamma_is("{from = 0.1}"), "line 3, column 20", "gamma: has no to"},
+        InvalidStudy{gamma_is("{from = 0.1, to = 1}"), "line 3, column 20", "must have either step or count"},
+        InvalidStudy{gamma_is("{from = 0.1, to = 1, step = -0.1}"), "line 3, column 20",
+                     "gamma = 0.1:1:-0.1"},
+        InvalidStudy{gamma_is("{from = 0.1, to = 1, count = 1}"), "line 3, column 49",
+                     "a whole number from 2 to"},
+        InvalidStudy{gamma_is("{from = 0.1, to = 1, count = 2.5}"), "line 3, column 49", "gamma.count = 2.5"},
+        InvalidStudy{gamma_is("{from = 0.5, to = 2.5, count = 3}"), "line 3, column 20",
+                     "gamma = 2.5: must be"},
+        InvalidStudy{gamma_is("{from = 0, to = 1, count = 3, spacing = \"log\"}"), "line 3, column 20",
+                     "one sign"},
+        InvalidStudy{gamma_is("{from = 0.1, to = 1, count = 3, spacing = \"x\"}"), "line 3, column 62",
+                     "gamma.spacing = x: must be \"linear\" or \"log\""},
+        InvalidStudy{gamma_is("{from = 0.1, to = 1, cuont = 3}"), "line 3, column 41",
+                     "did you mean 'count'?"},
+        InvalidStudy{gamma_is("{distribution = \"uniform\", from = 0.1, to = 1}"), "line 3, column 20",
+                     "the family must have draws"},
+        InvalidStudy{family("draws = 3"), "line 3, column 9", "a parameter that has a distribution"},
+        InvalidStudy{family("draws = 0\nparameters.gamma = {distribution = \"uniform\", from = 0.1, to = 1}"),
+                     "line 3, column 9", "draws = 0: must be a whole number from 1"},
+        InvalidStudy{family("draws = 9\nparameters.gamma = {distribution = \"uniform\", from = 1.9, to = 5}"),
+                     "line 4, column 20", "must be a number in (0, 2)"},
+        InvalidStudy{family("draws = 9\nparameters.gamma = {distribution = \"gauss\", from = 1, to = 5}"),
+                     "line 4, column 36", "\"log-uniform\" or \"normal\""},
+        InvalidStudy{
+            family("draws = 9\nparameters.gamma = {distribution = \"normal\", mean = 1, deviation = 0}"),
+            "line 4, column 68", "gamma.deviation = 0: must be a number above 0"},
+        InvalidStudy{
+            family("draws = 9\nparameters.gamma = {distribution = \"normal\", mean = 1, deviation = 1, "
+                   "from = 1e9}"),
+            "line 4, column 20", "no draw"},
+        InvalidStudy{family("until = -1"), "line 3, column 9", "until = -1: must be"},
+        InvalidStudy{family("points = [{gamma = 0.5}, {gamma = 5}]"), "line 3, column 35",
+                     "gamma = 5: must be"},
+        InvalidStudy{family("points = [{gamma = 0.5}]\nparameters.gamma = 0.5"), "line 1, column 1",
+                     "gamma: must have one value in a point"},
+        InvalidStudy{family("parameters.gamma = {from = 0.1, to = 1, count = 1000}\n"
+                            "parameters.lambda = {from = 1, to = 2, count = 1000}"),
+                     "line 1, column 1", "more than 100000 scenes"},
+        InvalidStudy{"steps = [4, 0]\n" + family(""), "line 1, column 9",
+                     "steps = 0: must be a whole number"},
+        InvalidStudy{"steps = []\n" + family(""), "line 1, column 9", "is an empty list"},
+        InvalidStudy{"steps = \"4\"\n" + family(""), "line 1, column 9",
+                     "steps: is a text, must be a number"},
+        InvalidStudy{"schemes = [\"l11\"]\n" + family(""), "line 1, column 11", "did you mean 'l1'?"},
+        InvalidStudy{family("schemes = 3"), "line 3, column 11", "schemes: is a number, must be a text"},
+        InvalidStudy{"accuracies = -1\n" + family(""), "line 1, column 14", "accuracies = -1: must be"},
+        InvalidStudy{"grid = \"graded:0\"\n" + family(""), "line 1, column 8", "grid = graded:0"},
+        InvalidStudy{"history = \"exact\"\n" + family(""), "line 1, column 11", "history = exact: must be"},
+        InvalidStudy{"budget = 0\n" + family(""), "line 1, column 10", "budget = 0: must be"},
+        InvalidStudy{"repeat = 1.5\n" + family(""), "line 1, column 10", "repeat = 1.5: must be"},
+        InvalidStudy{"external = {a = 3}\n" + family(""), "line 1, column 17",
+                     "a: is a number, must be a text"},
+        InvalidStudy{"accuracies = 1e-3\nexternal = {a = \"b\"}\n" + family(""), "line 1, column 14",
+                     "without --external"}));
+
+TEST(Studies, ExcludeTheOptionsThatTheyReplace) {
+  for (const std::string option : {"--scene", "--set", "--scheme", "--external", "--steps", "--accuracy",
+                                   "--repeat", "--grid", "--history", "--tolerance", "--budget"}) {
+    const auto answer = fdebench({"run", "--study", "s.toml", option, "3", "--out", "o.jsonl"});
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_THAT(answer.err, HasSubstr("--study"));
+    EXPECT_THAT(answer.err, HasSubstr(option));
+    EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
+  }
+}
+
+}  // namespace
+}  // namespace fde::bench
