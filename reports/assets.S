@@ -32,6 +32,7 @@ BEGIN(charts)
   TEXT(page/motion_charts.js)
   TEXT(page/solution_charts.js)
   TEXT(page/family_charts.js)
+  TEXT(page/winner_map.js)
 END(charts)
 
 BEGIN(plot)

@@ -9,31 +9,10 @@
 #include <utility>
 #include <variant>
 
-#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/analysis/scene_numbers.hpp"
 
 namespace fde::bench {
 namespace {
-
-constexpr auto end_name = "until";
-
-// Adds the defaults of missing parameters, if the scene is described.
-SceneSettings with_defaults(const Runs& runs, SceneSettings scene) {
-  if (const auto* described = runs.describe(scene)) {
-    for (const auto& parameter : described->parameters)
-      scene.values.try_emplace(parameter.name, parse_value(parameter.value));
-  }
-  return scene;
-}
-
-// The numeric parameters of a scene by name, the end time included.
-std::map<std::string, double> numbers_of(const SceneSettings& scene) {
-  std::map<std::string, double> numbers;
-  for (const auto& [name, value] : scene.values) {
-    if (const auto* number = std::get_if<double>(&value)) numbers.emplace(name, *number);
-  }
-  if (scene.until) numbers.emplace(end_name, *scene.until);
-  return numbers;
-}
 
 SceneSettings without(SceneSettings scene, const std::string& name) {
   if (name == end_name) {
@@ -45,7 +24,7 @@ SceneSettings without(SceneSettings scene, const std::string& name) {
 }
 
 // Runs of scenes that differ in one parameter, by its value.
-using Family = std::map<double, RunSpan>;
+using ScenesByValue = std::map<double, RunSpan>;
 
 // A scheme with its setup except the resolution.
 using Line = std::pair<std::string, RunSettings>;
@@ -58,7 +37,7 @@ Line line_of(const RunKey& run) {
 
 // The numbers of steps that each line has at all its values. Lines with too few values and lines with
 // adaptive step size are left out.
-std::map<Line, std::set<int>> common_steps(const Family& family) {
+std::map<Line, std::set<int>> common_steps(const ScenesByValue& family) {
   std::map<Line, std::set<int>> steps;
   std::map<Line, std::size_t> values;
   for (const auto& [value, scene] : family) {
@@ -86,7 +65,7 @@ std::optional<int> largest_common(const std::map<Line, std::set<int>>& steps) {
   return found == first.rend() ? std::nullopt : std::optional(*found);
 }
 
-std::vector<CurvePoint> points_of(const Family& family, const std::map<Line, std::set<int>>& lines,
+std::vector<CurvePoint> points_of(const ScenesByValue& family, const std::map<Line, std::set<int>>& lines,
                                   int steps) {
   std::vector<CurvePoint> points;
   for (const auto& [value, scene] : family) {
@@ -100,7 +79,7 @@ std::vector<CurvePoint> points_of(const Family& family, const std::map<Line, std
 }  // namespace
 
 std::vector<ParameterCurves> parameter_curves(const Runs& runs) {
-  std::map<std::pair<SceneSettings, std::string>, Family> families;
+  std::map<std::pair<SceneSettings, std::string>, ScenesByValue> families;
   for (const RunSpan scene : by_scene(runs.finished)) {
     const auto whole = with_defaults(runs, scene.front().key.scene);
     for (const auto& [name, value] : numbers_of(whole))

@@ -113,7 +113,9 @@ std::size_t count_untimed(RunSpan runs, const ErrorKind& kind, double accuracy) 
 }  // namespace
 
 SceneLines::SceneLines(const Runs& runs, const SceneSettings& scene)
-    : runs_(of_scene(runs.finished, scene)), lines_(named_lines(runs_)) {}
+    : SceneLines(of_scene(runs.finished, scene)) {}
+
+SceneLines::SceneLines(RunSpan scene) : runs_(scene), lines_(named_lines(runs_)) {}
 
 std::vector<RecommendedRun> SceneLines::within(const ErrorKind& kind, double accuracy) const {
   std::vector<RecommendedRun> ranked;

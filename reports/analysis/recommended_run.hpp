@@ -63,6 +63,8 @@ struct NamedLine {
 class SceneLines {
  public:
   SceneLines(const Runs& runs, const SceneSettings& scene);
+  // `scene`: all runs of one scene.
+  explicit SceneLines(RunSpan scene);
 
   // The quickest run of each line that is within the accuracy and better than the baselines y = 0 and y =
   // y(0). Sorted by time, then by error.

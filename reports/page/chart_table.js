@@ -23,6 +23,11 @@ const columnsOfCharts = {
   x: { title: "x", text: String },
   y: { title: "y", text: String },
   z: { title: "z", text: String },
+  share: { title: "share", text: (value) => numberFormats.percent(value) },
+  state: { title: "state", text: (value) => statesOfCells[value] },
+  seconds: { title: "run time in s", text: (value) => value.toPrecision(3) },
+  second: { title: "second", text: String },
+  times: { title: "its time to the least", text: (value) => numberFormats.three(value) },
 };
 
 // Those that a point of the chart has, each { field, title, text }.
@@ -31,12 +36,13 @@ function columnsOf({ points, columns }, titles) {
     .map((field) => ({ field, ...columnsOfCharts[field], ...(titles[field] && { title: titles[field] }) }));
 }
 
-function numbersTable(chart, titles) {
+// opens: called with a point whose row is chosen, where the chart shows more of its points.
+function numbersTable(chart, titles, opens) {
   const columns = columnsOf(chart, titles);
-  const cell = (point, { field, text }) => field === "line" ? { text: point.line, line: point.line } : { text: point[field] === undefined ? "" : text(point[field]) };
+  const cell = (point, { field, text }) => field === "line" && point.line !== undefined ? { text: point.line, line: point.line } : { text: point[field] === undefined ? "" : text(point[field]) };
   return {
     caption: `The numbers of: ${chart.title}`, columns: columns.map(({ title }) => ({ text: title })),
-    groups: [{ rows: chart.points.map((point) => columns.map((column) => cell(point, column))) }],
+    groups: [{ rows: chart.points.map((point) => columns.map((column, i) => ({ ...cell(point, column), ...(chart.opens && i === 0 && { opens: () => opens(point) }) }))) }],
   };
 }
 

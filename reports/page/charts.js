@@ -36,7 +36,7 @@ function parameterAxis(points, title) {
 // Colour and shape of the lines in this chart, the same on the whole page. A click in the legend isolates a line.
 function lineChannels(lines, points) {
   const shown = lines.filter((line) => points.some((point) => point.line === line));
-  const widest = 7 * Math.max(...shown.map((line) => line.length)) + 26;
+  const widest = 7 * Math.max(0, ...shown.map((line) => line.length)) + 26;
   const columns = { expr: `clamp(floor((containerSize()[0] - 60) / ${widest}), 1, 3)` };  // of width it would chase itself
   const scale = (of) => ({ domain: shown, range: shown.map((line) => of(lines, line)) });
   const legend = { orient: "bottom", columns, title: null, symbolOpacity: 1, labelLimit: 260 };

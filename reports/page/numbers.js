@@ -37,4 +37,5 @@ const numberFormats = {
   tenths: decimals(1),
   hundredths: decimals(2),
   correlation: decimals(4),
+  percent: (value) => `${Math.round(100 * value)}\u202f%`,
 };

@@ -3,16 +3,18 @@
 
 // The chart's table, made when it is opened, and its numbers as a file.
 function numbersOf(chart, section, kind, lines) {
-  const titles = { error: titleOfKind(kind), value: section.parameter };
+  const titles = { error: titleOfKind(kind), value: section.parameter, ...chart.titles };
   const save = element("a", { download: `${section.id}-${chart.id}.csv`, href: "" }, "CSV");
   save.addEventListener("click", () => save.setAttribute("href", `data:text/csv;charset=utf-8,${encodeURIComponent(csvOf(chart, titles))}`));
   const details = element("details", { class: "numbers" }, element("summary", {}, "Numbers"));
   details.addEventListener("toggle", () => {
-    if (details.open && details.children.length === 1) details.append(save, tableFrame(numbersTable(chart, titles), lines));
+    if (details.open && details.children.length === 1) details.append(save, tableFrame(numbersTable(chart, titles, (point) => openPoint(chart, point, lines)), lines));
   });
   details.open = Boolean(chart.open);
   return details;
 }
+
+const openPoint = (chart, point, lines) => openCell(chart.opens(point), openedMember, undefined, lines);
 
 // What is made; where it fails a sentence in its place, so that the rest of the page is drawn.
 const cannotBeDrawn = (what) => element("p", { class: "missing" }, `${what} cannot be drawn.`);
@@ -28,11 +30,14 @@ function apart(what, make) {
 function drawCharts(scene, charts, { lines }, kind, frame) {
   const actions = { export: true, source: false, compiled: false, editor: false };
   for (const made of charts) {
-    const { id, title, spec } = made;
+    const { id, title, spec, note, opens } = made;
     const place = element("div", { class: "chart" });
-    frame.append(element("figure", { "data-chart": id }, element("figcaption", {}, title), place, numbersOf(made, scene, kind, lines)));
+    frame.append(element("figure", { "data-chart": id }, element("figcaption", {}, title), place, ...(note ? [element("p", { class: "key" }, note)] : []), numbersOf(made, scene, kind, lines)));
     chartLibrary().then(() => vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: `${scene.id}-${id}`, tooltip: { theme: isDark ? "dark" : "light" } }))
-      .then(() => place.querySelector("summary").setAttribute("aria-label", `Save: ${title}`))
+      .then(({ view }) => {
+        place.querySelector("summary").setAttribute("aria-label", `Save: ${title}`);
+        if (opens) view.addEventListener("click", (_, item) => made.points[item?.datum?.index] && openPoint(made, made.points[item.datum.index], lines));
+      })
       .catch((error) => {
         console.error(error);
         place.replaceChildren(cannotBeDrawn("This chart"));
@@ -58,7 +63,7 @@ function showScene(section, page, place) {
 
 function shownTable(section, page, kind) {
   const table = tableOf(section, kind, page.sections), now = table && viewed(table, viewNow(), page.sections);
-  if (!table) return [];
+  if (!table || table.groups.every(({ rows }) => rows.length === 0)) return [];
   const countOf = ({ groups }) => groups.reduce((sum, { rows }) => sum + rows.length, 0), [left, all] = [now, table].map(countOf);
   const said = left < all && !table.map && section.groups ? [element("p", { class: "left" }, `The table has ${left} of its ${all} rows; what is said above is of all.`)] : [];
   return [...said, table.map ? element("div", { class: "mapped" }, tableFrame(now, page.lines), ...keyOf(now)) : tableFrame(now, page.lines)];
@@ -77,13 +82,46 @@ function shownCharts(section, page, kind) {
     chartsOfSection(measured, page.lines, kind, page.kinds, (line, session) => wantsLine(viewNow(), line) && wantsSession(viewNow(), session)));
 }
 
+const conclusionSaid = (text) => element("p", { class: "conclusion" }, ...unbroken(text));
+
+// Of a family: which scheme is the cheapest where, and which to take without knowing.
+function familySaid(section, kind, view) {
+  const of = robustnessOf(section, kind, accuracyOfFamily(section, kind, view)), rows = of?.rows ?? [];
+  const winners = rows.filter(({ first }) => first).sort((a, b) => b.first - a.first).map((row) => ({ ...row, share: row.first / of.members }));
+  const facts = { ...of, parameters: section.plane.parameters, kind, winners: winners.slice(0, 4), rest: winners.length - 4 > 0 && winners.length - 4, all: of.best?.solved === of.scenes };
+  const shareOf = (count) => count > 0 && count / of.members;
+  return say(statements.family, { ...facts, title: section.scene, tied: shareOf(of.tied), unsolved: shareOf(of.unsolved), solved: of.best && of.best.solved / of.members });
+}
+
+// A family's own part, what it says being at the top: the map with its controls, the robustness of the schemes.
+function showFamily(section, page, kind, place) {
+  const view = viewNow(), accuracy = accuracyOfFamily(section, kind, view);
+  section.chosen ??= firstPlane(section);
+  const choose = (chosen, name) => {
+    section.chosen = chosen;
+    showFamily(section, page, kind, place);
+    place.querySelector(`.plane [name="${name}"]`)?.focus();
+  };
+  const map = () => framedCharts(section, page, kind, [winnerMap(section, page.lines, kind, view, section.chosen, (line, session) => wantsLine(view, line) && wantsSession(view, session))]);
+  const rows = (robustnessOf(section, kind, accuracy)?.rows ?? []).filter(({ line }) => wantsLine(view, line));
+  const table = () => (rows.length === 0 ? [] : [tableFrame(tableOfFacts(sectionTables.family, [{ rows }], { ...section, kind, accuracy }), page.lines)]);
+  place.replaceChildren(planeControls(section, section.chosen, choose),
+    ...apart("The map", map), ...apart("The table", table));
+}
+
 // What of a section depends on the kind of error: its conclusion, its table and its charts.
 function showKind(section, page, kind, place) {
+  if (section.plane) return showFamily(section, page, kind, place);
   const view = viewNow(), { accuracy, machine, schemes } = view;
+  const families = () => (section.id === "answer" ? page.sections.filter((of) => of.plane && wantsScene(view, of)) : []).map((of) => {
+    const said = conclusionSaid(familySaid(of, kind, view));
+    said.append(" ", element("a", { href: `#${of.id}` }, "Its map"));
+    return said;
+  });
   const conclusion = () => [say(statements.conclusion, section.conclusions?.[kind.id])].filter(Boolean)
     .map((text) => element("p", { class: "conclusion" }, ...(accuracy || machine || schemes ? [element("small", {}, "Of all runs, whatever is chosen above:")] : []), ...unbroken(text)));
   const none = section.runs && !wantsRuns(view, section) ? [element("p", { class: "left" }, ...leftSaid("None of the chosen runs is of this scene."))] : [];
-  place.replaceChildren(...apart("The conclusion", conclusion),
+  place.replaceChildren(...apart("What is said of families", families), ...apart("The conclusion", conclusion),
     ...apart("The table", () => shownTable(section, page, kind)),
     ...(section.schemes ? apart("What is said of each scheme", () => shownVerdicts(section, page, kind)) : []),
     ...none, ...apart("The charts", () => shownCharts(section, page, kind)));

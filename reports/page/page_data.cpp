@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "fdebench/reports/analysis/families.hpp"
 #include "fdebench/reports/page/assets.hpp"
 #include "fdebench/reports/page/facts.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
@@ -31,6 +32,8 @@ json kinds() {
 // schemes. The order determines the colours: only the first few lines have a unique one.
 std::vector<std::string> line_labels(const PageInput& page) {
   std::vector<std::string> labels = page.labels(page.runs.finished);
+  for (auto& label : page.labels(page.families.finished))
+    if (std::ranges::find(labels, label) == labels.end()) labels.push_back(std::move(label));
   auto won = cells_won(page, {});
   std::ranges::stable_sort(labels, std::greater{}, [&](const std::string& label) { return won[label]; });
   return labels;
@@ -118,6 +121,7 @@ json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
   page.runs = std::move(read.runs);
   json compared = before ? compared_section(page, before->runs) : json();
   page.trials = take_trials(page.runs);
+  page.families = take_families(page.runs);
   page.rates = rates(page.runs);
   json sections = json::array();
   const auto add = [&](json section) {
@@ -127,6 +131,7 @@ json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
   };
   if (json answers = answers_section(page); !answers.empty()) sections.push_back(std::move(answers));
   if (before) sections.push_back(compact(std::move(compared)));
+  for (auto& family : family_sections(page)) sections.push_back(std::move(family));
   add(stability_section(page));
   sections.push_back(regions_section());
   for (auto& scene : scene_sections(page)) sections.push_back(std::move(scene));

@@ -23,7 +23,8 @@ nlohmann::json page_data(ReadRuns read, const std::optional<ReadRuns>& before = 
 // The input of the sections.
 struct PageInput {
   std::vector<Session> sessions{};
-  Runs runs{};                        // without runs that belong to trials only
+  Runs runs{};                        // without runs that belong to trials only, or to families
+  Runs families{};                    // the runs of families
   std::vector<MeasuredRun> trials{};  // the runs of trials, finished or not
   std::vector<RateRow> rates{};
   LineNames names;
@@ -87,6 +88,10 @@ nlohmann::json scene_sections(const PageInput& page);
 // One section per parameter with at least three scenes that differ in it alone: errors and times over its
 // values.
 nlohmann::json curve_sections(const PageInput& page);
+
+// One section per family: over the plane of two of its parameters the cheapest run of each scene for each
+// accuracy, and how robust that is.
+nlohmann::json family_sections(const PageInput& page);
 
 // Title and source of a scene; the label alone for a scene that the results do not describe.
 struct SceneName {

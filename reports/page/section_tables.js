@@ -54,6 +54,15 @@ const openedTrial = {
   ],
 };
 
+const openedMember = {
+  of: ["line", "best"], title: ["{scene}", "{several} scenes"], about: "{kind:kind} ≤ {accuracy:power}", line: ["{line}", "{?several}most often no scheme gets there", "no scheme gets there"],
+  command: "fdebench solve {scene:shell} --scheme {scheme} {options}",
+  rows: [
+    ["cheapest in", "{winners:wins_of/; }"], ["N", "{steps:count}"], ["error", "{error:error}"], ["time", "{seconds:time} ({low:time} ... {high:time})[{?wall_clock} of the wall clock]"],
+    ["within noise", "{ties}"], ["second", "{second.line}, × {second.ratio:three}"], ["session", "{session}"], ["smallest error", "{best.error:error}, by {best.line}"],
+  ],
+};
+
 const sectionTables = {
   answer: {
     caption: "The cheapest measured run by scene and {kind:kind}", map: true, fades: "cells",
@@ -78,6 +87,14 @@ const sectionTables = {
   parameters: {
     caption: "Parameters",
     columns: [{ head: "parameter", cell: "{name}" }, { head: "value", cell: "{value}", marked: "{given}" }, { head: "meaning", cell: "{meaning}" }],
+  },
+  family: {
+    caption: "How robust each scheme is, {kind:kind} to {accuracy:power}",
+    columns: [
+      lineColumn, { head: "scenes solved", cell: "{solved} of {scenes}" }, { head: "the cheapest, no tie", cell: "{won}" },
+      { head: "within 20 % of the cheapest", cell: "{near.value:percent}", detail: "{near.low:percent} to {near.high:percent}" },
+      ...[["median", "median"], ["95 % quantile", "tail"]].map(([head, of]) => ({ head, over: "regret", cell: [`{${of}.value:two}`, "∞"], detail: [`{${of}.low:two} to {${of}.high:two}`, `from {${of}.low:two} on`] })),
+    ],
   },
   compared: {
     caption: "Runs of both results that changed", filter: "line", group: "{change:changes}: {count}",

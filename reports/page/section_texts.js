@@ -6,7 +6,7 @@ const sectionTexts = {
   answer: {
     title: "Which scheme is cheapest", brief: "Answer",
     paragraphs: [
-      "The quickest measured run of each scene to each error. The stronger a cell's colour, the slower the next scheme. A click on a cell shows the scheme's " +
+      "{?schemes}The quickest measured run of each scene to each error. The stronger a cell's colour, the slower the next scheme. A click on a cell shows the scheme's " +
         "whole name, the run and its command; one on a scene leads to its charts and equations.",
     ],
     notes: [
@@ -51,6 +51,17 @@ const sectionTexts = {
       "{discontinuities:discontinuity/ }",
       "Not in the charts, because the error at the end is exactly 0: {not_drawn:at_steps}.",
       "Times of whole processes, by the wall clock and with their start: {on_wall_clock}.",
+    ],
+  },
+  family: {
+    title: "{scene} over {plane.parameters/ and }",
+    paragraphs: ["{source}"],
+    notes: [
+      "A time is the median of a scheme's quickest run to the accuracy. Wins within noise, where the 95 % interval of another's time meets that of the " +
+        "winner, are no scheme's. Regret is a scheme's time over the least time of the same scene, infinite where it does not get there; its " +
+        "quantiles are order statistics, with intervals that hold for every distribution (Hahn & Meeker 1991). The interval of a share is Wilson's " +
+        "(1927). All are 95 % intervals that take the scenes for independent draws: of a lattice they say how much its size leaves open. Scenes " +
+        "that no scheme solves do not count. The scheme to take without knowing the scene has the least 95 % quantile of regret.",
     ],
   },
   curve: {
@@ -113,7 +124,7 @@ const sectionTexts = {
   },
   schemes: { title: "The schemes", brief: "Schemes" },
 };
-const textsOf = ({ id, parameter }) => sectionTexts[id] ?? (parameter ? sectionTexts.curve : sectionTexts.scene);
+const textsOf = ({ id, parameter, plane }) => sectionTexts[id] ?? (plane ? sectionTexts.family : parameter ? sectionTexts.curve : sectionTexts.scene);
 
 // texts: paragraphs, which come first, or notes, which come last.
 const saidOfSection = (section, texts) => (textsOf(section)[texts] ?? []).flatMap((paragraph) =>

@@ -34,6 +34,22 @@ const statements = {
     "[{?limit.is_unresolved}, as far as the reference is known].]" +
     " [Some runs of {ended} end early.] [{refused:count} scheme[{!refused=1}s] refuse[{?refused=1}s] it, with the reason under Refused and failed.]",
 
+  // What is said of a family. A part of it is where a line is mostly the cheapest.
+  part: "{inside:percent} where {parameter} [{?from}≥][{!from}≤] {bound:three}, {outside:percent} elsewhere",
+  winner: "{line} in {share:percent}[ ({where:part})]",
+  interval: "{value:two}[ ({low:two} to {high:two})]",
+  best: [
+    "Without knowing them take {line}: in 95 % of the scenes it takes at most {regret:regret} times the least time[; the intervals do not decide against {undecided:few}].",
+    "No scheme is the one to take without knowing them: none solves 95 % of the scenes; {line} solves the most.",
+  ],
+  regret: ["{value:two} ({low:two} to {high:two})", "{value:two} (from {low:two} on)"],
+  family: ["Over {parameters/ and } of {title} ({members} scenes, {kind:kind} to {accuracy:power}) the cheapest is {winners:winner/; }[; {rest} more].[ The first two are within noise of each other in {tied:percent} of the scenes.]" +
+    "[ No scheme gets there in {unsolved:percent}.] {best:best}",
+    "Over {parameters/ and } of {title} ({members} scenes, {kind:kind}[ to {accuracy:power}]) no scheme gets there.",
+  ],
+
+  wins_of: "{line}: {count} of {of} scenes",
+
   // What is said of a line beside the map of answers.
   wins: [
     "Cheapest in {won} of {cells} cells: {scenes:few}.[{!as_quick} The next takes {next:two} times as long, in the median.]" +

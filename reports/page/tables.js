@@ -49,9 +49,15 @@ function commandLine(text) {
   return element("span", { class: "command" }, code, button);
 }
 
+function opener(opens, text) {
+  const button = element("button", { type: "button", "aria-haspopup": "dialog" }, ...text);
+  button.addEventListener("click", opens);
+  return button;
+}
+
 function cellContent(cell, lines, to) {
   const text = cell.marked ? [element("mark", {}, cell.text)] : breakable(cell.text);
-  const parts = to && cell.text ? [element("a", { href: `#${to}` }, ...text)] : text;
+  const parts = to && cell.text ? [element("a", { href: `#${to}` }, ...text)] : cell.opens ? [opener(cell.opens, text)] : text;
   if (cell.line) parts.unshift(swatch(lines, cell.line));
   if (cell.detail) parts.push(element("small", {}, ...unbroken(cell.detail)));
   if (cell.command) parts.push(commandLine(cell.command));

@@ -69,7 +69,7 @@ function leftSaid(text) {
 
 // Beside the controls, where the view leaves something out: how much is left.
 function sayWhatIsShown(view, sections) {
-  const scenes = sections.filter(({ answers }) => answers), left = scenes.filter((section) => wantsScene(view, section)).length, place = document.getElementById("shown");
+  const scenes = sections.filter(({ answers, plane }) => answers || plane), left = scenes.filter((section) => wantsScene(view, section)).length, place = document.getElementById("shown");
   const text = say(statements.shown, {
     ...view, scene: view.scene.trim(), schemes: view.schemes?.length, all_schemes: schemeBoxes().length,
     scenes: left, all_scenes: scenes.length, is_empty: left === 0, fade: [view.schemes && "schemes", view.machine && "machines"].filter(Boolean),
@@ -100,8 +100,8 @@ function offerMachines(machines) {
 }
 
 // Whether a section's scene is wanted; sections without one are.
-const wantsScene = ({ scene }, { runs, title, name }) =>
-  !runs || [title, name].some((text) => text.toLowerCase().includes(scene.trim().toLowerCase()));
+const wantsScene = ({ scene }, { runs, plane, title, name }) =>
+  !(runs || plane) || [title, name].some((text) => text.toLowerCase().includes(scene.trim().toLowerCase()));
 const wantsLine = ({ schemes }, line) => !schemes || schemes.includes(schemeOf(line));
 
 // session: from 1 on; undefined where there is one only.

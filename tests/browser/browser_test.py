@@ -36,6 +36,15 @@ def results():
     return file
 
 
+def family():
+    """Twenty scenes on a lattice of two parameters."""
+    file = FOLDER / "family.jsonl"
+    scenes = [f"power:gamma={gamma},p={p}" for gamma in (0.2, 0.4, 0.6, 0.8) for p in (1, 1.5, 2, 2.5, 3)]
+    named = [word for kind, ids in (("--scene", scenes), ("--scheme", ["l1", "bdf2", "product_trapezoidal"])) for id in ids for word in (kind, id)]
+    fdebench("run", *named, "--steps", "8,32,128,512", "--repeat", 3, "--out", file)
+    fdebench("report", file, "--out", FOLDER / "family")
+
+
 def earlier(file):
     """Results of another machine before those: l1 had half of the error on the pendulum, bdf4 failed on relaxation."""
     before = FOLDER / "before.jsonl"
@@ -63,6 +72,7 @@ screenshots = FOLDER / "screenshots"
 screenshots.mkdir(parents=True)
 file = results()
 fdebench("report", file, "--out", FOLDER)
+family()
 before = earlier(file)
 fdebench("report", before, file, "--out", FOLDER / "compared")
 both = FOLDER / "both.jsonl"

@@ -189,6 +189,8 @@ class Page(unittest.TestCase):
                  *few, "--steps", "32,64,128"],
                 ["--scene", "relaxation:gamma=0.05", "--scheme", "l1", "--steps", 4096],  # a trial
                 ["--scene", "relaxation:lambda=0", "--scheme", "l1", "--steps", 32],  # without error
+                [*each("--scene", *(f"power:gamma={gamma},p={p}" for gamma in (0.2, 0.4, 0.6, 0.8) for p in (1, 1.5, 2, 2.5, 3))),
+                 *each("--scheme", "l1", "bdf2"), "--steps", "32,128"],
                 ["--scene", "relaxation", "--steps", 1, "--external", "end=echo 't,y\n0,1\n1,0.43' #"],  # the whole process is timed
             ]  # fmt: skip
             for words in sweeps:

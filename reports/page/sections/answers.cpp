@@ -81,11 +81,12 @@ json answer(const PageInput& page, const SceneSettings& scene, const SceneLines&
 }  // namespace
 
 json answers_section(const PageInput& page) {
-  if (page.runs.finished.empty()) return {};
+  if (page.runs.finished.empty() && page.families.finished.empty()) return {};
+  const auto& runs = page.runs.finished.empty() ? page.families.finished : page.runs.finished;
   return compact({{"id", "answer"},
                   {"accuracies", accuracies},
                   {"several_sessions", page.sessions.size() > 1},
-                  {"first_run", page.runs.finished.front().first_run},
+                  {"first_run", runs.front().first_run},
                   {"schemes", scheme_verdicts(page)}});
 }
 

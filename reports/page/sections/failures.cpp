@@ -92,11 +92,15 @@ json schemes_section(const PageInput& page) {
   json rows = json::array();
   for (const auto& scheme : schemes()) {
     const auto of_this = [&](const MeasuredRun& run) { return run.key.scheme == scheme.id; };
-    if (std::ranges::any_of(page.runs.finished, of_this) || std::ranges::any_of(page.runs.failed, of_this))
+    const auto has = [&](const Runs& runs) {
+      return std::ranges::any_of(runs.finished, of_this) || std::ranges::any_of(runs.failed, of_this);
+    };
+    if (has(page.runs) || has(page.families))
       rows.push_back({{"scheme", scheme.id}, {"title", scheme.title}, {"source", scheme.source}});
   }
   std::set<std::string> others;
-  for (const auto* runs : {&page.runs.finished, &page.runs.failed, &page.trials}) {
+  for (const auto* runs : {&page.runs.finished, &page.runs.failed, &page.trials, &page.families.finished,
+                           &page.families.failed}) {
     for (const MeasuredRun& run : *runs) {
       if (find_scheme(run.key.scheme) == nullptr) others.insert(run.key.scheme);
     }
