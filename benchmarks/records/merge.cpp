@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 struct ByteRange {
   fs::path file;
   std::uint64_t begin = 0, end = 0;  // bytes
+  std::size_t rows = 0;
 };
 
 // The line of a session and all ranges with its scenes and rows.
@@ -42,13 +43,23 @@ void find_sessions(const fs::path& file, std::vector<SessionRanges>& all) {
                             place = &found->places.emplace_back(ByteRange{file, end, end});
                           },
                       .scene = [&](const auto&, std::uint64_t end) { place->end = end; },
-                      .rows = [&](const auto&, std::uint64_t end) { place->end = end; }});
+                      .rows =
+                          [&](const auto& rows, std::uint64_t end) {
+                            place->end = end;
+                            place->rows += rows.size();
+                          }});
+}
+
+// Copies a range whose session is in no other file: nothing in it is repeated.
+void copy_all(const ByteRange& place, AtomicFile& out) {
+  LineReader line(place.file);
+  line.go_to(place.begin);
+  while (line.end() < place.end && line.next()) out.write(line.text() + '\n');
 }
 
 // Copies the descriptions and measurements of a range that have not been written yet. The lines were
 // validated by find_sessions.
-void copy_range(const ByteRange& place, bool is_alone, std::set<std::string>& written, AtomicFile& out,
-                MergeCounts& merged) {
+void copy_new(const ByteRange& place, std::set<std::string>& written, AtomicFile& out, MergeCounts& merged) {
   LineReader line(place.file);
   line.go_to(place.begin);
   std::string lines;
@@ -58,7 +69,7 @@ void copy_range(const ByteRange& place, bool is_alone, std::set<std::string>& wr
     lines += line.text() + '\n';
     rows += parsed.scene ? 0 : 1;
     if (!parsed.scene && !parsed.last) continue;
-    if (is_alone || written.insert(sha256(lines)).second) {
+    if (written.insert(sha256(lines)).second) {
       out.write(lines);
       merged.rows += rows;
     } else {
@@ -80,8 +91,13 @@ MergeCounts merge_results(const std::vector<fs::path>& files, const fs::path& ou
   MergeCounts merged{.sessions = sessions.size()};
   for (const auto& [line, places] : sessions) {
     file.write(line);
+    if (places.size() == 1) {
+      copy_all(places.front(), file);
+      merged.rows += places.front().rows;
+      continue;
+    }
     std::set<std::string> written;
-    for (const auto& place : places) copy_range(place, places.size() == 1, written, file, merged);
+    for (const auto& place : places) copy_new(place, written, file, merged);
   }
   file.commit_new();
   return merged;

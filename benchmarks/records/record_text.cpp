@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -119,6 +121,23 @@ Record row_of(const Json& json) {
   return row;
 }
 
+constexpr std::string_view quantity_begin = R"("quantity":")", unit_begin = R"(,"unit":")",
+                           value_begin = R"(","value":)";
+
+// Takes the word of letters, digits and underscores at the beginning of a text.
+std::string_view take_word(std::string_view& text) {
+  const auto is_plain = [](unsigned char c) { return c == '_' || std::isalnum(c) != 0; };
+  const auto word = text.substr(0, std::ranges::find_if_not(text, is_plain) - text.begin());
+  text.remove_prefix(word.size());
+  return word;
+}
+
+bool take(std::string_view& text, std::string_view beginning) {
+  if (beginning.empty() || !text.starts_with(beginning)) return false;
+  text.remove_prefix(beginning.size());
+  return true;
+}
+
 }  // namespace
 
 std::string line_of(const Session& session) {
@@ -156,6 +175,40 @@ std::string line_of(const SceneDescription& scene) {
     text = json.dump();
   }
   return text + '\n';
+}
+
+ResultsLine LineParser::parse(const std::string& line) {
+  if (auto row = continued(line)) return {.row = std::move(*row)};
+  ResultsLine parsed = parse_line(line);
+  if (!parsed.session && !parsed.scene && !parsed.last) keep(line, parsed.row);
+  return parsed;
+}
+
+std::optional<Record> LineParser::continued(std::string_view line) const {
+  if (!take(line, until_quantity_)) return std::nullopt;
+  const auto quantity = take_word(line);
+  if (!take(line, until_unit_)) return std::nullopt;
+  const auto unit = take_word(line);
+  if (!take(line, value_begin) || !line.ends_with('}')) return std::nullopt;
+  line.remove_suffix(1);
+  const Json value = Json::parse(line, nullptr, false);
+  if (!value.is_number()) return std::nullopt;
+  Record row = row_;
+  row.quantity = present_name(std::string(quantity));
+  row.value = value;
+  row.unit = unit;
+  return row;
+}
+
+// Only of the text that line_of writes is it known where the fields are.
+void LineParser::keep(std::string_view line, const Record& row) {
+  if (row.ending || !row.course.empty() || row.wall_clock || line_of(row, false) != std::string(line) + '\n')
+    return;
+  const auto quantity = line.find(quantity_begin) + quantity_begin.size();
+  const auto unit = line.rfind(unit_begin) + unit_begin.size();
+  row_ = row;
+  until_quantity_ = line.substr(0, quantity);
+  until_unit_ = line.substr(line.find('"', quantity), unit - line.find('"', quantity));
 }
 
 ResultsLine parse_line(const std::string& line) {

@@ -21,7 +21,7 @@ class Scan {
   explicit Scan(const ScanCallbacks& callbacks) : callbacks_(callbacks) {}
 
   void add_line(const std::string& text, std::uint64_t end) {
-    auto line = parse_line(text);
+    auto line = parser_.parse(text);
     if (line.session) {
       begin_session(*line.session, end);
     } else if (line.scene) {
@@ -74,6 +74,7 @@ class Scan {
   }
 
   const ScanCallbacks& callbacks_;
+  LineParser parser_{};
   std::size_t sessions_ = 0;
   std::vector<Record> open_rows_{};
   std::uint64_t valid_ = 0;

@@ -58,7 +58,7 @@ void add(BuildRun& made, const Record& row) {
     run.ending = *row.ending;
     made.ended = true;
   } else {
-    run.values[row.quantity] = row.value;
+    run.values.set(row.quantity, row.value);
     if (!row.course.empty()) run.courses[row.quantity] = row.course;
     if (is_time(row)) run.wall_clock = row.wall_clock;
   }
@@ -87,7 +87,11 @@ class Collector {
     sessions_.push_back(session);
   }
 
-  void take(const Record& row) { add(run_of(all_[order_of(row.key)], builds_[row.session]), row); }
+  // Rows of one run and session.
+  void take(std::span<const Record> rows) {
+    BuildRun& made = run_of(all_[order_of(rows.front().key)], builds_[rows.front().session]);
+    for (const Record& row : rows) add(made, row);
+  }
 
   void take(const SceneDescription& scene) { scenes_.insert_or_assign(scene.scene, scene); }
 
@@ -123,14 +127,19 @@ std::vector<RunSpan> chunks(RunSpan runs, Same same) {
   return found;
 }
 
+// Whether the runs of a scene come before those of the other.
+bool precedes(const SceneSettings& a, const SceneSettings& b) {
+  const auto place_of_a = position(scene_ids(), a.id), place_of_b = position(scene_ids(), b.id);
+  return std::tie(place_of_a, a) < std::tie(place_of_b, b);
+}
+
+const SceneSettings& scene_of_run(const MeasuredRun& run) { return run.key.scene; }
+
 bool same_scene(const MeasuredRun& a, const MeasuredRun& b) { return a.key.scene == b.key.scene; }
 
 }  // namespace
 
-std::optional<double> MeasuredRun::operator[](std::string_view quantity) const {
-  const auto found = values.find(quantity);
-  return found == values.end() ? std::nullopt : std::optional(found->second);
-}
+std::optional<double> MeasuredRun::operator[](std::string_view quantity) const { return values[quantity]; }
 
 std::optional<MedianInterval> time_of(const MeasuredRun& run) {
   const auto least = run["time_minimum"];
@@ -150,7 +159,7 @@ Runs runs_of(const Results& results) {
   Collector collector;
   for (const Session& session : results.sessions) collector.begin(session);
   for (const SceneDescription& scene : results.scenes) collector.take(scene);
-  for (const Record& row : results.records) collector.take(row);
+  for (const Record& row : results.records) collector.take(std::span(&row, 1));
   return std::move(collector).runs();
 }
 
@@ -159,7 +168,7 @@ void count_first_runs(Runs& runs) {
     const double setup = run["time_setup"].value_or(0.0);
     run.first_run = true;
     for (const auto* time : {"time_minimum", "time_median", "time_low", "time_high"}) {
-      if (const auto found = run.values.find(time); found != run.values.end()) found->second += setup;
+      if (const auto later = run[time]) run.values.set(time, *later + setup);
     }
   }
 }
@@ -168,10 +177,7 @@ ReadRuns read_runs(const std::filesystem::path& file) {
   Collector collector;
   scan_results(file, {.session = [&](const Session& session, auto) { collector.begin(session); },
                       .scene = [&](const SceneDescription& scene, auto) { collector.take(scene); },
-                      .rows =
-                          [&](const std::vector<Record>& rows, auto) {
-                            for (const Record& row : rows) collector.take(row);
-                          }});
+                      .rows = [&](const std::vector<Record>& rows, auto) { collector.take(rows); }});
   ReadRuns read{.sessions = collector.sessions()};
   read.runs = std::move(collector).runs();
   if (read.runs.finished.empty() && read.runs.failed.empty())
@@ -188,10 +194,8 @@ std::vector<RunSpan> by_line(RunSpan runs) {
 }
 
 RunSpan of_scene(RunSpan runs, const SceneSettings& scene) {
-  for (const RunSpan found : by_scene(runs)) {
-    if (found.front().key.scene == scene) return found;
-  }
-  return {};
+  const auto found = std::ranges::equal_range(runs, scene, precedes, scene_of_run);
+  return {found.begin(), found.end()};
 }
 
 }  // namespace fde::bench

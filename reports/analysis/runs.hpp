@@ -11,6 +11,7 @@
 
 #include "fdebench/benchmarks/measures/time_spread.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/reports/analysis/quantity_values.hpp"
 
 namespace fde::bench {
 
@@ -22,7 +23,7 @@ struct MeasuredRun {
   std::size_t session =
       0;  // of the times, or of the examination of a run without; index into Results::sessions
   RunOutcome ending{};
-  std::map<std::string, double, std::less<>> values{};   // by quantity
+  QuantityValues values{};
   std::map<std::string, Course, std::less<>> courses{};  // of the quantities that have one
   bool wall_clock = false;                               // the times are of whole processes
   bool first_run = false;                                // the times are of the first run of a process

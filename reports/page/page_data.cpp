@@ -99,10 +99,12 @@ std::vector<std::string> PageInput::labels(RunSpan of) const {
 // Settings change neither title nor source.
 SceneName name_of_scene(const PageInput& page, const SceneSettings& scene) {
   const auto& scenes = page.runs.scenes;
-  const auto found = std::ranges::find_if(scenes, [&](const auto& described) {
-    return described.first.id == scene.id && described.first.checksum == scene.checksum;
+  const auto of_id = scenes.lower_bound(SceneSettings{.id = scene.id});
+  const auto found = std::find_if(of_id, scenes.end(), [&](const auto& described) {
+    return described.first.id != scene.id || described.first.checksum == scene.checksum;
   });
-  if (found == scenes.end()) return {.title = fmt::format("{}{}", label_of(scene), file_text(scene))};
+  if (found == scenes.end() || found->first.id != scene.id)
+    return {.title = fmt::format("{}{}", label_of(scene), file_text(scene))};
   return {.title = with_settings(found->second.title, scene), .source = found->second.source};
 }
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fde::bench {
+
+// The values of a run by quantity. A run has about thirty: a list of them takes a quarter of the memory of a
+// tree and is searched as fast. The ids of quantities are stored once for the whole process.
+class QuantityValues {
+ public:
+  // Adds or replaces the value of a quantity.
+  void set(std::string_view quantity, double value);
+
+  // The value of a quantity; nullopt: it has none.
+  [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;
+
+ private:
+  using Value = std::pair<std::string_view, double>;
+  std::vector<Value> values_{};
+};
+
+}  // namespace fde::bench
