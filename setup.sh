@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
-  libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libssl-dev libtomlplusplus-dev zlib1g-dev)
+  libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libsqlite3-dev libssl-dev libtomlplusplus-dev zlib1g-dev)
 # Machine code of equation files; on other processors they are interpreted.
 [ "$(dpkg --print-architecture)" != amd64 ] || packages+=(libasmjit-dev)
 # Of figures as PDF: librsvg, and the letters of papers.
@@ -24,6 +24,8 @@ for option in "$@"; do
         python3-nbconvert python3-ipykernel)
       # Of the site.
       packages+=(mkdocs-material doxygen)
+      # Of the tables in docs/results.md.
+      packages+=(sqlite3)
       # Of the packages.
       packages+=(patchelf python3-pip python3-setuptools python3-wheel)
       python3 -c "import jsonschema" 2>/dev/null || packages+=(python3-jsonschema)

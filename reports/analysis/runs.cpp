@@ -194,8 +194,8 @@ std::vector<RunSpan> by_line(RunSpan runs) {
 }
 
 RunSpan of_scene(RunSpan runs, const SceneSettings& scene) {
-  const auto found = std::ranges::equal_range(runs, scene, precedes, scene_of_run);
-  return {found.begin(), found.end()};
+  return {std::ranges::lower_bound(runs, scene, precedes, scene_of_run),
+          std::ranges::upper_bound(runs, scene, precedes, scene_of_run)};
 }
 
 }  // namespace fde::bench

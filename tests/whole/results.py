@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Results files: run, judge, merge, compare, choose and plot are consistent with each other."""
+"""Results files: run, judge, merge, export, compare, choose and plot are consistent with each other."""
 
+import csv
 import json
+import shutil
+import sqlite3
 from dataclasses import replace
 from random import Random
 
@@ -87,6 +90,64 @@ def shards_are_the_whole(program: Program, case: Case, lists: Lists) -> None:
     compared = program.run("compare", "whole.jsonl", "whole.jsonl", "--require-all", "--max-slowdown", "1.5")
     if not compared.done or "0 grew, 0 fell" not in compared.out:
         raise Fault("compare", f"a file beside itself: exit code {compared.code}, {compared.out[-300:]!r}")
+
+
+def drawn_damage(random: Random, lists: Lists) -> Case:
+    damage = random.choice(["none", "none", "a byte", "a line", "the end"])
+    return replace(drawn_sweep(random, lists), holds="tables_hold_the_rows", chosen={"damage": damage, "place": f"{random.random():.6f}"})
+
+
+def damaged(data: bytes, damage: str, place: float) -> bytes:
+    at = int(place * len(data))
+    if damage == "a byte":
+        return data[:at] + b"\x7f" + data[at + 1 :]
+    if damage == "a line":
+        lines = data.splitlines(keepends=True)
+        return b"".join(lines[: int(place * len(lines))] + lines[int(place * len(lines)) + 1 :])
+    return data[:at] if damage == "the end" else data
+
+
+@must_hold(drawn_damage, 0.6)
+def tables_hold_the_rows(program: Program, case: Case, lists: Lists) -> None:
+    """The tables of merged shards hold their rows, in SQLite as in CSV; what compare refuses export refuses, in the same words."""
+    words = (*case.words, *case.given(), "--repeat", "1", "--budget", "2")
+    for k in ("1", "2"):
+        if not program.run("run", *words, "--shard", f"{k}/2", "--out", f"shard{k}.jsonl", seconds=120).done:
+            return
+    present = [name for name in ("shard1.jsonl", "shard2.jsonl") if (program.folder / name).exists()]
+    if not program.run("merge", *present, "--out", "merged.jsonl").done:
+        raise Fault("merge", "the shards cannot be merged")
+    file = program.folder / "merged.jsonl"
+    file.write_bytes(damaged(file.read_bytes(), case.chosen.get("damage", "none"), float(case.chosen.get("place", "0"))))
+    compared = program.run("compare", "merged.jsonl", "merged.jsonl")
+    made = {kind: program.run("export", "merged.jsonl", "--to", kind, "--out", kind) for kind in ("sqlite", "csv")}
+    for kind, ended in made.items():
+        unread = not compared.done and "no run" not in compared.err
+        if ended.done == unread or (unread and ended.err != compared.err):
+            raise Fault("refused", f"export to {kind}: {ended.err.strip()!r}, compare: {compared.err.strip()!r}")
+        if (program.folder / kind).exists() != ended.done or list(program.folder.glob("*.tmp")):
+            raise Fault("half", f"export to {kind} leaves {sorted(path.name for path in program.folder.iterdir())}")
+    if not all(ended.done for ended in made.values()):
+        return
+    with sqlite3.connect(program.folder / "sqlite") as database:
+        query = "SELECT scene, scheme, steps, quantity, value FROM results JOIN runs USING (run_id) JOIN scenes USING (scene_id)"
+        ends = "SELECT scene, scheme, steps, 'ending', ended_at FROM runs JOIN scenes USING (scene_id) WHERE ending IS NOT NULL"
+        stored = sorted(database.execute(f"{query} UNION ALL {ends}"))
+    database.close()
+    lines = file.read_text().splitlines()
+    rows = [row for row in map(json.loads, lines if file.read_bytes().endswith(b"\n") else lines[:-1]) if "quantity" in row]
+    last = max((k for k, row in enumerate(rows) if row.get("last")), default=-1)
+    written = sorted((row["scene"], row["scheme"], row["steps"], row["quantity"], row["value"]) for row in rows[: last + 1])
+    if stored != written:
+        raise Fault("rows", f"the tables hold {len(stored)} rows, the file {len(written)}")
+    for table in ("results", "runs"):
+        with (program.folder / "csv" / f"{table}.csv").open(newline="") as text:
+            count = sum(1 for _ in csv.reader(text)) - 1
+        with sqlite3.connect(program.folder / "sqlite") as database:
+            if (count,) != database.execute(f"SELECT count(*) FROM {table}").fetchone():
+                raise Fault("csv", f"{table}.csv has {count} rows")
+        database.close()
+    shutil.rmtree(program.folder / "csv")
 
 
 def drawn_choice(random: Random, lists: Lists) -> Case:

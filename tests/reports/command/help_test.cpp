@@ -47,6 +47,7 @@ std::string command_with(const std::string& subcommand, const std::string& argum
       {"geometry", "geometry loxodrome"},
       {"judge", "judge relaxation /dev/null"},
       {"compare", "compare /dev/null /dev/null"},
+      {"export", "export /dev/null --out /nonexistent"},
       {"reference", "reference --check /nonexistent"},
       {"report", "report /dev/null --out /nonexistent"},
       {"plot", "plot relaxation --out /nonexistent.svg"}};

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/reports/export/csv_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "fdebench/benchmarks/files/unfinished.hpp"
+
+namespace fde::bench {
+namespace {
+
+constexpr auto line_end = "\r\n";
+
+void append(std::string& line, std::string_view text) {
+  if (text.find_first_of("\",\r\n") == std::string_view::npos) {
+    line += text;
+    return;
+  }
+  line += '"';
+  for (const char c : text) line.append(c == '"' ? 2 : 1, c);
+  line += '"';
+}
+
+void append(std::string& line, const Cell& cell) {
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) {
+    fmt::format_to(std::back_inserter(line), "{}", *whole);
+  } else if (const auto* number = std::get_if<double>(&cell)) {
+    fmt::format_to(std::back_inserter(line), "{}", *number);
+  } else if (const auto* text = std::get_if<std::string_view>(&cell)) {
+    append(line, *text);
+  }
+}
+
+}  // namespace
+
+CsvTables::CsvTables(const std::filesystem::path& folder, std::filesystem::path name)
+    : name_(std::move(name)) {
+  std::error_code problem;
+  std::filesystem::create_directory(folder, problem);
+  if (problem) cannot_write(name_, problem);
+  for (const SqlTable& table : tables()) {
+    auto& file = files_.emplace_back(folder / fmt::format("{}.csv", table.name), std::ios::binary);
+    std::string_view separator;
+    for (const auto& column : table.columns) file << std::exchange(separator, ",") << column.name;
+    file << line_end;
+    check(file);
+  }
+}
+
+void CsvTables::add(TableId table, std::span<const Cell> row) {
+  line_.clear();
+  for (const Cell& cell : row) {
+    if (&cell != row.data()) line_ += ',';
+    append(line_, cell);
+  }
+  line_ += line_end;
+  auto& file = files_[static_cast<std::size_t>(table)];
+  file.write(line_.data(), static_cast<std::streamsize>(line_.size()));
+  check(file);
+}
+
+void CsvTables::finish() {
+  for (auto& file : files_) {
+    file.close();
+    check(file);
+  }
+}
+
+void CsvTables::check(const std::ofstream& stream) const {
+  if (!stream) cannot_write(name_, {errno, std::generic_category()});
+}
+
+}  // namespace fde::bench

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/reports/export/sqlite_tables.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "fdebench/benchmarks/files/unfinished.hpp"
+
+namespace fde::bench {
+namespace {
+
+// A database that is renamed when it is complete needs no journal, and no waiting for the disk.
+constexpr auto settings = "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN";
+
+// Indices are quicker made at the end.
+constexpr auto indices_and_view = R"(
+CREATE UNIQUE INDEX parameters_of_scenes ON parameters (scene_id, parameter);
+CREATE INDEX runs_of_scenes ON runs (scene_id, scheme);
+CREATE INDEX results_of_runs ON results (run_id, quantity);
+CREATE INDEX results_by_quantity ON results (quantity, value);
+CREATE INDEX courses_of_results ON courses (result_id, t);
+CREATE VIEW measurements AS
+  SELECT scene, until, checksum, scheme, external, steps, h, accuracy_relative, accuracy_absolute, grading, history,
+    tolerance, budget, ending, latest, quantity, value, unit, wall_clock, machine, revision, result_id, run_id,
+    scene_id, results.session_id
+  FROM results JOIN runs USING (run_id) JOIN scenes USING (scene_id) JOIN sessions ON sessions.session_id = results.session_id;
+COMMIT)";
+
+std::string creation(const SqlTable& table) {
+  std::string columns;
+  for (const auto& [name, type] : table.columns)
+    columns += fmt::format("{}{} {}", columns.empty() ? "" : ", ", name, type);
+  return fmt::format("CREATE TABLE {} ({})", table.name, columns);
+}
+
+std::string insertion(const SqlTable& table) {
+  std::string places = "?";
+  for (std::size_t i = 1; i < table.columns.size(); ++i) places += ", ?";
+  return fmt::format("INSERT INTO {} VALUES ({})", table.name, places);
+}
+
+int bind(sqlite3_stmt* statement, int place, const Cell& cell) {
+  if (const auto* whole = std::get_if<std::int64_t>(&cell))
+    return sqlite3_bind_int64(statement, place, *whole);
+  if (const auto* number = std::get_if<double>(&cell)) return sqlite3_bind_double(statement, place, *number);
+  const auto* text = std::get_if<std::string_view>(&cell);
+  if (text == nullptr) return sqlite3_bind_null(statement, place);
+  return sqlite3_bind_text(statement, place, text->data(), static_cast<int>(text->size()), nullptr);
+}
+
+}  // namespace
+
+void SqliteTables::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+void SqliteTables::Close::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+
+SqliteTables::SqliteTables(const std::filesystem::path& file, std::filesystem::path name)
+    : name_(std::move(name)) {
+  sqlite3* opened = nullptr;
+  const int code =
+      sqlite3_open_v2(file.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  database_.reset(opened);
+  check(code);
+  run(settings);
+  for (const SqlTable& table : tables()) {
+    run(creation(table));
+    sqlite3_stmt* insert = nullptr;
+    check(sqlite3_prepare_v2(opened, insertion(table).c_str(), -1, &insert, nullptr));
+    inserts_.emplace_back(insert);
+  }
+}
+
+void SqliteTables::add(TableId table, std::span<const Cell> row) {
+  sqlite3_stmt* const insert = inserts_[static_cast<std::size_t>(table)].get();
+  int place = 0;
+  for (const Cell& cell : row) check(bind(insert, ++place, cell));
+  const int code = sqlite3_step(insert);
+  check(code == SQLITE_DONE ? SQLITE_OK : code);
+  check(sqlite3_reset(insert));
+}
+
+void SqliteTables::finish() {
+  inserts_.clear();
+  run(indices_and_view);
+  check(sqlite3_close(database_.release()));
+}
+
+void SqliteTables::run(const std::string& sql) {
+  check(sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr));
+}
+
+void SqliteTables::check(int code) const {
+  if (code == SQLITE_OK) return;
+  if (code == SQLITE_NOMEM) throw std::bad_alloc();
+  const int reason = sqlite3_system_errno(database_.get());
+  if (reason != 0) cannot_write(name_, {reason, std::generic_category()});
+  throw std::invalid_argument(fmt::format("{}: cannot be written: {}", name_.string(), sqlite3_errstr(code)));
+}
+
+}  // namespace fde::bench

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <variant>
+
+namespace fde::bench {
+
+// The tables of exported results, with the columns and types of SQL. docs/results.md says what they mean.
+struct SqlColumn {
+  std::string_view name, type;
+};
+struct SqlTable {
+  std::string_view name;
+  std::span<const SqlColumn> columns;
+};
+enum class TableId : std::size_t { sessions, scenes, parameters, runs, results, courses };
+constexpr std::size_t table_count = 6;
+const std::array<SqlTable, table_count>& tables();
+
+// A value of a column; std::monostate is NULL. A text is valid during the call that passes it.
+using Cell = std::variant<std::monostate, std::int64_t, double, std::string_view>;
+
+// Where rows go. Each function throws std::invalid_argument naming the path if it cannot be written.
+class TableWriter {
+ public:
+  virtual ~TableWriter() = default;
+  virtual void add(TableId table, std::span<const Cell> row) = 0;
+  virtual void finish() = 0;  // after the last row
+};
+
+struct ExportCounts {
+  std::size_t sessions = 0, scenes = 0, runs = 0, results = 0;
+};
+
+// Writes the contents of a results file as rows of the tables. The rows of `results` and `courses` are not
+// stored. Throws as scan_results and the writer do.
+ExportCounts write_tables(const std::filesystem::path& file, TableWriter& writer);
+
+}  // namespace fde::bench
