@@ -105,6 +105,7 @@ std::optional<FamilyPart> where_mostly(const Family& family, const std::vector<b
   const auto all = std::ranges::count(holds, true);
   const auto size = std::ssize(holds);
   std::optional<FamilyPart> best;
+  double most = 0.0;
   std::vector<std::size_t> order(holds.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t parameter = 0; parameter < family.parameters.size(); ++parameter) {
@@ -121,8 +122,11 @@ std::optional<FamilyPart> where_mostly(const Family& family, const std::vector<b
       const bool from = high > low;
       const FamilyPart part{parameter, from, from ? value(next) : value(last), std::max(low, high),
                             std::min(low, high)};
-      if (part.inside > part.outside && (!best || part.inside - part.outside > best->inside - best->outside))
-        best = part;
+      const double gain = static_cast<double>(below) * static_cast<double>(size - below) *
+                          (part.inside - part.outside) * (part.inside - part.outside);
+      if (gain <= most) continue;
+      most = gain;
+      best = part;
     }
   }
   return best;

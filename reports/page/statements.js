@@ -39,7 +39,7 @@ const statements = {
   winner: "{line} in {share:percent}[ ({where:part})]",
   interval: "{value:two}[ ({low:two} to {high:two})]",
   best: [
-    "Without knowing them take {line}: in 95 % of the scenes it takes at most {regret:regret} times the least time[; the intervals do not decide against {undecided:few}].",
+    "Without knowing them take {line}: in 95 % of the scenes that some scheme solves it takes at most {regret:regret} times the least time[; the intervals do not decide against {undecided:few}].",
     "No scheme is the one to take without knowing them: none solves 95 % of the scenes; {line} solves the most.",
   ],
   regret: ["{value:two} ({low:two} to {high:two})", "{value:two} (from {low:two} on)"],

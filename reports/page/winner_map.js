@@ -26,6 +26,15 @@ function memberFacts(section, kind, place, member) {
   };
 }
 
+// Drawn values have a mark each, or, where there are several scenes to a place, the middle of one of twenty classes.
+const mostPlaces = 40, classes = 20;
+function classOf(values) {
+  const [low, high] = [Math.min(...values), Math.max(...values)], isLog = hasSizes(low, high), sign = low < 0 ? -1 : 1;
+  const [to, from] = isLog ? [(value) => Math.log(sign * value), (at) => sign * Math.exp(at)] : [(value) => value, (at) => at];
+  const [first, last] = [to(low), to(high)], width = (last - first) / classes;
+  return (value) => Number(from(first + width * (Math.min(classes - 1, Math.floor((to(value) - first) / width)) + 0.5)).toPrecision(4));
+}
+
 // All cells of the plane: at each place the scenes that are there, one or several.
 function cellsOfPlane(section, kind, view, chosen) {
   const { plane, accuracies } = section, { across, up, fixed } = chosen;
@@ -33,7 +42,9 @@ function cellsOfPlane(section, kind, view, chosen) {
   const members = [...plane.names.keys()].filter((member) => !plane.values.some((values, axis) => isElsewhere(values[member], axis)));
   const overAccuracy = [across, up].includes(accuracyAxis);
   const places = overAccuracy ? accuracies.map((_, i) => i) : [accuracies.indexOf(accuracyOfFamily(section, kind, view))];
-  const valueAt = (axis, member, place) => plane.values[axis]?.[member] ?? accuracies[place];
+  const isOpen = overAccuracy ? plane.parameters.length > 1 : plane.parameters.length > 2;
+  const classesOf = plane.values.map((values) => (isOpen && distinct(values).length > mostPlaces ? classOf(values) : (value) => value));
+  const valueAt = (axis, member, place) => (axis === accuracyAxis ? accuracies[place] : classesOf[axis](plane.values[axis][member]));
   const cells = new Map();
   for (const place of places) {
     for (const member of members) {
@@ -45,12 +56,12 @@ function cellsOfPlane(section, kind, view, chosen) {
   return [...cells.values()];
 }
 
-// The most frequent winner of a cell with its share; within noise where most of its wins are.
+// The most frequent winner of a cell with its share of the scenes; within noise where most of its wins are.
 function winnerOf({ x, y, scenes }) {
   const solved = scenes.filter(({ line }) => line), counts = new Map();
   for (const { line } of solved) counts.set(line, (counts.get(line) ?? 0) + 1);
   const winners = [...counts].sort((a, b) => b[1] - a[1]).map(([line, count]) => ({ line, count, of: scenes.length }));
-  if (2 * solved.length < scenes.length || winners.length === 0) return { x, y, scenes, winners, state: "none" };
+  if (winners.length === 0) return { x, y, scenes, winners, state: "none" };
   const [{ line, count }] = winners, its = solved.filter((scene) => scene.line === line), [{ seconds, second }] = its;
   const tied = its.filter(({ ties }) => ties).length;
   return {
@@ -59,10 +70,12 @@ function winnerOf({ x, y, scenes }) {
   };
 }
 
+// Whether values have one sign and several sizes.
+const hasSizes = (first, last) => first * last > 0 && Math.max(Math.abs(first), Math.abs(last)) > 50 * Math.min(Math.abs(first), Math.abs(last));
+
 // An axis: logarithmic where its values have one sign and several sizes, of their sizes where they are negative.
 function axisOfValues(name, values) {
-  const [low, high] = [values[0], values.at(-1)].map(Math.abs).sort((a, b) => a - b), sign = values[0] < 0 ? -1 : 1;
-  const isLog = values[0] * values.at(-1) > 0 && high > 50 * low;
+  const isLog = hasSizes(values[0], values.at(-1)), sign = values[0] < 0 ? -1 : 1;
   const place = (value) => (isLog ? sign * value : value), places = values.map(place).sort((a, b) => a - b);
   const middle = (a, b) => (isLog ? Math.sqrt(a * b) : (a + b) / 2);
   const mirrored = (at, from) => (isLog ? at * at / from : 2 * at - from);
@@ -116,14 +129,14 @@ function winnerMap(section, lines, kind, view, chosen, wants) {
   const scale = (of) => ({ domain: shown, range: shown.map((line) => of(lines, line)) });
   const { colour: { color: { legend } } } = lineChannels(lines, points);
   const color = { field: "line", type: "nominal", scale: scale(colourOf), legend }, shape = { field: "line", type: "nominal", scale: scale(shapeOf), legend };
-  const opacity = (clear, tie) => ({ condition: [{ test: "datum.faint", value: 0.08 }, { test: "datum.state === 'tie'", value: tie }], value: clear });
+  const opacity = (clear, tie) => ({ condition: [{ test: "datum.faint", value: 0.08 }, { test: "datum.state === 'tie'", value: tie }], ...clear });
   const tooltip = { expr: "datum.words" }, xy = { x: axis(across, "atX"), y: axis(up, "atY") };
   const [won, none] = [{ filter: "datum.state !== 'none'" }, { filter: "datum.state === 'none'" }];
   const layer = [
-    ...(regions ? [{ transform: [won], mark: { type: "rect", tooltip, cursor: "pointer" }, encoding: { x: axis(across, "left"), x2: { field: "right" }, y: axis(up, "low"), y2: { field: "high" }, color, opacity: opacity(0.45, 0.14) } }] : []),
+    ...(regions ? [{ transform: [won], mark: { type: "rect", tooltip, cursor: "pointer" }, encoding: { x: axis(across, "left"), x2: { field: "right" }, y: axis(up, "low"), y2: { field: "high" }, color, opacity: opacity({ field: "share", type: "quantitative", scale: { domain: [0, 1], range: [0.1, 0.45] }, legend: null }, 0.14) } }] : []),
     ...["clear", "tie"].map((state) => ({
       transform: [{ filter: `datum.state === '${state}'` }], mark: { type: "point", filled: state === "clear", size, strokeWidth: 1.3, tooltip, cursor: "pointer" },
-      encoding: { ...xy, color, shape, opacity: opacity(1, 1) },
+      encoding: { ...xy, color, shape, opacity: opacity({ value: 1 }, 1) },
     })),
     { transform: [none], mark: { type: "text", text: "×", fontSize: Math.max(10, Math.sqrt(size) + 4), color: ofPage("--quiet"), tooltip, cursor: "pointer" }, encoding: xy },
   ];
@@ -133,7 +146,7 @@ function winnerMap(section, lines, kind, view, chosen, wants) {
     id: "winners", points, columns: ["x", "y", "line", "share", "state", "seconds", "second", "times"],
     titles: { x: nameAcross, y: nameUp, line: "cheapest" },
     title: `The cheapest scheme over ${nameAcross} and ${nameUp}${toAccuracy}`,
-    note: [`${regions ? "Each cell is a scene" : "Each mark is a scene that was drawn"}${several ? ", or several: then the scheme that is cheapest in most of them" : ""}.`,
+    note: [several ? "A cell is of several scenes: it shows the scheme that is most often the cheapest, the paler the fewer they are." : regions ? "Each cell is a scene." : "Each mark is a scene that was drawn.",
       "Hollow marks: another scheme is within the noise of the times. ×: no scheme gets there. A click shows the run and its command."].join(" "),
     opens: ({ scenes: [first], scenes, winners, line }) => ({ line, facts: scenes.length === 1 ? first : { kind, accuracy: first.accuracy, several: scenes.length, winners, line } }),
     spec: chart(`${section.title}: the cheapest scheme over ${nameAcross} and ${nameUp}, a colour and a mark for each`, drawn, { height: 360, resolve: { scale: { x: "shared", y: "shared" } }, layer }),

@@ -186,10 +186,7 @@ json typical_accuracy(const json& robustness) {
   std::size_t most = 0;
   for (const json& at : robustness) {
     const auto scenes = at["scenes"].get<std::size_t>();
-    if (static_cast<double>(scenes) >= is_typical * at["members"].get<double>()) {
-      best = at["accuracy"];
-      most = scenes;
-    } else if (scenes > most) {
+    if (scenes > most || static_cast<double>(scenes) >= is_typical * at["members"].get<double>()) {
       best = at["accuracy"];
       most = scenes;
     }

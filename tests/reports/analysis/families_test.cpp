@@ -81,6 +81,14 @@ TEST(WhereMostly, FindsTheBoundOfAParameter) {
   ASSERT_TRUE(other);
   EXPECT_FALSE(other->from);
   EXPECT_EQ(other->bound, 1.0);
+  // The greatest share is that of the last value alone, but most is in the upper half.
+  Family line{.parameters = {"a"}};
+  std::vector<bool> mostly;
+  for (int a = 0; a < 20; ++a) {
+    line.members.push_back({.values = {double(a)}});
+    mostly.push_back(a > 10 && a % 2 == 1);
+  }
+  EXPECT_EQ(where_mostly(line, mostly)->bound, 11.0);
   EXPECT_FALSE(where_mostly(family, std::vector(20, true)));
   EXPECT_FALSE(where_mostly(family, std::vector(20, false)));
 }

@@ -149,9 +149,10 @@ TEST(RobustnessOf, CountsWinsTiesAndScenesThatNoLineSolves) {
 // it takes 9 times as long. So it wins most and is not the one to take.
 TEST(RobustnessOf, TakesTheLeastTailAndSaysWhatIsDecided) {
   TimesOfScenes times;
-  for (int scene = 0; scene < 200; ++scene)
+  for (int scene = 0; scene < 200; ++scene) {
     times.push_back(scene % 10 == 0 ? TimesOfScenes::value_type{timed(2.0), timed(9.0), timed(1.0)}
                                     : TimesOfScenes::value_type{timed(2.0), timed(1.0), timed(2.001)});
+  }
   const auto found = robustness_of(times);
   ASSERT_EQ(found.lines.size(), 3U);
   EXPECT_EQ(found.lines[0].line, 0U);
