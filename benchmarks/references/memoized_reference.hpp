@@ -28,6 +28,9 @@ class MemoizedReference {
   // The reference of all columns, computed by the first call of any member; throws as `at` does.
   const reference::Reference& exact();
 
+  // Whether the reference has been computed, or has failed.
+  [[nodiscard]] bool is_begun() const { return exact_.at || failure_; }
+
  private:
   const reference::ReferenceValue& reference(double t);
   reference::ReferenceValue evaluated(double t);

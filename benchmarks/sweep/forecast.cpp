@@ -28,7 +28,8 @@ double seconds_of(const std::function<void()>& work) {
 // Times and errors of two or three solves of one scheme on one scene, extrapolated to other resolutions.
 class Probe {
  public:
-  Probe(const Scene& scene, const Scheme& scheme, const RunSettings& setup, const SweepPlan& plan) {
+  Probe(const Scene& scene, const Scheme& scheme, const RunSettings& setup, const SweepPlan& plan)
+      : budget_(setup.budget) {
     if (scheme.capabilities.is_adaptive()) {
       probe_accuracy(scene, scheme, setup);
       return;
@@ -54,7 +55,7 @@ class Probe {
         .resolution = steps, .steps = steps, .fails_with_more_steps = refused_ || takes_no_grid};
     if (failed_ || takes_no_grid) return run;
     const double ratio = static_cast<double>(steps_) / steps;
-    run.seconds = seconds_ / ratio;
+    run.seconds = std::min(seconds_ / ratio, budget_);
     for (const auto& rate : {end_rate_, maximum_rate_})
       run.errors.push_back({.value = error_ * std::pow(ratio, rate.value_or(1.0))});
     return run;
@@ -82,8 +83,8 @@ class Probe {
   [[nodiscard]] RefinementRun refinement_run(const Tolerance& requested) const {
     RefinementRun run{.resolution = requested, .fails_with_more_steps = refused_};
     if (!failed_) {
-      run.seconds =
-          seconds_ * std::pow(longer_, std::log10(fine_ / std::max(requested.rtol, requested.atol)));
+      const double decades = std::log10(fine_ / std::max(requested.rtol, requested.atol));
+      run.seconds = std::min(seconds_ * std::pow(longer_, decades), budget_);
     }
     return run;
   }
@@ -108,6 +109,7 @@ class Probe {
 
   static constexpr double coarse_ = 1e-3, fine_ = 1e-5;
 
+  double budget_;  // seconds, of a solve; two short solves may foretell more by far
   int steps_ = 1;
   double longer_ = 1.0;  // ratio of the times for a tolerance ten times smaller
   bool refused_ = false, failed_ = false;

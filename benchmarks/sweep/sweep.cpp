@@ -73,9 +73,9 @@ class GuardedCallbacks {
  public:
   explicit GuardedCallbacks(const SweepCallbacks& callbacks) : hooks_(callbacks) {}
 
-  void on_event(SweepEvent::Kind kind, const RunKey& run) {
+  void on_event(SweepEvent::Kind kind, const RunKey& run, bool with_reference = false) {
     const std::scoped_lock lock(mutex_);
-    hooks_.on_event({kind, run});
+    hooks_.on_event({kind, run, with_reference});
   }
   void append(const std::vector<Record>& rows) {
     write([&] { hooks_.append(rows); });
@@ -139,7 +139,7 @@ void examine_runs(SceneRefinements& of, const Sweep& sweep, GuardedCallbacks& lo
   for (RefinementSeries& line : of.lines) {
     if (log.failed()) return;
     if (line.ended || line.run.amount() != RecordedAmount::nothing) continue;
-    log.on_event(SweepEvent::Kind::examines, line.key);
+    log.on_event(SweepEvent::Kind::examines, line.key, !of.reference.is_begun());
     const auto rows = examine(of, line);
     if (!log.describes(of.name))
       log.append(describe(of.variant, of.scene, of.reference, sweep.describes_solutions));

@@ -54,6 +54,7 @@ struct SweepEvent {
   enum class Kind { examines, times, is_done, refinement_ends };
   Kind kind;
   RunKey run;
+  bool with_reference = false;  // this examination also computes the reference of the scene
 };
 
 // Callbacks of run_sweep(): lookup of recorded runs, output of rows, progress; lookup and output of scenes,

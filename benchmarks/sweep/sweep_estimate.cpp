@@ -13,10 +13,13 @@ SweepEstimate::SweepEstimate(Forecast forecast)
     : left_(std::move(forecast)), seconds_left_(total_seconds(left_)) {}
 
 void SweepEstimate::on_event(const SweepEvent& event) {
+  references_.erase(event.run.scene);
   switch (event.kind) {
     case SweepEvent::Kind::examines:
     case SweepEvent::Kind::times:
-      at_hand_ = fmt::format("{} {} {}{}", label_of(event.run.scene), event.run.scheme,
+      if (event.with_reference) references_.insert(event.run.scene);
+      at_hand_ = fmt::format("{}{}{} {} {}{}", event.with_reference ? "computes the reference of " : "",
+                             label_of(event.run.scene), event.with_reference ? " for" : "", event.run.scheme,
                              resolution_text(event.run.setup),
                              event.kind == SweepEvent::Kind::times ? ", time" : "");
       return;
@@ -55,7 +58,8 @@ double SweepEstimate::part_done() const {
   return whole > 0.0 ? seconds_done_ / whole : 1.0;
 }
 
-double SweepEstimate::seconds_left(double elapsed) const {
+std::optional<double> SweepEstimate::seconds_left(double elapsed) const {
+  if (seeks_reference()) return {};
   constexpr double trusted = 10.0;  // seconds; the weight of the forecast against the observed pace
   return std::max(0.0, seconds_left_) * (elapsed + trusted) / (seconds_done_ + trusted);
 }

@@ -84,6 +84,26 @@ std::string wrong_count(const SubcommandText& subcommand, const std::vector<std:
   return fmt::format("{}: its value is missing: {}, {}", name, argument->value, full_description(*argument));
 }
 
+// CLI11 takes --quiet=1 and --quiet=false; of our options those without a value take none.
+void require_flags_alone(const ProgramText& program, const std::vector<std::string>& arguments) {
+  const auto first = std::ranges::find_if(arguments, [&](const auto& word) { return program.find(word); });
+  if (first == arguments.end()) return;
+  const auto& subcommand = *program.find(*first);
+  for (const auto& word : arguments) {
+    if (word == "--") return;
+    if (!word.starts_with("--") || word.find('=') == std::string::npos) continue;
+    const auto name = word.substr(0, word.find('='));
+    const auto is_flag = [&](const ArgumentText& of) {
+      return of.value.empty() && (of.name == name || of.name.ends_with("," + name));
+    };
+    if (std::ranges::any_of(common_options(), is_flag) ||
+        std::ranges::any_of(subcommand.arguments, is_flag)) {
+      throw std::invalid_argument(
+          fmt::format("{}: takes no value; see {} {} --help", name, program.name, subcommand.name));
+    }
+  }
+}
+
 // What is wrong with the arguments of a subcommand, in our words.
 std::string mistake(const CLI::ParseError& error, const CLI::App& command, const SubcommandText& subcommand,
                     const std::vector<std::string>& arguments) {
@@ -119,6 +139,7 @@ CommandLine::~CommandLine() = default;
 
 // CLI11 expects the arguments in reverse order.
 void CommandLine::run(const std::vector<std::string>& arguments, const Streams& streams) {
+  require_flags_alone(text_, arguments);
   const auto selected = [&] {
     const auto commands = app_->get_subcommands();
     return commands.empty() ? nullptr : commands.front();
@@ -224,6 +245,10 @@ Subcommand Subcommand::one_of() {
 
 void Subcommand::exclude(const Argument& one, const Argument& other, bool one_is_required) {
   one.option_->excludes(other.option_);
+  show_as_alternatives(one, other, one_is_required);
+}
+
+void Subcommand::show_as_alternatives(const Argument& one, const Argument& other, bool one_is_required) {
   auto& first = *one.text_;
   auto& second = *other.text_;
   const int mine = std::max(first.choice, second.choice);

@@ -79,6 +79,8 @@ class Subcommand {
 
   // Of the options that exclude each other one has to be given if `one_is_required`, which the action checks.
   void exclude(const Argument& one, const Argument& other, bool one_is_required = false);
+  // As exclude, of arguments that the action refuses together in its own words.
+  void show_as_alternatives(const Argument& one, const Argument& other, bool one_is_required = false);
   // `one` cannot be given with any of the others, which exclude nothing among themselves.
   static void replaces(const Argument& one, const std::vector<Argument>& others);
   static void need(const Argument& one, const Argument& other);  // `one` requires `other`

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -26,6 +27,10 @@ struct HelpArguments {
 
 const SubcommandText& subcommand_named(const ProgramText& program, const std::string& name) {
   if (const auto* found = program.find(name)) return *found;
+  if (std::ranges::find(topics(), name, &Topic::name) != topics().end()) {
+    throw std::invalid_argument(fmt::format("help --man {}: a topic has no manual page; {} help {} prints it",
+                                            name, program.name, name));
+  }
   std::vector<std::string_view> names;
   for (const auto& subcommand : program.subcommands) names.push_back(subcommand.name);
   throw std::invalid_argument(fmt::format("help {}: no such command{}; {} help lists them", name,

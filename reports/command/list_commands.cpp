@@ -224,8 +224,9 @@ void add_list(Subcommand command, const std::string& detail, const std::string& 
   const auto json = command.flag("--json", arguments->json, "everything about each, as JSON");
   command.exclude(command.flag(detail, arguments->detail, help), json);
   constexpr bool of_scenes = std::is_same_v<Entry, SceneFactory>;
-  command.option("id", arguments->id, "one of them, in full")
-      .completed_by(of_scenes ? Completion::scene : Completion::scheme);
+  auto id = command.option("id", arguments->id, "one of them, in full");
+  id.completed_by(of_scenes ? Completion::scene : Completion::scheme);
+  command.show_as_alternatives(id, json);  // the callback refuses both
   if constexpr (of_scenes)
     command.flag("--toml", arguments->toml, "the equation file of the scene, a start for one's own");
   command.callback([=, &out] {

@@ -54,9 +54,9 @@ std::string progress_text(const Progress& progress, int columns) {
   text += fmt::format("{:3.0f} %", std::floor(100.0 * progress.part));
   if (progress.total > 0) text += fmt::format("  {}/{}", progress.done, progress.total);
   if (progress.seconds_left) text += fmt::format("  {} left", duration_text(*progress.seconds_left));
-  if (columns == 0) return text;
+  if (columns == 0 && (progress.seconds_left || progress.total == 0)) return text;
   text += "  " + progress.current_run;
-  return text.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));
+  return columns == 0 ? text : text.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));
 }
 
 ProgressLine::ProgressLine(const Streams& streams, std::string what, bool lines_elsewhere,
@@ -124,21 +124,26 @@ SweepProgress::SweepProgress(const Streams& streams, Forecast expected, bool cou
                              std::chrono::milliseconds between_lines)
     : streams_(streams), remaining_(std::move(expected)) {
   constexpr double worth_saying = 5.0;
-  const double seconds = remaining_.seconds_left(0.0);
+  const double seconds = remaining_.seconds_left(0.0).value_or(0.0);
   if (streams_.quiet) return;
   if (seconds >= worth_saying) {
     streams_.err << fmt::format("{}{} runs, about {}\n", count_is_exact ? "" : "about ",
                                 remaining_.runs_expected(), duration_text(seconds));
     streams_.err.flush();
   }
-  if (streams_.columns > 0) return;
-  lines_ = std::jthread([this, between_lines](const std::stop_token& stop) {
+  const bool terminal = streams_.columns > 0;
+  const auto first = terminal ? before_progress : between_lines;
+  const auto between = terminal ? std::chrono::milliseconds(std::chrono::seconds(1)) : between_lines;
+  lines_ = std::jthread([this, first, between](const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    while (!ended_.wait_for(lock, stop, between_lines, [&] { return stop.stop_requested(); })) show();
+    for (auto wait = first; !ended_.wait_for(lock, stop, wait, [&] { return stop.stop_requested(); });
+         wait = between)
+      show();
   });
 }
 
 SweepProgress::~SweepProgress() {
+  lines_ = {};
   const std::scoped_lock lock(mutex_);
   if (line_is_open_) erase_line(streams_);
 }
@@ -146,9 +151,11 @@ SweepProgress::~SweepProgress() {
 void SweepProgress::on_event(const SweepEvent& event) {
   using namespace std::chrono_literals;
   const std::scoped_lock lock(mutex_);
-  remaining_.on_event(event);
   const auto now = Clock::now();
-  const bool soon = line_is_open_ ? now - shown_ < 100ms : now - start_ < before_progress;
+  if (remaining_.seeks_reference()) start_ += now - last_event_;
+  last_event_ = now;
+  remaining_.on_event(event);
+  const bool soon = now - shown_ < (line_is_open_ ? 100ms : before_progress);
   if (streams_.columns > 0 && !streams_.quiet && !soon) show();
 }
 

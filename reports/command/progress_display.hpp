@@ -27,8 +27,8 @@ struct Progress {
 std::string duration_text(double seconds);
 
 // "[#####...............]   25 %  530/2120  2 min 31 s left  pendulum l1 N = 64", truncated to a terminal of
-// `columns` columns; without the bar below 60 columns. columns = 0 (no terminal): without the bar and the
-// current work.
+// `columns` columns; without the bar below 60 columns. columns = 0 (no terminal): without the bar, and
+// with the current work only where the time left is unknown.
 std::string progress_text(const Progress& progress, int columns);
 
 // Nothing is shown before this time.
@@ -72,7 +72,8 @@ void show_work(const Streams& streams, std::size_t done, std::size_t total, cons
 
 // Shows the progress of a sweep on streams.err. The constructor prints the expected number of runs and the
 // expected time if that is more than some seconds; then progress follows, on a terminal in one line after
-// `before_progress`, otherwise a line per `between_lines`, also during a longer run. Silent with --quiet.
+// `before_progress`, otherwise a line per `between_lines`, also during a longer run. The time in which
+// references are computed says nothing of the time left. Silent with --quiet.
 class SweepProgress {
  public:
   SweepProgress(const Streams& streams, Forecast expected, bool count_is_exact,
@@ -91,10 +92,11 @@ class SweepProgress {
   const Streams& streams_;
   std::mutex mutex_{};  // guards the members below
   SweepEstimate remaining_;
-  Clock::time_point start_ = Clock::now(), shown_ = start_;
+  Clock::time_point start_ = Clock::now();  // later by the time in which references were computed
+  Clock::time_point shown_ = start_, last_event_ = start_;
   bool line_is_open_ = false;
   std::condition_variable_any ended_{};
-  std::jthread lines_{};  // prints the lines if err is no terminal
+  std::jthread lines_{};  // shows the progress of longer runs
 };
 
 }  // namespace fde::bench

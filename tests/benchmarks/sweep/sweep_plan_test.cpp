@@ -131,6 +131,19 @@ TEST(Forecasts, RefineAsTheSweepDoes) {
   EXPECT_LE(expected, 9U);  // the sweep makes 7 runs
 }
 
+// What two short solves foretell of a tolerance of 1e-13 may be years.
+TEST(Forecasts, OfARunAreWithinItsBudget) {
+  Sweep sweep{.scenes = {{&scene_maker("pendulum")}},
+              .schemes = {find_scheme("adaptive_pc"), find_scheme("l1")}};
+  sweep.plan = {.resolutions = {Tolerance{1e-13, 1e-13}, 100'000'000}};
+  sweep.setup.budget = 0.5;
+  sweep.repeats = {.most = 1, .min_seconds = 0.0, .enough_seconds = 0.0};
+  const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return RecordedRun(); });
+  EXPECT_EQ(expected.size(), 2U);
+  EXPECT_GE(total_seconds(expected), 2 * 3 * 0.5);  // solved twice, and timed
+  for (const auto& [run, seconds] : expected) EXPECT_LT(seconds.total(), 5.0) << run.scheme;
+}
+
 RunKey run_with(int steps, const std::string& scheme = "l1") {
   return {.scene = {"power"}, .scheme = scheme, .setup = {.resolution = steps}};
 }
@@ -149,9 +162,36 @@ TEST(Remainings, LeaveOutTheRunsOfALineThatEnds) {
 
 TEST(Remainings, TakeThePaceSoFar) {
   SweepEstimate remaining({{run_with(64), {990.0}}, {run_with(128), {100.0}}});
-  EXPECT_EQ(remaining.seconds_left(0.0), 1090.0);
+  EXPECT_EQ(remaining.seconds_left(0.0).value(), 1090.0);
   remaining.on_event({SweepEvent::Kind::is_done, run_with(64)});
-  EXPECT_DOUBLE_EQ(remaining.seconds_left(1990.0), 200.0);
+  EXPECT_DOUBLE_EQ(remaining.seconds_left(1990.0).value(), 200.0);
+}
+
+TEST(Remainings, AreUnknownWhileAReferenceIsComputed) {
+  SweepEstimate remaining({{run_with(64), {1.0}}, {run_with(64, "x"), {1.0}}});
+  remaining.on_event({SweepEvent::Kind::examines, run_with(64), true});
+  EXPECT_EQ(remaining.current_run(), "computes the reference of power for l1 N = 64");
+  EXPECT_EQ(remaining.seconds_left(100.0), std::nullopt);
+  remaining.on_event({SweepEvent::Kind::examines, run_with(64, "x")});
+  EXPECT_EQ(remaining.current_run(), "power x N = 64");
+  EXPECT_TRUE(remaining.seconds_left(0.0));
+}
+
+TEST(Sweeps, SayWhichExaminationComputesTheReference) {
+  std::vector<bool> said;
+  SweepCallbacks hooks{.recorded = [](const RunKey& /*run*/) { return RecordedRun(); },
+                       .append = [](const auto& /*rows*/) {},
+                       .on_event =
+                           [&](const SweepEvent& event) {
+                             if (event.kind == SweepEvent::Kind::examines)
+                               said.push_back(event.with_reference);
+                           }};
+  Sweep sweep = sweep_of_power();
+  sweep.plan = {.resolutions = {16, 64}};
+  run_sweep(sweep, hooks);
+  ASSERT_GE(said.size(), 2U);
+  EXPECT_EQ(std::ranges::count(said, true), 1);
+  EXPECT_TRUE(said.front());
 }
 
 }  // namespace

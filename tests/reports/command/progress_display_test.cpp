@@ -37,6 +37,9 @@ TEST(ProgressTexts, AreShorterThanAnyTerminal) {
 
 TEST(ProgressTexts, OfNoTerminalHaveNoBar) {
   EXPECT_EQ(progress_text(quarter, 0), " 25 %  530/2120  2 min 31 s left");
+  Progress unknown = quarter;
+  unknown.seconds_left = {};
+  EXPECT_EQ(progress_text(unknown, 0), " 25 %  530/2120  pendulum l1 N = 64");
 }
 
 // The progress line of work with an unknown total.
@@ -95,6 +98,17 @@ TEST(SweepsProgress, IsSilentWhereQuietIsAsked) {
   const Streams streams{.out = out, .err = err, .columns = 80, .quiet = true};
   { SweepProgress progress(streams, {{run_with(64), {150.0}}}, true, std::chrono::milliseconds(5)); }
   EXPECT_EQ(err.str(), "");
+}
+
+TEST(SweepsProgress, SaysOfAReferenceThatItIsComputed) {
+  std::ostringstream out, err;
+  {
+    const Streams streams{.out = out, .err = err};
+    SweepProgress progress(streams, {{run_with(64), {1.0}}}, true, std::chrono::milliseconds(5));
+    progress.on_event({SweepEvent::Kind::examines, run_with(64), true});
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  EXPECT_THAT(err.str(), HasSubstr("  0 %  0/1  computes the reference of power for l1 N = 64\n"));
 }
 
 // What a progress line writes while work goes on for a while.
