@@ -65,10 +65,10 @@ TEST(StudyPointsOf, RangesAndListsAreTheirProductTheLastVaryingFastest) {
 }
 
 TEST(StudyPointsOf, AListIsOneValueOfAParameterThatIsAList) {
-  EXPECT_THAT(points_of("[[family]]\nscene = \"multi_term\"\nparameters.alpha = [0.5, 1.5]\n"),
-              ElementsAre("alpha=0.5,1.5"));
-  EXPECT_THAT(points_of("[[family]]\nscene = \"multi_term\"\nparameters.alpha = [[0.5, 1.5], [0.25, 1.5]]\n"),
-              ElementsAre("alpha=0.5,1.5", "alpha=0.25,1.5"));
+  EXPECT_THAT(points_of("[[family]]\nscene = \"multi_term\"\nparameters.alpha = [1.2, 1.6]\n"),
+              ElementsAre("alpha=1.2,1.6"));
+  EXPECT_THAT(points_of("[[family]]\nscene = \"multi_term\"\nparameters.alpha = [[1.2, 1.6], [1.1, 1.6]]\n"),
+              ElementsAre("alpha=1.2,1.6", "alpha=1.1,1.6"));
 }
 
 std::string drawn(int draws, const std::string& more = "") {
@@ -108,7 +108,7 @@ TEST(StudyTexts, AreReadBackToTheSameScenesAndSettings) {
       "\\\"b\\\"\"}\n";
   const auto study = study_of(settings + drawn(4) +
                               "[[family]]\nscene = \"multi_term\"\nschemes = \"l1\"\n"
-                              "points = [{alpha = [0.5, 1.5], until = 2}, {}]\n");
+                              "points = [{alpha = [1.2, 1.6], until = 2}, {}]\n");
   const auto copy = study_of(text_of(study, "."));
   EXPECT_EQ(points_of(copy), points_of(study));
   ASSERT_EQ(copy.families.size(), 2U);
