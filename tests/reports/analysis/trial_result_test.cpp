@@ -11,7 +11,11 @@
 namespace fde::bench {
 namespace {
 
-MeasuredRun finished(double relative) { return {.values = {{"error_relative", relative}}}; }
+MeasuredRun finished(double relative) {
+  MeasuredRun run;
+  run.values.set("error_relative", relative);
+  return run;
+}
 
 TEST(TrialResult, SurvivesWithinAHundredthOfTheValue) {
   EXPECT_EQ(trial_result(finished(0.01)), survives);

@@ -278,7 +278,7 @@ TEST(Environment, IsExplained) {
   const auto text = fdebench("help environment").out;
   for (const std::string name :
        {"benchmarks/references/cache.cpp", "benchmarks/equation_files/equation_scene.cpp",
-        "reports/command/main.cpp"}) {
+        "benchmarks/records/session.cpp", "reports/command/main.cpp"}) {
     const auto source = file_text(name);
     for (const std::string call : {"getenv(\"", "variable(\""}) {
       for (auto at = source.find(call); at != std::string::npos; at = source.find(call, at + 1)) {
