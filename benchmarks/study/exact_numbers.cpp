@@ -34,7 +34,7 @@ double between(double from, double to, Real& part, Spacing spacing) {
   Real a(from), b(to), rest;
   const bool negative = spacing == Spacing::logarithmic && from < 0.0;
   if (spacing == Spacing::logarithmic) {
-    for (const mpfr_ptr end : {mpfr_ptr(a), mpfr_ptr(b)}) {
+    for (mpfr_ptr end : {mpfr_ptr(a), mpfr_ptr(b)}) {
       mpfr_abs(end, end, MPFR_RNDN);
       mpfr_log(end, end, MPFR_RNDN);
     }

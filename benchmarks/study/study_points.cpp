@@ -144,7 +144,7 @@ std::vector<ParameterValue> StudyPoints::range_of(const toml::node& node, const 
     const auto word = spacing == nullptr ? "linear" : text_value(*spacing, fmt::format("{}.spacing", name));
     if (word != "linear" && word != "log") {
       reject(position_of(*spacing),
-             fmt::format("{}.spacing = {}: must be \"linear\" or \"log\"", name, word));
+             fmt::format(R"({}.spacing = {}: must be "linear" or "log")", name, word));
     }
     const auto scale = word == "log" ? Spacing::logarithmic : Spacing::linear;
     if (scale == Spacing::logarithmic) require_one_sign(place, name, from, to);

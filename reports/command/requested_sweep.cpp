@@ -154,10 +154,11 @@ SweepArguments arguments_of(const StudySettings& settings) {
   for (const auto& [key, option, is_text, is_list] : study_keys) {
     const auto setting = family.settings.find(std::string(key));
     if (setting == family.settings.end()) continue;
-    if (message.starts_with(option))
+    if (message.starts_with(option)) {
       message.replace(0, option.size(), key);
-    else if (key != "schemes" || !message.starts_with("scheme "))
+    } else if (key != "schemes" || !message.starts_with("scheme ")) {
       continue;
+    }
     reject_at(study.file, setting->second.position, message);
   }
   reject_at(study.file, family.position, message);

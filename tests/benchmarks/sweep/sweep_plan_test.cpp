@@ -134,8 +134,8 @@ TEST(Forecasts, RefineAsTheSweepDoes) {
 // What two short solves foretell of a tolerance of 1e-13 may be years.
 TEST(Forecasts, OfARunAreWithinItsBudget) {
   Sweep sweep{.scenes = {{&scene_maker("pendulum")}},
-              .schemes = {find_scheme("adaptive_pc"), find_scheme("l1")}};
-  sweep.plan = {.resolutions = {Tolerance{1e-13, 1e-13}, 100'000'000}};
+              .schemes = {find_scheme("adaptive_pc"), find_scheme("l1")},
+              .plan = {.resolutions = {Tolerance{1e-13, 1e-13}, 100'000'000}}};
   sweep.setup.budget = 0.5;
   sweep.repeats = {.most = 1, .min_seconds = 0.0, .enough_seconds = 0.0};
   const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return RecordedRun(); });
