@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Invalid study files: one line with file, line and column, before anything runs.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ TEST_P(WrongStudy, IsRefusedInOneLine) {
     const auto answer = fdebench(command);
     EXPECT_EQ(answer.code, 2);
     EXPECT_EQ(answer.out, "");
-    EXPECT_THAT(answer.err, StartsWith("fdebench: " + file + ": " + place + ": "));
+    EXPECT_THAT(answer.err, StartsWith(fmt::format("fdebench: {}: {}: ", file, place)));
     EXPECT_THAT(answer.err, HasSubstr(what));
     EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
     EXPECT_FALSE(std::filesystem::exists(out));
