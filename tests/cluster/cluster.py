@@ -73,6 +73,11 @@ def cancel_job(_):
 
 
 def set_node_down():
+    """While a job runs there, or after half a minute without one."""
+    for _ in range(60):
+        if slurm("squeue", "--noheader", "--states=RUNNING", "--nodelist=node2"):
+            break
+        time.sleep(0.5)
     slurm("scontrol", "update", "nodename=node2", "state=down", "reason=test")
     print("node2 is down", flush=True)
     time.sleep(10)
@@ -92,7 +97,9 @@ class Disturber(threading.Thread):
 
     def run(self):
         while self.made < self.kills and not self.ended.wait(random.uniform(0.0, self.longest)):
-            self.made += self.action(self.folder)
+            if not self.action(self.folder):
+                continue
+            self.made += 1
             if self.action is cancel_job and self.made == self.kills // 2 + 1:
                 set_node_down()
 

@@ -183,7 +183,7 @@ std::vector<std::string> rows_with_threads(unsigned threads) {
                     .append =
                         [&](const auto& run) {
                           for (const auto& row : run) {
-                            if (row.unit == "s") continue;
+                            if (is_time(row)) continue;
                             rows.push_back(line_of(row, false));
                           }
                         },

@@ -62,9 +62,9 @@ TEST(Sweeps, TakeOneResolutionAfterTheOtherAndReportEachRun) {
             {.recorded = nothing_is_recorded,
              .append = [&](const auto& some) { events.push_back(some.back().quantity); },
              .on_event = [&](const auto& event) { events.push_back(words_of(event)); }});
-  EXPECT_THAT(events, testing::ElementsAre("examines N = 16", "ending", "times N = 16", "time_high",
+  EXPECT_THAT(events, testing::ElementsAre("examines N = 16", "ending", "times N = 16", "disturbed",
                                            "N = 16 is done", "examines N = 32", "ending", "times N = 32",
-                                           "time_high", "N = 32 is done", "line ends at N = 32"));
+                                           "disturbed", "N = 32 is done", "line ends at N = 32"));
 }
 
 // While one thread appends, the others continue; only a failure stops them.
