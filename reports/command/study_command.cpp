@@ -37,11 +37,19 @@ Forecast forecast_in_one_thread(std::vector<Sweep> sweeps, const Streams& stream
   return expected;
 }
 
-int shard_count(const StudyArguments& arguments, const PlannedWork& work) {
-  if (arguments.shards) return parse_count("--shards", *arguments.shards, shard_counts);
-  if (!arguments.seconds) return 1;
-  const double each = parse_number("--seconds", *arguments.seconds, positive);
-  const double count = std::ceil(work.seconds.total() / each);
+// Read before the forecast, which takes long.
+struct Division {
+  explicit Division(const StudyArguments& arguments) {
+    if (arguments.shards) shards = parse_count("--shards", *arguments.shards, shard_counts);
+    if (arguments.seconds) seconds = parse_number("--seconds", *arguments.seconds, positive);
+  }
+  int shards = 1;
+  std::optional<double> seconds{};
+};
+
+int shard_count(const StudyArguments& arguments, const Division& wanted, const PlannedWork& work) {
+  if (!wanted.seconds) return wanted.shards;
+  const double count = std::ceil(work.seconds.total() / *wanted.seconds);
   if (count > shard_counts.highest) {
     reject_text("--seconds", *arguments.seconds,
                 fmt::format("at least {:.3g}: the study would have more than {} shards",
@@ -57,11 +65,12 @@ std::string size_text(double bytes) {
 
 void plan(const StudyArguments& arguments, const Streams& streams, const SceneRegistry& known) {
   if (arguments.action != "plan") reject_text("action", arguments.action, "plan");
+  const Division wanted(arguments);
   const auto study = read_study(arguments.file, known);
   const auto sweeps = sweeps_of(study);
   const auto scenes = planned_scenes(forecast_in_one_thread(sweeps, streams));
   const auto work = sum_of(scenes);
-  const auto shards = shards_of(study, scenes, shard_count(arguments, work));
+  const auto shards = shards_of(study, scenes, shard_count(arguments, wanted, work));
   streams.out << fmt::format(
       "{}{} runs of {} scenes\n"
       "examinations: about {} in one thread\n"

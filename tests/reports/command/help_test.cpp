@@ -50,6 +50,7 @@ std::string command_with(const std::string& subcommand, const std::string& argum
       {"export", "export /dev/null --out /nonexistent"},
       {"reference", "reference --check /nonexistent"},
       {"report", "report /dev/null --out /nonexistent"},
+      {"study", "study plan /nonexistent.toml"},
       {"plot", "plot relaxation --out /nonexistent.svg"}};
   static const std::map<std::string, std::string> needed{
       {"solve", "--steps 8"}, {"exact", "--at 1"}, {"choose", "--error 1e-3"}, {"stability", "--gamma 0.5"}};
@@ -131,11 +132,11 @@ TEST(HelpTexts, SayTheDefaults) {
   }
 }
 
-TEST(HelpTexts, HaveAGroupTwoExamplesAndRelatedCommands) {
+TEST(HelpTexts, HaveAGroupExamplesAndRelatedCommands) {
   const auto program = program_text();
   for (const auto& subcommand : program.subcommands) {
     EXPECT_FALSE(subcommand.group.empty()) << subcommand.name;
-    EXPECT_EQ(subcommand.examples.size(), 2U) << subcommand.name;
+    EXPECT_GE(subcommand.examples.size(), 2U) << subcommand.name;
     for (const auto& [command, what] : subcommand.examples) EXPECT_THAT(command, HasSubstr("fdebench "));
     EXPECT_FALSE(subcommand.see_also.empty()) << subcommand.name;
     for (const auto& name : subcommand.see_also) EXPECT_EQ(fdebench("help " + name).code, 0) << name;
