@@ -143,8 +143,7 @@ std::vector<ParameterValue> StudyPoints::range_of(const toml::node& node, const 
   } else {
     const auto word = spacing == nullptr ? "linear" : text_value(*spacing, fmt::format("{}.spacing", name));
     if (word != "linear" && word != "log") {
-      reject(position_of(*spacing),
-             fmt::format(R"({}.spacing = {}: must be "linear" or "log")", name, word));
+      reject(position_of(*spacing), fmt::format(R"({}.spacing = {}: must be "linear" or "log")", name, word));
     }
     const auto scale = word == "log" ? Spacing::logarithmic : Spacing::linear;
     if (scale == Spacing::logarithmic) require_one_sign(place, name, from, to);
@@ -222,7 +221,11 @@ StudyPoints::Axis StudyPoints::draws_of(const toml::table& family,
   for (auto& point : axis) {
     for (const auto& one : drawn) {
       const auto value = one.draw(source);
-      if (!value) reject(one.position, fmt::format("{}: no draw is from from to to", one.parameter->name));
+      if (!value) {
+        reject(one.position,
+               fmt::format("{}: no draw of a thousand is within its from and to: must be likelier there",
+                           one.parameter->name));
+      }
       require_allowed(one.position, *value, *one.parameter);
       point.emplace_back(one.parameter->name, *value);
     }

@@ -101,6 +101,9 @@ class StudyReader : StudyPoints {
   }
 
   [[nodiscard]] std::string setting_text(const toml::node& node, const StudyKey& kind) const {
+    // A whole number may be too large for a double: the option says so.
+    if (const auto* whole = node.as_integer(); whole != nullptr && !kind.is_text)
+      return fmt::format("{}", whole->get());
     if (!kind.is_text) return fmt::format("{}", number_value(node, kind.key));
     return text_value(node, kind.key);
   }

@@ -15,7 +15,7 @@ from drawn_solves import accuracy, drawn_problem
 from program import Fault, Program
 from properties import must_hold
 
-MEASURED = ("seconds", "rounding")
+MEASURED = ("seconds", "rounding", "load", "switches", "frequency", "disturbed")
 
 
 def records(program: Program, name: str) -> list[dict]:
