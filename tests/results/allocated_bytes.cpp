@@ -31,6 +31,7 @@ struct AtTheEnd {
 }  // namespace
 
 extern "C" {
+// NOLINTBEGIN(readability-inconsistent-declaration-parameter-name): those of glibc are reserved.
 void* malloc(std::size_t bytes) {
   allocated += bytes;
   return __libc_malloc(bytes);
@@ -43,4 +44,5 @@ void* realloc(void* place, std::size_t bytes) {
   allocated += bytes;
   return __libc_realloc(place, bytes);
 }
+// NOLINTEND(readability-inconsistent-declaration-parameter-name)
 }

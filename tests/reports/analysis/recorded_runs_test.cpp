@@ -44,7 +44,7 @@ class RecordedRuns : public testing::Test {
 
   // Changes a field of the file's session number `session`.
   void change(const std::string& field, int session) const {
-    const std::string begin = fmt::format("\"{}\":\"", field);
+    const std::string begin = fmt::format(R"("{}":")", field);
     auto changed = text();
     std::size_t place = 0;
     for (int i = 0; i <= session; ++i) place = changed.find(begin, place) + begin.size();
