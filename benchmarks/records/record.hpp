@@ -45,7 +45,7 @@ struct Record {
 struct Session {
   std::string date, machine, system, compiler, flags, commit, version;
   unsigned cores = 0;
-  std::string node{};  // name of the machine; empty: not told
+  std::string node{};  // name of the machine; empty: unknown
 };
 
 // The session of this process, with the present time. Its node is the environment variable FDEBENCH_NODE.

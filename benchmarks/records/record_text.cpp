@@ -61,7 +61,7 @@ RunSettings external_setup_of(const Json& json, int steps) {
   return {.resolution = steps, .grading = parse_grading(json.value("grid", grid_text(1.0)))};
 }
 
-// Absent entry: the node, unless it is told.
+// A session without a node has no such entry.
 Json json_of(const Session& session) {
   Json json{{"date", session.date},         {"machine", session.machine}, {"system", session.system},
             {"compiler", session.compiler}, {"flags", session.flags},     {"commit", session.commit},

@@ -27,10 +27,10 @@ std::string machine_name(const utsname& system) {
 }
 
 std::string node_name() {
-  const char* told = std::getenv("FDEBENCH_NODE");  // NOLINT(concurrency-mt-unsafe): nothing sets it
-  if (told == nullptr || *told == '\0') return {};
-  require_name("FDEBENCH_NODE", told);
-  return told;
+  const char* name = std::getenv("FDEBENCH_NODE");  // NOLINT(concurrency-mt-unsafe): nothing sets it
+  if (name == nullptr || *name == '\0') return {};
+  require_name("FDEBENCH_NODE", name);
+  return name;
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
+#include "fdebench/benchmarks/files/unfinished.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
 #include "fdebench/benchmarks/scenes/equation_file_name.hpp"
 
@@ -66,10 +67,36 @@ void remove_parts(const std::filesystem::path& folder) {
   }
 }
 
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
+// A folder for files that are renamed when all are written. It goes at the end.
+struct UnfinishedFolder {
+  explicit UnfinishedFolder(const std::filesystem::path& beside) : path(unfinished_name(beside)) {
+    std::filesystem::create_directory(path);
+  }
+  UnfinishedFolder(const UnfinishedFolder&) = delete;
+  UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+  ~UnfinishedFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+
+  std::filesystem::path path;
+};
+
+// The name and the text of each file of a plan, plan.json last.
+std::vector<std::pair<std::string, std::string>> files_of(const Study& study,
+                                                          const std::vector<StudyShard>& shards,
+                                                          const std::filesystem::path& folder) {
+  std::vector<std::pair<std::string, std::string>> files;
+  Json plan{{"study", study.file}, {"checksum", study.checksum}, {"shards", Json::array()}};
+  for (const auto& of : shards) {
+    const auto name = fmt::format("{}{:04}{}", shard_prefix, files.size() + 1, equation_file_extension);
+    files.emplace_back(name, text_of(of.study, folder));
+    Json shard{{"file", name}};
+    shard.update(json_of(of.work));
+    plan["shards"].push_back(std::move(shard));
+  }
+  files.emplace_back(plan_name, plan.dump(2) + '\n');
+  return files;
 }
 
 }  // namespace
@@ -118,20 +145,22 @@ std::vector<StudyShard> shards_of(const Study& study, const PlannedScenes& scene
 
 void write_plan(const Study& study, const std::vector<StudyShard>& shards,
                 const std::filesystem::path& folder) {
+  const auto files = files_of(study, shards, folder);
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
-  if (failure)
-    throw std::invalid_argument(fmt::format("{}: cannot be made: {}", folder.string(), failure.message()));
-  remove_parts(folder);
-  Json plan{{"study", study.file}, {"checksum", study.checksum}, {"shards", Json::array()}};
-  for (std::size_t i = 0; i < shards.size(); ++i) {
-    const auto name = fmt::format("{}{:04}{}", shard_prefix, i + 1, equation_file_extension);
-    write_file(folder / name, text_of(shards[i].study, folder));
-    Json shard{{"file", name}};
-    shard.update(json_of(shards[i].work));
-    plan["shards"].push_back(std::move(shard));
+  if (failure) cannot_write(folder, failure);
+  try {
+    const UnfinishedFolder unfinished(folder / plan_name);
+    for (const auto& [name, text] : files) {
+      AtomicFile file(unfinished.path / name);
+      file.write(text);
+      file.commit();
+    }
+    remove_parts(folder);
+    for (const auto& file : files) std::filesystem::rename(unfinished.path / file.first, folder / file.first);
+  } catch (const std::filesystem::filesystem_error& wrong) {
+    cannot_write(folder, wrong.code());
   }
-  write_file(folder / plan_name, plan.dump(2) + '\n');
 }
 
 }  // namespace fde::bench

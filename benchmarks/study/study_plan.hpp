@@ -38,8 +38,9 @@ struct StudyShard {
 std::vector<StudyShard> shards_of(const Study& study, const PlannedScenes& scenes, int count);
 
 // Writes a file for each part into the folder, in place of those of an earlier plan, and plan.json: the study
-// with its checksum, and of each part the file, scenes, runs, seconds_examine, seconds_time and bytes. Throws
-// std::invalid_argument naming a file that cannot be written.
+// with its checksum, and of each part the file, scenes, runs, seconds_examine, seconds_time and bytes. An
+// earlier plan is removed when all is written. Throws std::invalid_argument naming a path that cannot be
+// written.
 void write_plan(const Study& study, const std::vector<StudyShard>& shards,
                 const std::filesystem::path& folder);
 

@@ -57,11 +57,13 @@ std::string StudyPoints::text_value(const toml::node& node, std::string_view nam
 }
 
 double StudyPoints::number_value(const toml::node& node, std::string_view name) const {
-  const auto number = node.value<double>();
-  if (!number || !node.is_number()) reject_kind(node, name, "a number");
-  if (!std::isfinite(*number))
-    reject(position_of(node), fmt::format("{} = {}: must be {}", name, *number, any_number.text()));
-  return *number;
+  // node.value<double>() has no value for a whole number that rounds.
+  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+  const auto* number = node.as_floating_point();
+  if (number == nullptr) reject_kind(node, name, "a number");
+  if (!std::isfinite(number->get()))
+    reject(position_of(node), fmt::format("{} = {}: must be {}", name, number->get(), any_number.text()));
+  return number->get();
 }
 
 int StudyPoints::count_value(const toml::node& node, std::string_view name, int lowest, int highest) const {
@@ -69,7 +71,9 @@ int StudyPoints::count_value(const toml::node& node, std::string_view name, int 
   const auto* number = node.as_integer();
   if (number == nullptr && !node.is_number()) reject_kind(node, name, allowed);
   if (number == nullptr || number->get() < lowest || number->get() > highest) {
-    reject(position_of(node), fmt::format("{} = {}: must be {}", name, *node.value<double>(), allowed));
+    const auto value = number == nullptr ? fmt::format("{}", node.as_floating_point()->get())
+                                         : fmt::format("{}", number->get());
+    reject(position_of(node), fmt::format("{} = {}: must be {}", name, value, allowed));
   }
   return static_cast<int>(number->get());
 }
@@ -115,7 +119,7 @@ ParameterValue StudyPoints::value_of(const toml::node& node, const Parameter& pa
 
 void StudyPoints::require_one_sign(const TextPosition& place, std::string_view name, double from,
                                    double to) const {
-  if (from * to > 0.0) return;
+  if ((from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0)) return;
   reject(place, fmt::format("{}: from {} to {}: must be two numbers of one sign, their logarithms are taken",
                             name, from, to));
 }
@@ -133,7 +137,12 @@ std::vector<ParameterValue> StudyPoints::range_of(const toml::node& node, const 
   if (step != nullptr) {
     if (spacing != nullptr)
       reject(position_of(*spacing), fmt::format("{}: spacing: must be with count", name));
-    const auto text = fmt::format("{}:{}:{}", from, to, number_value(*step, fmt::format("{}.step", name)));
+    const double size = number_value(*step, fmt::format("{}.step", name));
+    if (!(from <= to ? size > 0.0 : size < 0.0)) {
+      reject(position_of(*step),
+             fmt::format("{}.step = {}: must lead from {} towards {}", name, size, from, to));
+    }
+    const auto text = fmt::format("{}:{}:{}", from, to, size);
     try {
       for (const auto& value : expand_decimal_range(name, text, max_study_scenes))
         values.emplace_back(parse_number(name, value, any_number));

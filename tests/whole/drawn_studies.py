@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Random study files of few short runs, and wrong ones."""
 
+import re
 from random import Random
 
 from drawn_numbers import typed
@@ -50,5 +51,5 @@ def damaged(random: Random, lines: tuple[str, ...]) -> tuple[str, ...]:
     line = lines[place]
     at = random.randrange(len(line) + 1)
     wrong = random.choice([line[:at] + random.choice('[]{}"=-,.#0e\x01') + line[at:], line[:at] + line[at + 1:], line + "\n" + line, "x = 1", line.replace("0", "1e999"),
-                           line.replace("from", "form"), "", line.partition("=")[0] + "= " + random.choice(["0", "-1", "[]", '""', "true", "1979-05-27", "{}", "[[1]]"])])
+                           line.replace("from", "form"), "", re.sub(r"\b\d+\b", "9223372036854775807", line), line.partition("=")[0] + "= " + random.choice(["0", "-1", "[]", '""', "true", "1979-05-27", "{}", "[[1]]"])])
     return lines[:place] + (wrong,) + lines[place + 1:]

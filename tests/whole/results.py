@@ -56,6 +56,17 @@ def judge_agrees_with_run(program: Program, case: Case, lists: Lists) -> None:
             raise Fault("differs", f"judge says {line}, run {ours[name]}")
 
 
+def require_same_rows(program: Program, whole: str, shards: list[str]) -> None:
+    """Merges the shards: they have the rows of the whole, except the times, unless a run was out of its budget."""
+    if not program.run("merge", *shards, "--out", "merged.jsonl").done:
+        raise Fault("merge", "the shards cannot be merged")
+    if any('"out_of_budget"' in (program.folder / name).read_text() for name in (whole, "merged.jsonl")):
+        return
+    ours, theirs = (untimed_facts(program, name) for name in (whole, "merged.jsonl"))
+    if ours != theirs:
+        raise Fault("rows", f"the shards and the whole differ in {sorted(ours ^ theirs)[0][:300]}")
+
+
 def drawn_sweep(random: Random, lists: Lists) -> Case:
     scenes = []
     for _ in range(random.randint(2, 4)):
@@ -77,16 +88,7 @@ def shards_are_the_whole(program: Program, case: Case, lists: Lists) -> None:
     for k in ("1", "2"):
         if not program.run("run", *words, "--shard", f"{k}/2", "--out", f"shard{k}.jsonl", seconds=120).done:
             raise Fault("shard", f"shard {k}/2 fails where the whole does not")
-    present = [name for name in ("shard1.jsonl", "shard2.jsonl") if (program.folder / name).exists()]
-    if not program.run("merge", *present, "--out", "merged.jsonl").done:
-        raise Fault("merge", "the shards cannot be merged")
-
-    if any('"out_of_budget"' in (program.folder / name).read_text() for name in ("whole.jsonl", "merged.jsonl")):
-        return
-    ours, theirs = (untimed_facts(program, name) for name in ("whole.jsonl", "merged.jsonl"))
-    if ours != theirs:
-        other = sorted(ours ^ theirs)[0]
-        raise Fault("rows", f"the shards and the whole differ in {other[:300]}")
+    require_same_rows(program, "whole.jsonl", [name for name in ("shard1.jsonl", "shard2.jsonl") if (program.folder / name).exists()])
     compared = program.run("compare", "whole.jsonl", "whole.jsonl", "--require-all", "--max-slowdown", "1.5")
     if not compared.done or "0 grew, 0 fell" not in compared.out:
         raise Fault("compare", f"a file beside itself: exit code {compared.code}, {compared.out[-300:]!r}")

@@ -15,7 +15,7 @@ namespace {
 // "3 of 50": how many of the session's times other work disturbed; null if none.
 json disturbed_times(const PageInput& page, std::size_t session) {
   std::size_t timed = 0, disturbed = 0;
-  for (const auto* some : {&page.runs.finished, &page.trials}) {
+  for (const auto* some : {&page.runs.finished, &page.families.finished, &page.trials}) {
     for (const MeasuredRun& run : *some) {
       if (run.session != session || !run["time_median"]) continue;
       ++timed;

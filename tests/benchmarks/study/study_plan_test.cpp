@@ -4,9 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,6 +18,8 @@
 #include "fdebench/benchmarks/records/record_text.hpp"
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "support/command_output.hpp"
+#include "support/full_disk.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace fde::bench {
 namespace {
@@ -71,6 +77,32 @@ std::multiset<std::string> untimed(const std::filesystem::path& file) {
   for (const auto& row : read_results(file).records)
     if (!is_time(row)) lines.insert(line_of(row, false));
   return lines;
+}
+
+// The names and contents of the files of a folder.
+std::map<std::string, std::string> contents(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    std::ifstream stream(entry.path());
+    found[entry.path().filename()] = {std::istreambuf_iterator<char>(stream), {}};
+  }
+  return found;
+}
+
+TEST(StudyPlans, ReplaceAnEarlierPlanWholeOrNotAtAll) {
+  const PlannedStudy planned;
+  const TemporaryFolder folder;
+  write_plan(planned.study, shards_of(planned.study, planned.scenes, 3), folder.path());
+  const auto earlier = contents(folder.path());
+  EXPECT_EQ(earlier.size(), 4U);
+  const auto shards = shards_of(planned.study, planned.scenes, 2);
+  {
+    const FullDisk full(10);
+    EXPECT_THROW(write_plan(planned.study, shards, folder.path()), std::invalid_argument);
+  }
+  EXPECT_EQ(contents(folder.path()), earlier);
+  write_plan(planned.study, shards, folder.path());
+  EXPECT_EQ(contents(folder.path()).size(), 3U);
 }
 
 TEST(Studies, HaveTheRowsOfTheirShardsMerged) {

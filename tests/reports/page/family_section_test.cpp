@@ -48,5 +48,13 @@ TEST(FamilySection, HasTheCheapestRunOfEachSceneAndHowRobustItIs) {
   EXPECT_EQ(robustness[2]["unsolved"], 100);
 }
 
+TEST(FamilySection, CountsItsTimesAmongTheDisturbedOnesOfASession) {
+  auto results = over_plane(10, 10);
+  const auto key = results.records.back().key;
+  results.records.push_back({.key = key, .h = 0.1, .quantity = "time_median", .value = 1.0, .unit = "s"});
+  results.records.push_back({.key = key, .h = 0.1, .quantity = "disturbed", .value = 1.0});
+  EXPECT_EQ(page_data(read_runs(results))["sessions"][0]["disturbed times"], "1 of 1");
+}
+
 }  // namespace
 }  // namespace fde::bench
