@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "fdebench/reports/page/facts.hpp"
 
@@ -12,22 +13,32 @@ using nlohmann::json;
 
 namespace {
 
-// "3 of 50": how many of the session's times other work disturbed; null if none.
-json disturbed_times(const PageInput& page, std::size_t session) {
-  std::size_t timed = 0, disturbed = 0;
+// The times of a session.
+struct SessionTimes {
+  std::size_t all = 0, disturbed = 0;
+
+  // "3 of 50" if other work disturbed some; otherwise null.
+  [[nodiscard]] json text() const {
+    return disturbed > 0 ? json(fmt::format("{} of {}", disturbed, all)) : json();
+  }
+};
+
+std::vector<SessionTimes> times_of_sessions(const PageInput& page) {
+  std::vector<SessionTimes> times(page.sessions.size());
   for (const auto* some : {&page.runs.finished, &page.families.finished, &page.trials}) {
     for (const MeasuredRun& run : *some) {
-      if (run.session != session || !run["time_median"]) continue;
-      ++timed;
-      if (run["disturbed"].value_or(0.0) > 0.0) ++disturbed;
+      if (!run["time_median"]) continue;
+      ++times[run.session].all;
+      if (run["disturbed"].value_or(0.0) > 0.0) ++times[run.session].disturbed;
     }
   }
-  return disturbed > 0 ? json(fmt::format("{} of {}", disturbed, timed)) : json();
+  return times;
 }
 
 }  // namespace
 
 json session_facts(const PageInput& page) {
+  const auto times = times_of_sessions(page);
   json all = json::array();
   for (const Session& of : page.sessions) {
     all.push_back({{"date", of.date},
@@ -39,7 +50,7 @@ json session_facts(const PageInput& page) {
                    {"commit", of.commit},
                    {"version", of.version},
                    {"node", of.node},
-                   {"disturbed times", disturbed_times(page, all.size())}});
+                   {"disturbed times", times[all.size()].text()}});
   }
   return compact(all);
 }
