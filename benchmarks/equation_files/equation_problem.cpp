@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "fdebench/benchmarks/equation_files/equation_system.hpp"
@@ -32,6 +33,11 @@ void require_start_on_constraints(const EquationSystem& system, const Problem& p
                   fmt::format("is {:.6g} at t = 0: must be 0 with these initial values", f[*row]));
 }
 
+std::string only_text(const Program& program) {
+  const auto texts = program.texts();
+  return texts.empty() ? "" : texts.front();
+}
+
 std::function<double(double t, In y)> factor_of(const EquationSystem::Unknown& unknown,
                                                 const ExpressionPool& pool, Eigen::Index size) {
   if (!unknown.factor) return [](double, In) { return 1.0; };
@@ -54,11 +60,13 @@ Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
   for (const auto& unknown : system.unknowns) {
     if (!unknown.chain || unknown.chain->size() == 1) continue;
     const auto& chain = *unknown.chain;
+    const Program force(pool, {*unknown.rhs}, size);
     problem.equations.push_back({.first_row = chain.first_row(),
                                  .leading = chain.leading(),
                                  .terms = chain.terms(),
-                                 .force = Program(pool, {*unknown.rhs}, size),
+                                 .force = force,
                                  .factor = factor_of(unknown, pool, size)});
+    if (!unknown.factor) problem.equations.back().force_text = [force] { return only_text(force); };
   }
   return problem;
 }

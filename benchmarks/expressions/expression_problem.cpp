@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/expressions/increments.hpp"
+#include "fdebench/benchmarks/expressions/instruction_text.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 
 namespace fde::bench {
@@ -90,24 +91,26 @@ std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index 
   return matrix;
 }
 
-std::function<void(double t, In y, Out f)> rhs_of(const std::vector<Expression>& rows, Eigen::Index size,
-                                                  const ExpressionPool& pool) {
-  return [program = Program(pool, rows, size)](double t, In y, Out f) {
+std::function<void(double t, In y, Out f)> rhs_of(const Program& program) {
+  return [program](double t, In y, Out f) {
     program.evaluate(t, y, {f.data(), static_cast<std::size_t>(f.size())});
   };
 }
 
-// The program writes to the places of a matrix without gaps between its columns.
-DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, const ExpressionPool& pool) {
+// Writes to the places of a matrix without gaps between its columns.
+Program entries_program(const std::vector<Entry>& entries, Eigen::Index size, const ExpressionPool& pool) {
   std::vector<Expression> values;
   std::vector<Eigen::Index> places;
   for (const auto& [row, column, value] : entries) {
     values.push_back(value);
     places.push_back(column * size + row);
   }
+  return {pool, values, places, size};
+}
+
+DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, const Program& program) {
   const auto count = static_cast<std::size_t>(size * size);
-  return {[size, count, has_zeros = entries.size() < count, program = Program(pool, values, places, size)](
-              double t, In y, OutMatrix jacobian) {
+  return {[size, count, has_zeros = entries.size() < count, program](double t, In y, OutMatrix jacobian) {
     if (jacobian.outerStride() != size) {
       Matrix matrix = Matrix::Zero(size, size);
       program.evaluate(t, y, {matrix.data(), count});
@@ -117,6 +120,26 @@ DenseJacobian jacobian_of(const std::vector<Entry>& entries, Eigen::Index size, 
     if (has_zeros) std::fill_n(jacobian.data(), count, 0.0);
     program.evaluate(t, y, {jacobian.data(), count});
   }};
+}
+
+ProblemText text_of(const Program& rhs, const Matrix& jacobian) {
+  ProblemText text{.rhs = rhs.texts()};
+  for (const auto& row : jacobian.rowwise()) {
+    auto& texts = text.jacobian.emplace_back();
+    for (const double value : row) texts.push_back(formula_number(value));
+  }
+  return text.rhs.empty() ? ProblemText{} : text;
+}
+
+ProblemText text_of(const Program& rhs, const std::vector<Entry>& entries, const Program& jacobian) {
+  ProblemText text{.rhs = rhs.texts()};
+  const auto values = jacobian.texts();
+  if (text.rhs.empty() || values.size() < entries.size()) return {};
+  text.jacobian.assign(text.rhs.size(), std::vector<std::string>(text.rhs.size(), formula_number(0.0)));
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    text.jacobian[static_cast<std::size_t>(entries[k].row)][static_cast<std::size_t>(entries[k].column)] =
+        values[k];
+  return text;
 }
 
 // Where a derivative is infinite at the initial values, y says too little of f next to t = 0.
@@ -131,8 +154,9 @@ IncrementForm increments_of(const Problem& problem, const std::vector<Expression
   const auto shifted = in_increments(rows, origin, pool);
   if (!shifted) return {};
   const auto size = problem.size();
-  return {std::move(origin), rhs_of(*shifted, size, pool),
-          jacobian_of(derivatives_of(*shifted, pool), size, pool).at};
+  const auto entries = derivatives_of(*shifted, pool);
+  return {std::move(origin), rhs_of(Program(pool, *shifted, size)),
+          jacobian_of(entries, size, entries_program(entries, size, pool)).at};
 }
 
 }  // namespace
@@ -141,15 +165,19 @@ Problem expression_problem(std::vector<Component> components, const std::vector<
                            ExpressionPool& pool) {
   const auto size = std::ssize(rows);
   Problem problem{.components = std::move(components), .end = end};
-  problem.rhs = rhs_of(rows, size, pool);
+  const Program rhs(pool, rows, size);
+  problem.rhs = rhs_of(rhs);
   for (const auto value : switches_of(rows, pool))
     problem.switching_functions.emplace_back(Program(pool, {value}, size));
   const auto entries = derivatives_of(rows, pool);
   auto matrix = piecewise(rows, pool) ? std::nullopt : matrix_of(entries, size, pool);
   if (matrix) {
+    problem.text = [rhs, matrix = *matrix] { return text_of(rhs, matrix); };
     problem.derivatives = DenseLinearPart{std::move(*matrix)};
   } else {
-    problem.derivatives = jacobian_of(entries, size, pool);
+    const auto program = entries_program(entries, size, pool);
+    problem.text = [rhs, entries, program] { return text_of(rhs, entries, program); };
+    problem.derivatives = jacobian_of(entries, size, program);
     problem.increments = increments_of(problem, rows, pool);
   }
   return problem;

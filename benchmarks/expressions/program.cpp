@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include "fdebench/benchmarks/expressions/instruction_text.hpp"
+
 namespace fde::bench {
 namespace {
 
@@ -21,6 +23,10 @@ Program::Program(const ExpressionPool& pool, const std::vector<Expression>& resu
                  const std::vector<Eigen::Index>& places, Eigen::Index size)
     : shared_(results.empty() ? nullptr
                               : std::make_shared<Shared>(instructions_of(pool, results, places, size))) {}
+
+std::vector<std::string> Program::texts() const {
+  return shared_ ? texts_of(shared_->list) : std::vector<std::string>{};
+}
 
 // One thread counts to the limit and translates; the others interpret meanwhile.
 void Program::Shared::interpret_or_translate(double t, const double* y, std::span<double> results) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,9 @@ class Program {
     evaluate(t, y, {&result, 1});
     return result;
   }
+
+  // The expressions as formulas, as texts_of() writes them.
+  [[nodiscard]] std::vector<std::string> texts() const;
 
   // The number of evaluations after which a list is translated. Translating takes about as long as these: up
   // to 1 us for each instruction of a list of hundreds, more of a longer one, and 0.1 ms for the first list

@@ -10,6 +10,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -19,6 +21,7 @@
 #include "fdebench/benchmarks/external/shell_command.hpp"
 #include "fdebench/benchmarks/external/task_text.hpp"
 #include "fdebench/benchmarks/external/temporary_file.hpp"
+#include "fdebench/benchmarks/measures/time_spread.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/records/external_trajectory.hpp"
 #include "fdebench/benchmarks/records/record_validation.hpp"
@@ -89,14 +92,24 @@ ExternalTrajectory at_times(const ExternalTrajectory& path, const std::vector<do
       throw std::invalid_argument(fmt::format("standard output: has no row at t = {}", t));
     rows.push_back(found - path.times.begin());
   }
-  return {.columns = path.columns, .times = times, .values = path.values(Eigen::all, rows)};
+  return {.columns = path.columns,
+          .times = times,
+          .values = path.values(Eigen::all, rows),
+          .report = path.report};
+}
+
+// The rows that are judged: those of the program's own times, the end included, or those at `times`. Throws
+// std::invalid_argument if one is missing.
+ExternalTrajectory judged_rows(const ExternalTrajectory& path, const std::vector<double>& times) {
+  if (!path.report.chooses_times) return at_times(path, times);
+  at_times(path, {times.back()});
+  return at_comparison_times(path);
 }
 
 // One run of a program.
 struct ProgramRun {
   std::optional<RunOutcome> failure{};
-  ExternalTrajectory path{};                 // at the output times; all printed rows if a value is not finite
-  std::optional<double> reported_seconds{};  // of the solve, as printed by the program
+  ExternalTrajectory path{};  // the judged rows; all printed rows if a value is not finite
   double wall_seconds = 0.0;
 };
 
@@ -105,12 +118,12 @@ ProgramRun failed(OutcomeKind kind, std::string_view detail) {
 }
 
 ProgramRun run(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
-               const RunSettings& setup) {
+               const RunSettings& setup, TaskPurpose purpose) {
   const Grid grid{
       .end = scene.problem.end, .steps = std::get<int>(setup.resolution), .grading = setup.grading};
   const auto times = comparison_times(grid);
   const TemporaryFile task(".json"), out(".csv"), err(".txt");
-  task.write(task_json(variant, scene, setup, times));
+  task.write(task_json(variant, scene, setup, times, purpose));
   CommandResult end;
   try {
     end = run_command(program.command, task.path().string(), out.descriptor(), err.descriptor(),
@@ -118,15 +131,47 @@ ProgramRun run(const SceneVariant& variant, const Scene& scene, const ExternalPr
   } catch (const std::system_error& error) {
     return failed(Verdict::program_failed, fmt::format("it cannot be started: {}", error.what()));
   }
-  if (auto failure = failure_of(end, last_line(err.path()), setup.budget)) return {.failure = failure};
+  if (auto failure = failure_of(end, last_line(err.path()), setup.budget))
+    return {.failure = failure, .path = {.report = read_report(out.path())}};
   try {
     auto path = read_trajectory(out.path(), scene, "standard output");
-    const auto reported = path.seconds;
-    if (path.values.allFinite()) path = at_times(path, times);
-    return {.path = std::move(path), .reported_seconds = reported, .wall_seconds = end.seconds};
+    if (path.values.allFinite()) path = judged_rows(path, times);
+    return {.path = std::move(path), .wall_seconds = end.seconds};
   } catch (const std::invalid_argument& error) {
     return failed(Verdict::program_failed, printable(error.what()));
   }
+}
+
+std::vector<Record> examination_rows(const Record& row, const ProgramRun& made, const Assessment& judgement) {
+  auto rows = rows_of_examination(row, judgement);
+  rows.back().program = made.path.report.facts;
+  return rows;
+}
+
+const std::vector<double>& seconds_of(const ProgramRun& made) { return made.path.report.seconds; }
+
+TimedSolves process_times(const std::vector<ProgramRun>& runs) {
+  TimedSolves timed;
+  for (const auto& made : runs) timed.seconds.push_back(made.wall_seconds);
+  return timed;
+}
+
+// The solves of all processes. Of the process with the shortest first solve: by how much that takes longer
+// than the later ones, and what the process takes besides its solves.
+TimedSolves solve_times(const std::vector<ProgramRun>& runs) {
+  TimedSolves timed;
+  for (const auto& made : runs)
+    timed.seconds.insert(timed.seconds.end(), seconds_of(made).begin(), seconds_of(made).end());
+  const auto& quickest = *std::ranges::min_element(runs, {}, [](const ProgramRun& made) {
+    return made.path.report.first.value_or(std::numeric_limits<double>::infinity());
+  });
+  if (const auto first = quickest.path.report.first) {
+    const auto& later = seconds_of(quickest);
+    timed.setup_seconds = *first - spread_of(timed.seconds).median;
+    const double solves = std::accumulate(later.begin(), later.end(), *first);
+    timed.start_seconds = std::max(0.0, quickest.wall_seconds - solves);
+  }
+  return timed;
 }
 
 Record row_of(const ExternalProgram& program, const SceneVariant& variant, const Scene& scene,
@@ -157,25 +202,23 @@ RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const 
 std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference,
                             const ExternalProgram& program, const RunSettings& setup) {
   const Record row = row_of(program, variant, scene, setup);
-  const auto made = run(variant, scene, program, setup);
-  return rows_of_examination(
-      row, made.failure ? Assessment{*made.failure} : judge_trajectory(scene, made.path, reference));
+  const auto made = run(variant, scene, program, setup, TaskPurpose::errors);
+  return examination_rows(
+      row, made, made.failure ? Assessment{*made.failure} : judge_trajectory(scene, made.path, reference));
 }
 
 std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
                               const RunSettings& setup, int most, double enough_seconds) {
   const Record row = row_of(program, variant, scene, setup);
-  std::vector<double> reported, wall;
+  std::vector<ProgramRun> runs;
   double total = 0.0;
-  while (std::ssize(wall) < most && (wall.empty() || total < enough_seconds)) {
-    const auto made = run(variant, scene, program, setup);
-    if (made.failure) return rows_of_examination(row, {*made.failure});
-    total += made.wall_seconds;
-    wall.push_back(made.wall_seconds);
-    if (made.reported_seconds) reported.push_back(*made.reported_seconds);
+  while (std::ssize(runs) < most && (runs.empty() || total < enough_seconds)) {
+    runs.push_back(run(variant, scene, program, setup, TaskPurpose::times));
+    if (runs.back().failure) return examination_rows(row, runs.back(), {*runs.back().failure});
+    total += runs.back().wall_seconds;
   }
-  const bool is_wall_clock = reported.size() < wall.size();
-  auto rows = rows_of_times(row, {.seconds = is_wall_clock ? wall : reported});
+  const bool is_wall_clock = std::ranges::any_of(runs, [](const auto& of) { return seconds_of(of).empty(); });
+  auto rows = rows_of_times(row, is_wall_clock ? process_times(runs) : solve_times(runs));
   for (Record& of : rows) of.wall_clock = is_wall_clock;
   return rows;
 }

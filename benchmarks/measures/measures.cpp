@@ -21,6 +21,7 @@ using Seconds = std::optional<double>;
 Seconds setup(const TimedSolves& timed) {
   return timed.setup_seconds > 0.0 ? Seconds(timed.setup_seconds) : std::nullopt;
 }
+Seconds start(const TimedSolves& timed) { return timed.start_seconds; }
 Seconds minimum(const TimedSolves& timed) { return std::ranges::min(timed.seconds); }
 Seconds median(const TimedSolves& timed) { return spread_of(timed.seconds).median; }
 Seconds low(const TimedSolves& timed) { return spread_of(timed.seconds).low; }
@@ -35,6 +36,7 @@ std::optional<double> disturbed(const TimedSolves& timed) {
 }
 
 constexpr std::array all_of_time{
+    TimeMeasure{"time_start", start},
     TimeMeasure{"time_setup", setup},
     TimeMeasure{"time_minimum", minimum},
     TimeMeasure{"time_median", median},

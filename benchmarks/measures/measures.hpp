@@ -65,6 +65,7 @@ std::span<const Measure* const> measures();
 struct TimedSolves {
   std::vector<double> seconds{}, waited{};
   double setup_seconds = 0.0;
+  std::optional<double> start_seconds{};  // of the process of another program, besides its solves
   std::optional<TimingConditions> conditions{};
 };
 

@@ -31,6 +31,7 @@ IncrementForm increments_in_units_of(double unit, const IncrementForm& given) {
 
 Equation equation_in_units_of(double unit, Equation equation) {
   equation.force = [unit, force = equation.force](double t, In u) { return force(t, unit * u) / unit; };
+  equation.force_text = {};
   equation.factor = [unit, factor = equation.factor](double t, In u) { return factor(t, unit * u); };
   return equation;
 }
@@ -46,6 +47,7 @@ Problem rescaled_problem(double unit, const Problem& problem) {
     rhs(t, unit * u, f);
     f /= unit;
   };
+  other.text = {};
   other.derivatives = std::visit([&](const auto& given) { return derivatives_in_units_of(unit, given); },
                                  problem.derivatives);
   other.increments = increments_in_units_of(unit, problem.increments);

@@ -4,16 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/records/lines.hpp"
+#include "fdebench/benchmarks/records/well_formed.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/text/entry_named.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
@@ -118,12 +123,63 @@ class TrajectoryReader {
   std::vector<double> values_{};
 };
 
-// S from a line `# seconds: S`; nullopt for any other line.
-std::optional<double> seconds_in(std::string_view line) {
-  constexpr std::string_view begin = "# seconds:";
-  if (!line.starts_with(begin)) return std::nullopt;
-  return parse_number("seconds", trimmed(line.substr(begin.size())), positive);
+std::vector<double> numbers_in(std::string_view key, std::string_view text) {
+  std::vector<double> numbers;
+  for (auto rest = trimmed(text); !rest.empty() || numbers.empty();) {
+    const auto end = std::min(rest.find_first_of(" \t"), rest.size());
+    numbers.push_back(parse_number(key, rest.substr(0, end), positive));
+    rest = trimmed(rest.substr(end));
+  }
+  return numbers;
 }
+
+// The code is the first word, its version the rest.
+void set_code(ProgramFacts& facts, std::string_view text) {
+  const auto space = std::min(text.find(' '), text.size());
+  facts.code = text.substr(0, space);
+  facts.version = trimmed(text.substr(space));
+}
+
+// Takes over one comment. Throws std::invalid_argument naming the key, the value and what is allowed.
+void set(ProgramReport& report, std::string_view key, std::string_view text) {
+  if (key == "seconds") {
+    report.seconds = numbers_in(key, text);
+  } else if (key == "first") {
+    report.first = parse_number(key, text, positive);
+  } else if (key == "times") {
+    if (text != "own") reject_text(key, text, "own");
+    report.chooses_times = true;
+  } else {
+    require_name(key, text);
+    if (key == "code") {
+      set_code(report.facts, text);
+    } else {
+      report.facts.language = text;
+    }
+  }
+}
+
+// Reads the lines `# KEY: VALUE` of a report; a line with another key is of the table.
+class ReportReader {
+ public:
+  // Whether the line is a comment of the report.
+  bool take(std::string_view line) {
+    const auto colon = line.find(':');
+    if (!line.starts_with("# ") || colon == std::string_view::npos) return false;
+    const auto key = line.substr(2, colon - 2);
+    constexpr std::array known{"code", "language", "first", "seconds", "times"};
+    if (std::ranges::find(known, key) == known.end()) return false;
+    if (!given_.emplace(key).second) throw std::invalid_argument(fmt::format("{} is given twice", key));
+    set(report_, key, trimmed(line.substr(colon + 1)));
+    return true;
+  }
+
+  [[nodiscard]] const ProgramReport& report() const { return report_; }
+
+ private:
+  std::set<std::string, std::less<>> given_{};
+  ProgramReport report_{};
+};
 
 // Messages are C strings: they would end at a NUL.
 void require_text(const std::string& line) {
@@ -131,9 +187,9 @@ void require_text(const std::string& line) {
 }
 
 ExternalTrajectory read_lines(LineReader& line, const Scene& scene) {
+  ReportReader comments;
   bool has_header = line.next();
-  const auto seconds = seconds_in(line.text());
-  if (seconds) has_header = line.next();
+  while (has_header && comments.take(line.text())) has_header = line.next();
   if (!has_header) throw std::invalid_argument("there is no header");
   require_text(line.text());
   TrajectoryReader reader(line.text(), scene);
@@ -146,7 +202,7 @@ ExternalTrajectory read_lines(LineReader& line, const Scene& scene) {
     if (!is_empty) reader.take(line.text());
   }
   auto path = std::move(reader).path();
-  path.seconds = seconds;
+  path.report = comments.report();
   return path;
 }
 
@@ -181,9 +237,20 @@ ExternalTrajectory read_trajectory(const std::filesystem::path& file, const Scen
   }
 }
 
+ProgramReport read_report(const std::filesystem::path& file) {
+  ReportReader comments;
+  try {
+    LineReader line(file, file.string());
+    while (line.next() && comments.take(line.text())) {
+    }
+  } catch (const std::invalid_argument&) {  // what was read before is still true
+  }
+  return comments.report();
+}
+
 ExternalTrajectory at_comparison_times(const ExternalTrajectory& path) {
   if (!path.values.allFinite()) return path;
-  ExternalTrajectory some{.columns = path.columns};
+  ExternalTrajectory some{.columns = path.columns, .report = path.report};
   const auto rows = comparison_steps(static_cast<int>(path.times.size()) - 1);
   for (const int row : rows) some.times.push_back(path.times[static_cast<std::size_t>(row)]);
   some.values = path.values(Eigen::all, rows);

@@ -27,6 +27,14 @@ struct RunKey {
   auto operator<=>(const RunKey&) const = default;  // NOLINT(readability-implicit-bool-conversion)
 };
 
+// What another program says of itself: the code that it runs, its version, and the language with its
+// implementation. All may be empty.
+struct ProgramFacts {
+  std::string code{}, version{}, language{};
+
+  bool operator==(const ProgramFacts&) const = default;
+};
+
 // A number of a run: one row of tidy results.
 struct Record {
   RunKey key{};
@@ -36,6 +44,7 @@ struct Record {
   double value = 0.0;      // of an ending: the time
   std::string unit{};
   std::optional<RunOutcome> ending{};  // for quantity "ending" only
+  ProgramFacts program{};              // for the ending of another program only
   Course course{};                     // the largest value up to t; empty: not recorded
   std::size_t session = 0;             // index into Results::sessions
   bool wall_clock = false;             // time of a whole process, for a program that reports none

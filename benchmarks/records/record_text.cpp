@@ -18,6 +18,7 @@
 namespace fde::bench {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Course, t, value)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(ProgramFacts, code, version, language)
 
 namespace {
 
@@ -117,6 +118,7 @@ Record row_of(const Json& json) {
              .unit = json.at("unit"),
              .wall_clock = json.value("wall_clock", false)};
   if (json.contains("ending")) row.ending = outcome_of(json);
+  if (json.contains("program")) row.program = json["program"].get<ProgramFacts>();
   if (json.contains("course")) row.course = json["course"].get<Course>();
   return row;
 }
@@ -160,6 +162,7 @@ std::string line_of(const Record& row, bool last) {
   }
   if (row.ending) json["ending"] = name(row.ending->kind);
   if (row.ending && !row.ending->detail.empty()) json["detail"] = row.ending->detail;
+  if (row.program != ProgramFacts{}) json["program"] = row.program;
   if (!row.course.empty()) json["course"] = row.course;
   if (row.wall_clock) json["wall_clock"] = true;
   if (last) json["last"] = true;

@@ -55,6 +55,12 @@ void require_quantity(const Record& row) {
   if (row.ending.has_value() != (row.quantity == "ending"))
     throw std::invalid_argument("ending: must be that of the quantity ending, and of no other");
   if (row.ending) require_name("ending", name(row.ending->kind));
+  if (row.program != ProgramFacts{} && (!row.key.external || !row.ending))
+    throw std::invalid_argument("program: is allowed in endings of other programs only");
+  for (const auto& [field, text] : {std::pair("code", row.program.code),
+                                    {"version", row.program.version},
+                                    {"language", row.program.language}})
+    if (!text.empty()) require_name(field, text);
   require_times("course", row.course.t);
   require_length("course", row.course.value.size(), row.course.t.size());
   for (const double value : row.course.value) require_in(row.quantity, value, range);

@@ -151,7 +151,7 @@ struct TimedRun {
 TimedRun solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
                           const Options& options, const TimingRepeats& repeats) {
   TimedRun timed;
-  auto& [seconds, waited, setup_seconds, conditions] = timed.solves;
+  auto& seconds = timed.solves.seconds;
   const TimingWatch watch;
   double total = 0.0;
   while (total < repeats.min_seconds ||
@@ -161,12 +161,12 @@ TimedRun solve_repeatedly(const Scheme& scheme, const Problem& problem, const Re
     const auto start = std::chrono::steady_clock::now();
     const auto path = scheme.solve(problem, resolution, options);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    waited.push_back(std::max(0.0, seconds.back() - (thread_seconds() - ran_before)));
-    setup_seconds = setup.seconds();
+    timed.solves.waited.push_back(std::max(0.0, seconds.back() - (thread_seconds() - ran_before)));
+    timed.solves.setup_seconds = setup.seconds();
     total += seconds.back();
     timed.steps = path.steps;
   }
-  conditions = watch.conditions();
+  timed.solves.conditions = watch.conditions();
   return timed;
 }
 

@@ -56,6 +56,7 @@ void add(BuildRun& made, const Record& row) {
   run.session = row.session;
   if (row.ending) {
     run.ending = *row.ending;
+    run.program = row.program;
     made.ended = true;
   } else {
     run.values.set(row.quantity, row.value);

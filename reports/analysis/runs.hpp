@@ -23,6 +23,7 @@ struct MeasuredRun {
   std::size_t session =
       0;  // of the times, or of the examination of a run without; index into Results::sessions
   RunOutcome ending{};
+  ProgramFacts program{};  // what another program says of itself
   QuantityValues values{};
   std::map<std::string, Course, std::less<>> courses{};  // of the quantities that have one
   bool wall_clock = false;                               // the times are of whole processes

@@ -106,7 +106,7 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const SceneR
   std::vector<double> seconds;
   if (arguments.seconds) seconds = parse_numbers("--seconds", *arguments.seconds, positive);
   const auto path = path_in(arguments.file, scene);
-  if (!arguments.seconds && path.seconds) seconds = {*path.seconds};
+  if (!arguments.seconds) seconds = path.report.seconds;
   end_with(path, arguments.file, variant, scene);
   const Record row = row_of(variant, name, path);
   MemoizedReference reference(scene);
@@ -115,6 +115,7 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const SceneR
     return judge_trajectory(scene, at_comparison_times(path), reference);
   }();
   auto rows = rows_of_examination(row, judgement);
+  rows.back().program = path.report.facts;
   std::optional<ResultsFile> file;
   if (arguments.out) file.emplace(*arguments.out, longest_wait);
   if (file && !file->describes(row.key.scene)) file->append(describe(variant, scene, reference));

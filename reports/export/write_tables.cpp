@@ -29,6 +29,7 @@ struct ExportedRun {
   int steps;
   double h;
   std::optional<RunOutcome> ending{};
+  ProgramFacts program{};
   double ended_at = 0.0;
   bool latest = false;
 };
@@ -64,6 +65,7 @@ class TablesOfResults {
     for (const Record& row : rows) {
       if (row.ending) {
         runs_[run].ending = row.ending;
+        runs_[run].program = row.program;
         runs_[run].ended_at = row.value;
         continue;
       }
@@ -164,14 +166,26 @@ class TablesOfResults {
     const auto* accuracy = std::get_if<Tolerance>(&resolution);
     const bool ours = !run.key->external;
     const std::string ending(run.ending ? name(run.ending->kind) : "");
-    put(TableId::runs,
-        std::vector<Cell>{number(id), number(run.session), number(run.scene), run.key->scheme, flag(!ours),
-                          std::int64_t{run.steps}, run.h, accuracy == nullptr ? Cell() : Cell(accuracy->rtol),
-                          accuracy == nullptr ? Cell() : Cell(accuracy->atol), grading,
-                          ours ? Cell(name(history)) : Cell(), ours ? Cell(tolerance) : Cell(),
-                          ours && std::isfinite(budget) ? Cell(budget) : Cell(), or_null(ending),
-                          run.ending ? or_null(run.ending->detail) : Cell(),
-                          run.ending ? Cell(run.ended_at) : Cell(), flag(run.latest)});
+    put(TableId::runs, std::vector<Cell>{number(id),
+                                         number(run.session),
+                                         number(run.scene),
+                                         run.key->scheme,
+                                         flag(!ours),
+                                         or_null(run.program.code),
+                                         or_null(run.program.version),
+                                         or_null(run.program.language),
+                                         std::int64_t{run.steps},
+                                         run.h,
+                                         accuracy == nullptr ? Cell() : Cell(accuracy->rtol),
+                                         accuracy == nullptr ? Cell() : Cell(accuracy->atol),
+                                         grading,
+                                         ours ? Cell(name(history)) : Cell(),
+                                         ours ? Cell(tolerance) : Cell(),
+                                         ours && std::isfinite(budget) ? Cell(budget) : Cell(),
+                                         or_null(ending),
+                                         run.ending ? or_null(run.ending->detail) : Cell(),
+                                         run.ending ? Cell(run.ended_at) : Cell(),
+                                         flag(run.latest)});
   }
 
   TableWriter& writer_;

@@ -95,7 +95,7 @@ Problem chain_problem(const std::vector<MultiTermEquation>& equations, double en
 }
 
 Chain chain_of(const Problem& problem, const Equation& equation) {
-  const auto& [first, leading, terms, force, factor] = equation;
+  const auto& [first, leading, terms, force, factor, text] = equation;
   std::vector<double> initial(initial_count(leading.order), 0.0);
   const Chain nodes(leading, terms, initial, first);
   for (std::size_t k = 0; k < initial.size(); ++k) {

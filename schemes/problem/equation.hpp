@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "fdebench/schemes/problem/vectors.hpp"
@@ -23,6 +24,8 @@ struct Equation {
   Term leading;
   std::vector<Term> terms;  // by increasing order, each order once; no coefficient is 0
   std::function<double(double t, In y)> force, factor;
+  // The force as a formula, as ProblemText has them; empty: not known, or there is a factor.
+  std::function<std::string()> force_text{};
 };
 
 }  // namespace fde

@@ -37,6 +37,14 @@ struct Domain {
 // jumps where this function changes its sign along the solution.
 using SwitchingFunction = std::function<double(double t, In y)>;
 
+// f and df/dy as formulas of t and y1, y2, ..., with every operation in parentheses, so that other languages
+// can evaluate them: numbers, + - * / and calls of functions, power(a,b) among them. Empty: f is not given by
+// formulas, or they are too long.
+struct ProblemText {
+  std::vector<std::string> rhs{};
+  std::vector<std::vector<std::string>> jacobian{};  // jacobian[i][j] = df_i/dy_j
+};
+
 // A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end, with Caputo derivatives. In a right row D
 // is the right derivative,
 //   y_i(t) = sum_k initial[k] (end - t)^k / k! + 1/Gamma(g) int_t^end (s - t)^(g-1) f_i(s, y(s)) ds,
@@ -50,7 +58,8 @@ struct Problem {
   std::vector<Component> components{};
   std::function<void(double t, In y, Out f)> rhs{};
   Derivatives derivatives{};
-  IncrementForm increments{};  // agrees with rhs and derivatives; for schemes that compute y - y(0)
+  std::function<ProblemText()> text{};  // rhs and derivatives as formulas; empty: not known
+  IncrementForm increments{};           // agrees with rhs and derivatives; for schemes that compute y - y(0)
   // The multi-term equations that the rows come from, for schemes that discretise these; rhs agrees with
   // them. Empty: the problem is not given in multi-term form.
   std::vector<Equation> equations{};

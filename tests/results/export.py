@@ -57,7 +57,7 @@ class Export(unittest.TestCase):
             ["--scene", "relaxation", "--steps", "16", "--grid", "graded:2.5", "--history", "direct", "--tolerance", "1e-8"],
             ["--scene", "relaxation", "--accuracy", "1e-3", "--scheme", "spectral_collocation"],
             ["--scene", f"{ROOT}/docs/examples/duffing.toml:delta=0.3,until=2", "--scheme", "l1", "--steps", "16"],
-            ["--scene", "relaxation", "--steps", "1", "--grid", "graded:2", "--external", 'a "quoted", name=echo \'t,y\n0,1\n1,0.43\' #'],
+            ["--scene", "relaxation", "--steps", "1", "--grid", "graded:2", "--external", 'a "quoted", name=echo \'# code: "end" 2.0\nt,y\n0,1\n1,0.43\' #'],
         ]
         for words in sweeps:
             run = fdebench("run", *words, "--repeat", 1, "--out", cls.file, env={**os.environ, "FDEBENCH_NODE": "node λ"} if words is sweeps[0] else None)
@@ -118,6 +118,10 @@ class Export(unittest.TestCase):
     def test_defaults_are_parameters_too(self):
         found = self.database.execute("SELECT number, given FROM parameters JOIN scenes USING (scene_id) WHERE scene = 'relaxation' AND parameter = 'gamma'")
         self.assertEqual(sorted(found), [(0.3, 1), (0.5, 0)])
+
+    def test_programs_are_what_they_say(self):
+        found = self.database.execute("SELECT code, code_version, language FROM runs WHERE external")
+        self.assertEqual(found.fetchall(), [('"end"', "2.0", None)])
 
     def test_view_joins_everything(self):
         (count,) = self.database.execute("SELECT count(*) FROM measurements").fetchone()

@@ -42,7 +42,8 @@ class Results(unittest.TestCase):
             ["--scene", "relaxation", "--accuracy", "1e-3", "--scheme", "l1"],
             ["--scene", f"{ROOT}/docs/examples/duffing.toml:delta=0.3,until=2", "--scheme", "l1", "--steps", "16"],
             ["--scene", "relaxation", "--steps", "1", "--grid", "graded:2", "--external", "crash=kill -SEGV $$", "--external",
-             "end=echo 't,y\n0,1\n1,0.43' #"],
+             "end=echo 't,y\n0,1\n1,0.43' #", "--external",
+             "said=echo '# times: own\n# language: sh\n# first: 0.5\n# code: end 1.0\n# seconds: 0.1 0.2\nt,y\n1,0.43' #"],
         ]
         for words in runs:
             run = fdebench("run", *words, "--repeat", 1, "--out", cls.file)
@@ -127,6 +128,12 @@ class Results(unittest.TestCase):
                 lines = self.changed(scene, lambda line, change=change: line["scene"].update(change))
                 self.assertFalse(VALIDATOR.is_valid(lines[scene]))
                 self.assertFalse(self.is_read(lines)[0])
+        program = next(i for i, line in enumerate(self.lines) if "program" in line)
+        for change in ({"code": "a\nb"}, {"code": "x" * 101}, {"version": 1}, {"language": "\x7f"}):
+            with self.subTest(change=change):
+                lines = self.changed(program, lambda line, change=change: line["program"].update(change))
+                self.assertFalse(VALIDATOR.is_valid(lines[program]))
+                self.assertFalse(self.is_read(lines)[0])
         for field in ("scene", "settings", "scheme", "steps", "h", "quantity", "value", "unit", "grid", "history", "tolerance"):
             with self.subTest(without=field):
                 lines = self.changed(error, lambda line, field=field: line.pop(field))
@@ -157,6 +164,11 @@ class Results(unittest.TestCase):
             self.assertFalse(taken)
             self.assertIn(said, why)
 
+
+    def test_programs_say_what_they_are(self):
+        described = {line["scheme"]: line["program"] for line in self.lines if "program" in line}
+        self.assertEqual(described, {"said": {"code": "end", "version": "1.0", "language": "sh"}})
+        self.assertEqual({line["scheme"] for line in self.lines if line.get("quantity") == "time_start"}, {"said"})
 
     def test_what_another_version_may_say_is_read(self):
         names = {"scene": "tomorrow", "scheme": "better_l1", "quantity": "beauty", "ending": "went_home"}
@@ -191,7 +203,7 @@ class Page(unittest.TestCase):
                 ["--scene", "relaxation:lambda=0", "--scheme", "l1", "--steps", 32],  # without error
                 [*each("--scene", *(f"power:gamma={gamma},p={p}" for gamma in (0.2, 0.4, 0.6, 0.8) for p in (1, 1.5, 2, 2.5, 3))),
                  *each("--scheme", "l1", "bdf2"), "--steps", "32,128"],
-                ["--scene", "relaxation", "--steps", 1, "--external", "end=echo 't,y\n0,1\n1,0.43' #"],  # the whole process is timed
+                ["--scene", "relaxation", "--steps", 1, "--external", "end=echo '# language: GNU Octave 7.3.0\nt,y\n0,1\n1,0.43' #"],  # the whole process is timed
             ]  # fmt: skip
             for words in sweeps:
                 run = fdebench("run", *words, "--repeat", 1, "--out", file)

@@ -27,6 +27,7 @@ import events  # noqa: F401
 import functions  # noqa: F401
 import help_options  # noqa: F401
 import mechanics  # noqa: F401
+import programs  # noqa: F401
 import python_module  # noqa: F401
 import references  # noqa: F401
 import results  # noqa: F401

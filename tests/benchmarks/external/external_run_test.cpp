@@ -180,6 +180,70 @@ TEST_F(ExternalRuns, AreToldTheEquationsOfAFile) {
 }])json"));
 }
 
+// sum c_k D^(a_k) x = rhs as in the file, and as rows with their Jacobian; x is the first row, D^0.5 x the
+// second.
+TEST_F(ExternalRuns, AreToldTheRowsAsFormulas) {
+  folder_.write("rows.toml",
+                "end = 1\n[unknown.x]\nterms = [[2, 1], [0.5, 0.5]]\nrhs = \"-x^3\"\ninitial = [1]\n");
+  const auto copy = (folder_.path() / "task.json").string();
+  const auto answer =
+      fdebench(std::vector<std::string>{"run", "--scene", (folder_.path() / "rows.toml").string(), "--steps",
+                                        "8", "--external", program("cp \"$1\" " + copy), "--out", results_});
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  const auto task = nlohmann::json::parse(std::ifstream(copy));
+  EXPECT_EQ(task["system"]["columns"], (std::vector<std::string>{"x", "D(x,0.5)"}));
+  EXPECT_EQ(task["system"]["rhs"], (std::vector<std::string>{"y2", "(((-((y1*y1)*y1))-(0.5*y2))/2.0)"}));
+  EXPECT_EQ(task["system"]["jacobian"][0], (std::vector<std::string>{"0.0", "1.0"}));
+  EXPECT_EQ(task["system"]["jacobian"][1][1], "(-0.25)");
+  EXPECT_EQ(task["multi_term"], nlohmann::json::parse(R"json([{"unknown": "y1", "coefficients": [0.5, 2.0],
+      "orders": [0.5, 1.0], "initial": [1.0], "rhs": "(-((y1*y1)*y1))"}])json"));
+}
+
+// 2 D^1 x = -D^0.5 x + ... is not a multi-term equation whose right-hand side is a function of t and x.
+TEST_F(ExternalRuns, AreToldNoMultiTermEquationWithDerivativesOnTheRight) {
+  folder_.write("rows.toml",
+                "end = 1\n[unknown.x]\nterms = [[2, 1], [0.5, 0.5]]\nrhs = \"-D(x,0.5)^2\"\ninitial = [1]\n");
+  const auto copy = (folder_.path() / "task.json").string();
+  ASSERT_EQ(fdebench({"run", "--scene", (folder_.path() / "rows.toml").string(), "--steps", "8", "--external",
+                      program("cp \"$1\" " + copy), "--out", results_})
+                .code,
+            0);
+  const auto task = nlohmann::json::parse(std::ifstream(copy));
+  EXPECT_TRUE(task.contains("system"));
+  EXPECT_FALSE(task.contains("multi_term"));
+}
+
+TEST_F(ExternalRuns, TellTheirFirstSolveApartFromLaterOnes) {
+  ASSERT_EQ(
+      run(square(
+              "printf '# code: mine 1.2\\n# language: awk\\n# first: 0.5\\n# seconds: 0.25 0.125 0.375\\n'"))
+          .code,
+      0);
+  EXPECT_THAT(values("time_median"), ElementsAre(0.25));
+  EXPECT_THAT(values("time_minimum"), ElementsAre(0.125));
+  EXPECT_THAT(values("time_setup"), ElementsAre(0.25));
+  EXPECT_THAT(values("time_start"), ElementsAre(0.0));  // the process was shorter than the solves it tells
+  const auto all = rows();
+  const auto found = std::ranges::find(all, "ending", &Record::quantity);
+  EXPECT_EQ(found->program, (ProgramFacts{"mine", "1.2", "awk"}));
+}
+
+// t^2 + 1e-3 at times that nobody requested.
+TEST_F(ExternalRuns, AreJudgedAtTheirOwnTimes) {
+  EXPECT_EQ(ending("echo '# times: own'; echo t,y; echo 0.3,0.091; echo 1,1.001"), "finished");
+  ASSERT_EQ(values("error_maximum").size(), 1U);
+  EXPECT_NEAR(values("error_maximum")[0], 1e-3, 1e-15);
+  EXPECT_EQ(ending("echo '# times: own'; echo t,y; echo 0.3,0.091"),
+            "the program failed: standard output: has no row at t = 1");
+}
+
+// What a program says of itself is recorded also where it refuses the scene.
+TEST_F(ExternalRuns, AreNamedWhereTheyRefuse) {
+  EXPECT_EQ(ending("echo '# code: mine'; echo takes no powers >&2; exit 77"), "refused: takes no powers");
+  const auto all = rows();
+  EXPECT_EQ(all.back().program, (ProgramFacts{"mine", "", ""}));
+}
+
 TEST_F(ExternalRuns, EndWithAReasonWhenTheyFail) {
   EXPECT_EQ(ending("echo tensors are gone >&2; exit 3"), "the program failed: exit code 3: tensors are gone");
   EXPECT_EQ(ending("kill -SEGV $$"), "the program failed: ended by signal 11 (Segmentation fault)");
@@ -197,6 +261,9 @@ TEST_F(ExternalRuns, EndWithAReasonWhenTheyWriteNoTrajectory) {
   EXPECT_EQ(ending("echo t,y; echo 0,zero"), begin + "line 2: y = zero: must be a number");
   EXPECT_EQ(ending("echo '# seconds: -1'; echo t,y; echo 1,1"),
             begin + "line 1: seconds = -1: must be a finite number above 0");
+  EXPECT_EQ(ending("echo '# times: mine'; echo t,y; echo 1,1"), begin + "line 1: times = mine: must be own");
+  EXPECT_EQ(ending("echo '# first: 1'; echo '# first: 2'; echo t,y; echo 1,1"),
+            begin + "line 2: first is given twice");
   EXPECT_EQ(ending("head -c 3000000 /dev/zero"), begin + "line 1 is longer than 1048576 bytes");
   EXPECT_EQ(ending("echo t,y; echo 0,0; echo 0.125,nan"), "not finite at t = 0.125");
 }
