@@ -27,7 +27,7 @@ function tableOfFacts({ caption, columns, group = "{title}", map, filter, fades 
 
 // The rows of a section for a kind of error: its own, the answers of its scene, or in the map those of all scenes.
 function groupsOf(section, kind, sections) {
-  if (section.id !== "answer") return section.groups ?? (section.answers ? [{ rows: section.answers[kind.id] }] : null);
+  if (section.id !== "answer") return section.groups?.[kind.id] ?? section.groups ?? (section.answers ? [{ rows: section.answers[kind.id] }] : null);
   return [{ rows: sections.filter(({ answers }) => answers).map(({ id, title, name, answers }) => ({ id, title, name, cells: answers[kind.id] })) }];
 }
 

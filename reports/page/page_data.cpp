@@ -132,6 +132,7 @@ json page_data(ReadRuns read, const std::optional<ReadRuns>& before) {
       sections.push_back(std::move(section));
   };
   if (json answers = answers_section(page); !answers.empty()) sections.push_back(std::move(answers));
+  if (json codes = codes_section(page); !codes.is_null()) sections.push_back(compact(std::move(codes)));
   if (before) sections.push_back(compact(std::move(compared)));
   for (auto& family : family_sections(page)) sections.push_back(std::move(family));
   add(stability_section(page));

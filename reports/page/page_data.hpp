@@ -60,6 +60,9 @@ nlohmann::json scene_answers(const PageInput& page, const SceneSettings& scene, 
 // its rate) or cheaper steps.
 nlohmann::json reason_for_speed(const PageInput& page, const SceneSettings& scene,
                                 const RecommendedRun& first, const RecommendedRun& second, Norm norm);
+// Beside other codes: for each scene that other programs were run on, each code's quickest run within each
+// accuracy, by kinds of error. null without such runs.
+nlohmann::json codes_section(const PageInput& page);
 // The changes since earlier results, by compare().
 nlohmann::json compared_section(const PageInput& page, const Runs& before);
 // Observed and theoretical rates; drift from constraints; trials; cost at the finest step; decoupled chain

@@ -46,6 +46,14 @@ const openedAnswer = {
     ["session", ["{session}", "{best.session}"]], ["why", "{:why}"],
   ],
 };
+const openedCode = {
+  of: ["line", "best"], title: "{row.code}", about: "{section.kind:kind} ≤ {each:power}", line: ["{line}", "{best.line}"],
+  rows: [
+    ["language", "{row.language}"], ["N", ["{steps:count}", "{best.steps:count}"]], ["error", ["{error:error}", "{best.error:error}"]],
+    ["time of a later solve", "{seconds:time}"], ["first solve of a process", "{first_seconds:time}"], ["start of the process", "{start_seconds:time}"],
+    ["times that of fdebench", "{ratio:three}"],
+  ],
+};
 const openedTrial = {
   of: ["verdict", "trials"], title: ["{row.scene}", "All trials"], about: ["{?verdict}{row.steps:count} steps"], line: "{each}", command: "fdebench solve {row.scene:shell} --scheme {scheme} {options}",
   rows: [
@@ -94,6 +102,15 @@ const sectionTables = {
       lineColumn, { head: "scenes solved", cell: "{solved} of {scenes}" }, { head: "the cheapest, no tie", cell: "{won}" },
       { head: "within 20 % of the cheapest", cell: "{near.value:percent}", detail: "{near.low:percent} to {near.high:percent}" },
       ...[["median", "median"], ["95 % quantile", "tail"]].map(([head, of]) => ({ head, over: "regret", cell: [`{${of}.value:two}`, "∞"], detail: [`{${of}.low:two} to {${of}.high:two}`, `from {${of}.low:two} on`] })),
+    ],
+  },
+  codes: {
+    caption: "The time of each code's quickest run by {kind:kind}",
+    columns: [
+      { head: "code", cell: "{code}", detail: ["{:ending}", "[{version}, ]{language}"] },
+      {
+        each: "accuracies", head: "≤ {each:power}", cell: "{seconds:time}", detail: ["× {ratio:three}", "{line}", "best {best.error:error}"], opened: openedCode,
+      },
     ],
   },
   compared: {
