@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Prints the times of codes and of fdebench on the same scenes as tables of Markdown: table.py RESULTS...
+
+A cell is the time of a later solve of a code's quickest run within an error at the end, relative to the solution, and how many times
+that of fdebench it is; without such a run the smallest error; a code that solves nothing has its reason.
+"""
+
+import json
+import math
+import pathlib
+import sys
+
+ACCURACIES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
+ERROR = "error_end_relative"
+
+
+def time_text(seconds):
+    unit, size = next((pair for pair in (("s", 1), ("ms", 1e-3)) if seconds >= pair[1]), ("µs", 1e-6))
+    return f"{seconds / size:.3g} {unit}"
+
+
+def runs_in(file):
+    """The rows of each run, by quantity."""
+    made = {}
+    for row in map(json.loads, pathlib.Path(file).read_text().splitlines()):
+        if "quantity" in row:
+            scene = row["scene"] + "".join(f" {name}={value}" for name, value in sorted(row["settings"].items()))
+            run = made.setdefault((scene, row["scheme"], row["steps"], json.dumps(row.get("accuracy")), row.get("grid")), {})
+            run[row["quantity"]] = row
+    return made
+
+
+def read_codes(files):
+    """By scene and code: the (error, seconds) of its runs, and how the first run without a solution ended."""
+    scenes = {}
+    for file in files:
+        for (scene, scheme, *_), rows in runs_in(file).items():
+            ending = rows["ending"]
+            code = ending.get("program", {}).get("code", scheme) if ending.get("external") else "fdebench"
+            of = scenes.setdefault(scene, {}).setdefault(code, {"runs": [], "reason": ""})
+            if ERROR in rows and ending["ending"] == "finished":
+                of["runs"].append((rows[ERROR]["value"], rows["time_median"]["value"] if "time_median" in rows else math.inf))
+            else:
+                of["reason"] = of["reason"] or ending.get("detail", ending["ending"])
+    return scenes
+
+
+def least_time(runs, accuracy):
+    return min((seconds for error, seconds in runs if error <= accuracy), default=math.inf)
+
+
+def cell(runs, ours, accuracy):
+    least, of_ours = least_time(runs, accuracy), least_time(ours, accuracy)
+    if least == math.inf:
+        return f"({min(error for error, _ in runs):.1e})"
+    return time_text(least) + (f" × {least / of_ours:,.0f}".replace(",", "\u202f") if of_ours < math.inf else "")
+
+
+def print_scene(scene, codes):
+    heads = [f"{accuracy:.0e}".replace("e-0", "e-") for accuracy in ACCURACIES]
+    print(f"\n**{scene}**\n\n| code | {' | '.join(heads)} |\n|---|{'---|' * len(heads)}")
+    ours = codes.get("fdebench", {"runs": []})["runs"]
+    for code, of in sorted(codes.items(), key=lambda item: item[0] != "fdebench"):
+        cells = [cell(of["runs"], ours if code != "fdebench" else [], accuracy) for accuracy in ACCURACIES] if of["runs"] else [of["reason"], *[""] * (len(heads) - 1)]
+        print(f"| {code} | {' | '.join(cells)} |")
+
+
+def main(files):
+    for scene, codes in read_codes(files).items():
+        print_scene(scene, codes)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
