@@ -136,9 +136,10 @@ ProblemText text_of(const Program& rhs, const std::vector<Entry>& entries, const
   const auto values = jacobian.texts();
   if (text.rhs.empty() || values.size() < entries.size()) return {};
   text.jacobian.assign(text.rhs.size(), std::vector<std::string>(text.rhs.size(), formula_number(0.0)));
-  for (std::size_t k = 0; k < entries.size(); ++k)
-    text.jacobian[static_cast<std::size_t>(entries[k].row)][static_cast<std::size_t>(entries[k].column)] =
-        values[k];
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const auto row = static_cast<std::size_t>(entries[k].row);
+    text.jacobian[row][static_cast<std::size_t>(entries[k].column)] = values[k];
+  }
   return text;
 }
 

@@ -55,15 +55,28 @@ def line_name(code, setting):
     return f"{code['name']} {setting}".replace("=", " ").strip()
 
 
+def run_fdebench(arguments):
+    """The default sweep over the problems, and the spectral scheme to tolerances that the sweep does not need."""
+    scenes = [word for problem in PROBLEMS for word in ("--scene", problem["scene"])]
+    for words in ([], ["--scheme", "spectral_collocation", "--accuracy", "1e-9,1e-10,1e-11,1e-12,1e-13,1e-14"]):
+        subprocess.run([arguments.fdebench, "run", *scenes, *words, "--out", arguments.out, "--quiet"], check=True, cwd=ROOT, stdout=subprocess.DEVNULL)
+    keep_one_session(arguments.out)
+
+
 def run(arguments):
     """Doubles the steps of all settings of a code on each problem.
 
-    A setting ends where its code refuses the problem or exceeds the budget. One that fails goes on: Newton's method may need small steps.
+    A setting ends where its code refuses the problem or exceeds the budget, or where its error falls no longer. One that fails goes on:
+    Newton's method may need small steps.
     """
+    if arguments.code == "fdebench":
+        return run_fdebench(arguments)
     code = CODES[arguments.code]
     if not is_found(code):
         sys.exit(f"peers.py: {code['name']}: FDEBENCH_PEERS must name a folder with {code['file']}")
     for problem in PROBLEMS:
+        if arguments.scene not in (None, problem["scene"]):
+            continue
         going = {line_name(code, setting): command(code, setting) for setting in code["settings"]}
         for steps in code.get("steps", STEPS):
             if not going:
@@ -72,7 +85,7 @@ def run(arguments):
             subprocess.run([arguments.fdebench, "run", "--scene", problem["scene"], "--steps", str(steps), "--repeat", "1", *externals,
                             "--budget", str(arguments.budget), "--out", arguments.out, "--quiet"],
                            check=True, cwd=ROOT, stdout=subprocess.DEVNULL)
-            for name in ended(arguments.out, steps) & going.keys():
+            for name in (ended(arguments.out, steps) | settled(arguments.out)) & going.keys():
                 del going[name]
     keep_one_session(arguments.out)
 
@@ -87,6 +100,16 @@ def ended(file, steps):
         if row["quantity"] == "ending" and row["ending"] in ("refused", "out_of_budget"):
             names.add(row["scheme"])
     return names
+
+
+def settled(file):
+    """The lines whose errors on the last scene of the file, below 1e-3, have not halved in the last two doublings."""
+    rows = [row for row in map(json.loads, pathlib.Path(file).read_text().splitlines()) if "quantity" in row]
+    errors = {}
+    for row in rows:
+        if row["scene"] == rows[-1]["scene"] and row["quantity"] == "error_end_relative":
+            errors.setdefault(row["scheme"], []).append(row["value"])
+    return {name for name, values in errors.items() if len(values) > 2 and values[-3] < 1e-3 and values[-1] > values[-3] / 2}
 
 
 def attempt(arguments):
@@ -137,14 +160,15 @@ def main():
     tries = commands.add_parser("try")
     runs = commands.add_parser("run")
     for of in (tries, runs):
-        of.add_argument("code", choices=CODES)
+        of.add_argument("code", choices=[*CODES, "fdebench"] if of is runs else CODES)
         of.add_argument("--fdebench", default=str(ROOT / "build/release/fdebench"))
     tries.add_argument("setting")
     tries.add_argument("scene")
     tries.add_argument("steps", type=int)
     tries.set_defaults(do=attempt)
     runs.add_argument("--out", required=True)
-    runs.add_argument("--budget", type=float, default=10.0)
+    runs.add_argument("--budget", type=float, default=10.0, help="seconds for a process")
+    runs.add_argument("--scene", help="this problem only")
     runs.set_defaults(do=run)
     arguments = parser.parse_args()
     arguments.do(arguments)

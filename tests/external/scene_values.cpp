@@ -47,7 +47,8 @@ Json values_of(const std::string& label, const SceneRegistry& known) {
     for (auto& value : y) value += near * unit(random) * (1.0 + std::abs(value));
     all.push_back(values_at(scene.problem, scene.problem.end * unit(random), y));
   }
-  return {{"task", Json::parse(fde::bench::task_json(variant, scene, {.resolution = 1}, {1.0}, fde::bench::TaskPurpose::errors))},
+  return {{"task", Json::parse(fde::bench::task_json(variant, scene, {.resolution = 1}, {1.0},
+                                                     fde::bench::TaskPurpose::errors))},
           {"points", all}};
 }
 

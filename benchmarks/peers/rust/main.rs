@@ -137,7 +137,7 @@ fn refuse(reason: &str) -> ! {
 fn main() {
     let file = std::env::args().last().unwrap();
     let task: Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
-    println!("# code: numra-fde 0.1.5\n# language: Rust");
+    println!("# code: numra-fde\n# language: Rust");
     let rows = task["rows"].as_array().unwrap();
     let order = rows[0]["order"].as_f64().unwrap();
     if rows.iter().any(|row| row["order"].as_f64() != Some(order) || row["side"] == "right") {
