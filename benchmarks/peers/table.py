@@ -42,7 +42,7 @@ def read_codes(files):
             if ERROR in rows and ending["ending"] == "finished":
                 of["runs"].append((rows[ERROR]["value"], rows["time_median"]["value"] if "time_median" in rows else math.inf))
             else:
-                of["reason"] = of["reason"] or ending.get("detail", ending["ending"])
+                of["reason"] = of["reason"] or f"{ending['ending'].replace('_', ' ')}: {ending.get('detail', '')}"
     return scenes
 
 

@@ -3,7 +3,7 @@
 % The derivative is that of the last row of the chain, of which the right-hand side is a part.
 function [equation, columns] = multi_term_equation(task)
   if ! isfield(task, "multi_term") || numel(task.multi_term) != 1
-    refuse("takes one equation, linear in its derivatives");
+    refuse("the adapter takes one equation, linear in its derivatives");
   end
   equation = task.multi_term;
   rows = task.system.jacobian;
