@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints the times of codes and of fdebench on the same scenes as tables of Markdown: table.py RESULTS...
+"""Prints the times of codes and of fdebench on the same scenes as tables of Markdown: table.py [nearest] RESULTS...
 
 A cell is the time of a later solve of a code's quickest run within an error at the end, relative to the solution, and how many times
-that of fdebench it is; without such a run the smallest error; a code that solves nothing has its reason.
+that of fdebench it is; without such a run the smallest error; a code that solves nothing has its reason. With `nearest` one table, of the time of fdebench and of the quickest other code.
 """
 
 import json
@@ -66,8 +66,26 @@ def print_scene(scene, codes):
         print(f"| {code} | {' | '.join(cells)} |")
 
 
-def main(files):
-    for scene, codes in read_codes(files).items():
+def print_nearest(scenes):
+    shown = [ACCURACIES[i] for i in (1, 3, 5)]
+    print(f"| problem | {' | '.join(f'{accuracy:.0e}'.replace('e-0', 'e-') for accuracy in shown)} |\n|---|{'---|' * len(shown)}")
+    for scene, codes in scenes.items():
+        ours = codes["fdebench"]["runs"]
+        cells = []
+        for accuracy in shown:
+            others = [(least_time(of["runs"], accuracy), code) for code, of in codes.items() if code != "fdebench"]
+            best = min(others, default=(math.inf, ""))
+            other = f"{best[1]} {cell(codes[best[1]]['runs'], ours, accuracy)}" if best[0] < math.inf else "no other"
+            cells.append(f"{cell(ours, [], accuracy)}; {other}")
+        print(f"| {scene} | {' | '.join(cells)} |")
+
+
+def main(words):
+    scenes = read_codes([word for word in words if word != "nearest"])
+    if "nearest" in words:
+        print_nearest(scenes)
+        return
+    for scene, codes in scenes.items():
         print_scene(scene, codes)
 
 

@@ -68,6 +68,12 @@ class Facts(unittest.TestCase):
                 run = subprocess.run([WORDS[0], *words], capture_output=True, text=True, cwd=peers.ROOT)
                 self.assertEqual(run.returncode, 0, run.stderr)
 
+    def test_pages_have_the_tables_of_the_results(self):
+        files = sorted(str(file) for file in (PEERS / "results").glob("*.jsonl"))
+        for page, words in (("peers.md", ["nearest"]), ("peers_table.md", [])):
+            printed = subprocess.run([sys.executable, PEERS / "table.py", *words, *files], capture_output=True, text=True, check=True).stdout
+            self.assertIn(printed.strip(), (peers.ROOT / "docs" / page).read_text())
+
     def test_each_code_found_solves_or_refuses(self):
         for code in filter(peers.is_found, peers.CODES.values()):
             with self.subTest(code["name"]):
