@@ -83,7 +83,8 @@ def runs(page, fdebench):
     """Runs the blocks of a page: (block, (command, what the page has to show, what was printed) of each of its commands)."""
     python = python_with_numpy()
     with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as programs:
-        Path(folder, "docs").symlink_to(ROOT / "docs")
+        for shown in ("docs", "benchmarks"):
+            Path(folder, shown).symlink_to(ROOT / shown)
         Path(programs, "fdebench").symlink_to(Path(fdebench).resolve())
         if python:
             Path(programs, "python3").write_text(f'#!/bin/sh\nexec {python} "$@"\n')
