@@ -76,7 +76,8 @@ def run(arguments):
     Newton's method may need small steps.
     """
     if arguments.code == "fdebench":
-        return run_fdebench(arguments)
+        run_fdebench(arguments)
+        return
     code = CODES[arguments.code]
     if not is_found(code):
         sys.exit(f"peers.py: {code['name']}: FDEBENCH_PEERS must name a folder with {code['file']}")

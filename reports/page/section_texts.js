@@ -21,7 +21,7 @@ const sectionTexts = {
     paragraphs: [
       "The quickest run of each code within each error, among all of its settings that were tried, and of fdebench among all schemes. Below the time of another code is how many times " +
         "as long it takes, or the smallest error that it has. A time is that of a solve in a process that has solved the problem before; a click on a cell shows the setting, the first solve and the start of the process.",
-      "{?octave}GNU Octave interprets loops: where authors publish times of MATLAB for the same runs, those are 25 to 50 times shorter, on their machine (docs/peers.md).",
+      "{?octave}GNU Octave interprets loops: where authors publish times of MATLAB for the same runs, those are 20 to 55 times shorter, on their machine (docs/peers.md).",
     ],
   },
   compared: {

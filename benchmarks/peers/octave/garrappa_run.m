@@ -1,6 +1,6 @@
 % SPDX-License-Identifier: MIT
 % Codes of R. Garrappa: fde12, flmm2 (systems of one order), fde_pi* (one order for each row), mt_fde_pi* (a
-% multi-term equation). Options: mu, mu_tol (predictor-corrector), method (flmm2), tol (Newton's method).
+% multi-term equation). Options: mu (predictor-corrector), method (flmm2), tol (Newton's method).
 function run = garrappa_run(code, task, options)
   if any(strcmp({task.rows.side}, "right"))
     refuse("takes initial-value problems only");
