@@ -113,10 +113,6 @@ struct ProgramRun {
   double wall_seconds = 0.0;
 };
 
-ProgramRun failed(OutcomeKind kind, std::string_view detail) {
-  return {.failure = RunOutcome{kind, std::string(detail)}};
-}
-
 ProgramRun run(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
                const RunSettings& setup, TaskPurpose purpose) {
   const Grid grid{
@@ -124,21 +120,23 @@ ProgramRun run(const SceneVariant& variant, const Scene& scene, const ExternalPr
   const auto times = comparison_times(grid);
   const TemporaryFile task(".json"), out(".csv"), err(".txt");
   task.write(task_json(variant, scene, setup, times, purpose));
+  const auto failed = [&](const RunOutcome& reason) {
+    return ProgramRun{.failure = reason, .path = {.report = read_report(out.path())}};
+  };
   CommandResult end;
   try {
     end = run_command(program.command, task.path().string(), out.descriptor(), err.descriptor(),
                       {setup.budget, most_bytes});
   } catch (const std::system_error& error) {
-    return failed(Verdict::program_failed, fmt::format("it cannot be started: {}", error.what()));
+    return failed({Verdict::program_failed, fmt::format("it cannot be started: {}", error.what())});
   }
-  if (auto failure = failure_of(end, last_line(err.path()), setup.budget))
-    return {.failure = failure, .path = {.report = read_report(out.path())}};
+  if (const auto failure = failure_of(end, last_line(err.path()), setup.budget)) return failed(*failure);
   try {
     auto path = read_trajectory(out.path(), scene, "standard output");
     if (path.values.allFinite()) path = judged_rows(path, times);
     return {.path = std::move(path), .wall_seconds = end.seconds};
   } catch (const std::invalid_argument& error) {
-    return failed(Verdict::program_failed, printable(error.what()));
+    return failed({Verdict::program_failed, printable(error.what())});
   }
 }
 

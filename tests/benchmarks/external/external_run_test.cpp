@@ -237,11 +237,12 @@ TEST_F(ExternalRuns, AreJudgedAtTheirOwnTimes) {
             "the program failed: standard output: has no row at t = 1");
 }
 
-// What a program says of itself is recorded also where it refuses the scene.
-TEST_F(ExternalRuns, AreNamedWhereTheyRefuse) {
+// What a program says of itself is recorded also where it refuses the scene or writes no trajectory.
+TEST_F(ExternalRuns, AreNamedWhereTheyFail) {
   EXPECT_EQ(ending("echo '# code: mine'; echo takes no powers >&2; exit 77"), "refused: takes no powers");
-  const auto all = rows();
-  EXPECT_EQ(all.back().program, (ProgramFacts{"mine", "", ""}));
+  EXPECT_EQ(rows().back().program, (ProgramFacts{"mine", "", ""}));
+  EXPECT_THAT(ending("echo '# code: mine'; echo '# language: sh'; echo t,z"), HasSubstr("no such column"));
+  EXPECT_EQ(rows().back().program, (ProgramFacts{"mine", "", "sh"}));
 }
 
 TEST_F(ExternalRuns, EndWithAReasonWhenTheyFail) {
