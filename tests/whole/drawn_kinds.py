@@ -143,6 +143,10 @@ def drawn_constrained(random: Random, lists: Lists) -> Case:
     while True:
         alpha = round(random.uniform(1.05, 1.95) if above else random.uniform(0.05, 0.95), 3)
         a, b = [coefficient(), coefficient()], [coefficient(), coefficient()]
+        if random.random() < 0.3:
+            # Reactions along a hardly act through w: v follows from w with a large factor.
+            turned, small = round(random.uniform(-2, 2), 3), round(random.uniform(0, 0.1), 3)
+            b = [float(typed(small * a[0] - turned * a[1], 3)), float(typed(small * a[1] + turned * a[0], 3))]
         along, size = a[0] * b[0] + a[1] * b[1], a[0] ** 2 + a[1] ** 2
         end = float(typed(spread(random, 1, 12), 2))
         if size == 0 or (above and along == 0 and random.random() < 0.8):
@@ -158,7 +162,7 @@ def drawn_constrained(random: Random, lists: Lists) -> Case:
     if random.random() < 0.5:
         chosen = {key: repr(value) for key, value in given.items()} | {"until": typed(end, 7)}
         one = replace(made(random, name, [], end, times), scene="fractional_constraint_2d", file=(), chosen=chosen)
-        return one if random.random() < 0.4 else replace(one, chosen={**chosen, "formulation": random.choice(["acceleration", "stabilised", "multiplier", "integrated"])})
+        return one if random.random() < 0.4 else replace(one, chosen={**chosen, "formulation": random.choice(["multiplier", "integrated", *([] if above else ["acceleration", "stabilised"])])})
     given |= {"q": round(random.uniform(0.05, 0.95), 2), "c1": random.choice([0.0, round(random.uniform(0.1, 1), 2)]), "k3": random.choice([0.0, round(random.uniform(0.1, 1), 2)])}
     given.setdefault("C0", a[0] * given["v1"] + a[1] * given["v2"])
     lines = parameter_lines(given) + ["[coordinate.x]", 'initial = ["q1", "v1"]', "[coordinate.y]", 'initial = ["q2", "v2"]', "[mechanics]",
