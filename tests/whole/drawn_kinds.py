@@ -10,7 +10,7 @@ from case import Case
 from drawn_numbers import spread, typed
 from drawn_scenes import Lists
 
-ADAPTIVE = ("adaptive_pc", "adaptive_trapezoidal", "radau_exponentials", "spectral_collocation")
+ADAPTIVE = ("adaptive_pc", "adaptive_trapezoidal", "radau_exponentials", "spectral_collocation")  # the last two take algebraic rows
 Load = tuple[str, dict[str, float], list[float]]  # formula, parameters, times of interest
 
 
@@ -54,15 +54,14 @@ def row(name: str, order: str, right: str, initial: list[str]) -> list[str]:
     return [f"[unknown.{name}]", order if "=" in order else f"order = {order}", f'rhs = "{right}"', f"initial = [{', '.join(initial)}]"]
 
 
-def commands(random: Random, stiff: bool) -> tuple[str, ...]:
-    """Two schemes with an accuracy each; `exact` is always checked. The explicit one takes long where an equation is stiff."""
-    some = ADAPTIVE[1:] if stiff and random.random() < 0.8 else ADAPTIVE
-    return tuple(f"{one}:{typed(spread(random, 1e-8, 1e-4), 2)}" for one in random.sample(some, 2))
+def commands(random: Random, schemes: tuple[str, ...]) -> tuple[str, ...]:
+    """Two schemes with an accuracy each; `exact` is always checked."""
+    return tuple(f"{one}:{typed(spread(random, 1e-8, 1e-4), 2)}" for one in random.sample(schemes, 2))
 
 
-def made(random: Random, name: str, lines: list[str], end: float, times: list[float], stiff: bool = False) -> Case:
+def made(random: Random, name: str, lines: list[str], end: float, times: list[float], schemes: tuple[str, ...] = ADAPTIVE) -> Case:
     at = sorted({typed(t, 7) for t in times if end * 1e-3 < t < 0.999 * end} | {typed(end, 7)}, key=float)
-    return Case(name, file=(f"end = {typed(end, 7)}", *lines), options={"--at": ",".join(at)}, words=commands(random, stiff))
+    return Case(name, file=(f"end = {typed(end, 7)}", *lines), options={"--at": ",".join(at)}, words=commands(random, schemes))
 
 
 def start(random: Random, order: float, rest: bool) -> list[str]:
@@ -101,7 +100,7 @@ def drawn_equilibria(random: Random, lists: Lists) -> Case:
     lines = row("x", order, right, initial)
     if random.random() < 0.25:
         lines = row("x", order, right + " + 0.2*y", initial) + row("y", typed(spread(random, 0.01, 0.9), 2), random.choice(["x - y", "-y^2 + x", f"-{k}*(y - x)"]), first(0.1, 1))
-    return made(random, "equilibria_are_those_of_the_start", lines, end, [end * spread(random, 0.01, 0.9)], True)
+    return made(random, "equilibria_are_those_of_the_start", lines, end, [end * spread(random, 0.01, 0.9)], random.choice([ADAPTIVE, *[ADAPTIVE[1:]] * 4]))  # explicit steps take long
 
 
 def drawn_algebraic(random: Random, lists: Lists) -> Case:
@@ -131,7 +130,7 @@ def drawn_algebraic(random: Random, lists: Lists) -> Case:
             lines += row("y", typed(round(random.uniform(0.2, 1), 2)), "x - y", ["0.25"])
             u0 = -(0.5 + float(c) * 0.25)
         lines += row("u", "0", relation, [repr(u0)])
-    return made(random, "algebraic_unknowns_are_controlled", lines, end, [end * spread(random, 0.02, 0.9) for _ in range(2)])
+    return made(random, "algebraic_unknowns_are_controlled", lines, end, [end * spread(random, 0.02, 0.9) for _ in range(2)], ADAPTIVE[2:])
 
 
 def drawn_constrained(random: Random, lists: Lists) -> Case:
@@ -162,7 +161,8 @@ def drawn_constrained(random: Random, lists: Lists) -> Case:
     if random.random() < 0.5:
         chosen = {key: repr(value) for key, value in given.items()} | {"until": typed(end, 7)}
         one = replace(made(random, name, [], end, times), scene="fractional_constraint_2d", file=(), chosen=chosen)
-        return one if random.random() < 0.4 else replace(one, chosen={**chosen, "formulation": random.choice(["multiplier", "integrated", *([] if above else ["acceleration", "stabilised"])])})
+        form = random.choice(["", "integrated", "multiplier", *(["acceleration", "stabilised"] if alpha < 0.5 else [])])
+        return replace(one, chosen={**chosen, **({"formulation": form} if form else {})}, words=commands(random, ADAPTIVE[2:] if form == "multiplier" else ADAPTIVE))
     given |= {"q": round(random.uniform(0.05, 0.95), 2), "c1": random.choice([0.0, round(random.uniform(0.1, 1), 2)]), "k3": random.choice([0.0, round(random.uniform(0.1, 1), 2)])}
     given.setdefault("C0", a[0] * given["v1"] + a[1] * given["v2"])
     lines = parameter_lines(given) + ["[coordinate.x]", 'initial = ["q1", "v1"]', "[coordinate.y]", 'initial = ["q2", "v2"]', "[mechanics]",

@@ -90,7 +90,7 @@ def file_problem(case: Case, end: float) -> tuple[Equations, Shape]:
     return Equations(len(rows), integrals, residual, start, unknowns), shape
 
 
-def mechanics_problem(names: dict[str, float], coordinates: tuple[str, str], end: float) -> tuple[Equations, Shape]:
+def mechanics_problem(names: dict[str, float], columns: tuple[str, ...], end: float) -> tuple[Equations, Shape]:
     """Two unit masses in (k1 x^2 + k2 y^2 + k3 x^2 y^2)/2 + g y with friction c1 D^q x under a.v + b.w = C, w = D^alpha (x, y).
 
     With the impulse J^1 lambda = J^s m of the reaction, which is along a, all of v = v0 + J^1 p + a J^s m, w, D^q x and x are integrals of
@@ -113,19 +113,20 @@ def mechanics_problem(names: dict[str, float], coordinates: tuple[str, str], end
         forces = [u[0] + k1 * x + k3 * x * y ** 2 + (c1 * derivative(0, q, t, u, values) if c1 else 0), u[1] + k2 * y + k3 * x ** 2 * y + g]
         return [*forces, sum(a[i] * derivative(i, 1.0, t, u, values) + b[i] * derivative(i, alpha, t, u, values) for i in (0, 1)) - constant]
 
-    def columns(t: float, u: list, values: list) -> dict:
-        return {name: derivative(i, r, t, u, values) for r, pair in zip((0.0, 1.0, alpha), (coordinates, ("v1", "v2"), ("w1", "w2"))) for i, name in enumerate(pair)}
+    def printed(t: float, u: list, values: list) -> dict:
+        return dict(zip(columns, [derivative(i, r, t, u, values) for r in (0.0, 1.0, alpha) for i in (0, 1)]))
 
     least = min([abs(alpha - 1), 2 - alpha, *(p for _, p in integrals)])
-    return Equations(3, integrals, residual, [0.0, 0.0, 0.0], columns), Shape(end, (), (), min(end / 10, 1 / max(1, k1, k2) ** 0.5), least, max([1.0, *map(abs, names.values())]))
+    shape = Shape(end, (), (), min(end / 10, 1 / max(1, k1, k2) ** 0.5), least, max([1.0, *map(abs, names.values())]))
+    return Equations(3, integrals, residual, [0.0, 0.0, 0.0], printed), shape
 
 
 def problem(case: Case, end: float) -> tuple[Equations, Shape]:
     if case.scene:
-        return mechanics_problem({name: float(value) for name, value in case.chosen.items() if name not in ("formulation", "until")}, ("q1", "q2"), end)
+        return mechanics_problem({name: float(value) for name, value in case.chosen.items() if name not in ("formulation", "until")}, ("q1", "q2", "v1", "v2", "w1", "w2"), end)
     document = tomllib.loads("\n".join(case.file))
     if "mechanics" in document:
-        return mechanics_problem(parameters(case, document), ("x", "y"), end)
+        return mechanics_problem(parameters(case, document), ("x", "y", "D(x,1)", "D(y,1)", "w1", "w2"), end)
     if "unknown" not in document:
         raise Uncertain("not a file of equations")
     return file_problem(case, end)
