@@ -19,10 +19,10 @@
 #include "fdebench/benchmarks/equation_files/file_discontinuities.hpp"
 #include "fdebench/benchmarks/equation_files/file_reference.hpp"
 #include "fdebench/benchmarks/equation_files/file_smoothness.hpp"
+#include "fdebench/benchmarks/equation_files/load_times.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
-#include "fdebench/benchmarks/equation_files/time_jumps.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/equation_file_name.hpp"
@@ -107,7 +107,7 @@ Scene mechanical_scene_of(const EquationText& text, const Parameters& parameters
   auto applied = file.system.forces;
   applied.push_back(file.system.lagrangian);
   for (const auto rate : formulas.pool().derivatives(file.system.constraints, 0)) applied.push_back(rate);
-  scene.jumps_until = time_jumps(applied, declared_jumps(formulas), formulas.pool());
+  scene.load_times = load_times(applied, declared_jumps(formulas), formulas.pool());
   set_end(scene, scene.problem.end);
   const auto columns = columns_of(file);
   if (text.domain) set_domain(scene, *text.domain, columns, formulas);
@@ -134,7 +134,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, bool is_bu
   scene.smoothness = file_smoothness(system, scene.problem, formulas);
   exclude_unshown_rows(scene.smoothness, columns, system.size());
   scene.outputs = outputs_of(columns, system.size(), formulas.pool());
-  scene.jumps_until = time_jumps(system.rows, system.jumps, formulas.pool());
+  scene.load_times = load_times(system.rows, system.jumps, formulas.pool());
   set_end(scene, system.end);
   scene.reference = file_reference(system, scene.problem, columns, formulas);
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);

@@ -7,6 +7,7 @@
 
 #include "fdebench/benchmarks/expressions/expressions.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/schemes/problem/interval.hpp"
 
 namespace fde::bench {
 
@@ -26,12 +27,44 @@ struct SpecialFunctions {
   }
 };
 
+template <>
+struct SpecialFunctions<Interval> {
+  static Interval pi() { return {std::numbers::pi, std::nextafter(std::numbers::pi, 4.0)}; }
+  static Interval gamma(const Interval& x) { return fde::gamma(x); }
+  // E_{alpha,beta} increases along the real axis for 0 < alpha <= 1, beta >= alpha, where E(-x) is completely
+  // monotone (Schneider, Expositiones Math. 14, 1996). Elsewhere no range is known.
+  static Interval mittag_leffler(const Interval& alpha, const Interval& beta, const Interval& z) {
+    const bool known = alpha.width() == 0.0 && beta.width() == 0.0 && alpha.low > 0.0 && alpha.high <= 1.0 &&
+                       beta.low >= alpha.high;
+    if (!known) return Interval::all();
+    const auto value = [&](double x) {
+      return SpecialFunctions<double>::mittag_leffler(alpha.low, beta.low, x);
+    };
+    return widened({value(z.low), value(z.high)});
+  }
+};
+
+template <class Real>
+Real sign_of(const Real& x) {
+  return x > 0 ? Real(1) : x < 0 ? Real(-1) : Real(x);
+}
+template <class Real>
+Real smaller_of(const Real& a, const Real& b) {
+  return b < a ? b : a;
+}
+template <class Real>
+Real larger_of(const Real& a, const Real& b) {
+  return a < b ? b : a;
+}
+inline Interval sign_of(const Interval& x) { return sign(x); }
+inline Interval smaller_of(const Interval& a, const Interval& b) { return min(a, b); }
+inline Interval larger_of(const Interval& a, const Interval& b) { return max(a, b); }
+
 // The value of an operation on its arguments; number and variable are not operations.
 template <class Real>
 Real apply(Operation operation, const Real& a, const Real& b, const Real& c) {
   using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,
       std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
-  const auto sign = [](const Real& x) { return x > 0 ? Real(1) : x < 0 ? Real(-1) : Real(x); };
   switch (operation) {
     case Operation::add:
       return Real(a + b);
@@ -72,17 +105,17 @@ Real apply(Operation operation, const Real& a, const Real& b, const Real& c) {
     case Operation::abs:
       return Real(abs(a));
     case Operation::sign:
-      return sign(a);
+      return sign_of(a);
     case Operation::step:
-      return Real((sign(a) + 1) / 2);
+      return Real((sign_of(a) + Real(1)) / Real(2));
     case Operation::gamma:
       return SpecialFunctions<Real>::gamma(a);
     case Operation::atan2:
       return Real(atan2(a, b));
     case Operation::min:
-      return b < a ? b : a;
+      return smaller_of(a, b);
     case Operation::max:
-      return a < b ? b : a;
+      return larger_of(a, b);
     case Operation::mittag_leffler:
       return SpecialFunctions<Real>::mittag_leffler(a, b, c);
     case Operation::pi:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "fdebench/benchmarks/expressions/increments.hpp"
@@ -168,6 +169,9 @@ Problem expression_problem(std::vector<Component> components, const std::vector<
   Problem problem{.components = std::move(components), .end = end};
   const Program rhs(pool, rows, size);
   problem.rhs = rhs_of(rhs);
+  problem.range = [rhs](const Interval& t, std::span<const Interval> y, std::span<Interval> f) {
+    rhs.enclose(t, y, f);
+  };
   for (const auto value : switches_of(rows, pool))
     problem.switching_functions.emplace_back(Program(pool, {value}, size));
   const auto entries = derivatives_of(rows, pool);

@@ -52,4 +52,20 @@ void interpret(const InstructionList& list, double t, const double* y, std::span
     results[static_cast<std::size_t>(list.places[i])] = values[list.results[i]];
 }
 
+void interpret(const InstructionList& list, const Interval& t, const Interval* y,
+               std::span<Interval> results) {
+  std::vector<Interval> values(list.slots());
+  values[0] = t;
+  std::copy_n(y, list.inputs - 1, values.begin() + 1);
+  auto next = std::ranges::copy(list.numbers, values.begin() + list.inputs).out;
+  for (const auto& [operation, a, b, c] : list.instructions) {
+    const auto at = [&](int slot) { return values[static_cast<std::size_t>(slot)]; };
+    // Both factors are the same number: x x has no negative values.
+    *next++ = operation == Operation::multiply && a == b ? square(at(a))
+                                                         : apply<Interval>(operation, at(a), at(b), at(c));
+  }
+  for (std::size_t i = 0; i < list.results.size(); ++i)
+    results[static_cast<std::size_t>(list.places[i])] = values[static_cast<std::size_t>(list.results[i])];
+}
+
 }  // namespace fde::bench

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/expressions/expressions.hpp"
+#include "fdebench/schemes/problem/interval.hpp"
 #include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde::bench {
@@ -35,5 +36,9 @@ InstructionList instructions_of(const ExpressionPool& pool, const std::vector<Ex
 
 // Evaluates one instruction after the other, in double. Only the places of results are written.
 void interpret(const InstructionList& list, double t, const double* y, std::span<double> results);
+
+// The same in intervals: each result contains the values at all t and y of the given intervals.
+void interpret(const InstructionList& list, const Interval& t, const Interval* y,
+               std::span<Interval> results);
 
 }  // namespace fde::bench

@@ -43,6 +43,16 @@ class Program {
     return result;
   }
 
+  // Intervals that contain the values at all t and y of the given intervals, written as by evaluate.
+  void enclose(const Interval& t, std::span<const Interval> y, std::span<Interval> results) const {
+    if (shared_) interpret(shared_->list, t, y.data(), results);
+  }
+  [[nodiscard]] Interval range(const Interval& t) const {
+    Interval result;
+    enclose(t, {}, {&result, 1});
+    return result;
+  }
+
   // The expressions as formulas, as texts_of() writes them.
   [[nodiscard]] std::vector<std::string> texts() const;
 

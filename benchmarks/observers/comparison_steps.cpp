@@ -59,6 +59,11 @@ std::vector<double> comparison_times(const Problem& problem, int evenly) {
   for (const double jump : problem.jump_times) {
     if (jump < problem.end) add_times_towards(jump, problem.end, least_after_jump(order) * jump, times);
   }
+  for (const auto& limit : problem.step_limits) {
+    constexpr int between = 8;
+    for (int k = 0; k <= between; ++k)
+      times.push_back(std::min(limit.from + (limit.to - limit.from) * k / between, problem.end));
+  }
   std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;

@@ -24,7 +24,7 @@ namespace {
 using nlohmann::json;
 
 // Increment with every change of the methods or of the file format that changes a reference.
-constexpr int version = 5;
+constexpr int version = 6;
 
 constexpr std::size_t digest_size = 64;
 

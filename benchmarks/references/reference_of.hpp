@@ -12,11 +12,12 @@ PosedProblem reference_problem_of(const Scene& scene);
 
 // The reference of the columns: scene.reference or, for a scene without one, a numerical reference whose
 // bound is an estimate from two methods. Computing it takes some seconds, unless it is in the cache_folder().
-// For a scene of an equation file, require_agreement is called. Throws std::runtime_error with the reason if
-// there is no reference.
+// For a scene of an equation file with a closed form or a transform, require_agreement is called. Throws
+// std::runtime_error with the reason if there is no reference.
 reference::Reference reference_of(const Scene& scene);
 
-// The kind of evidence: "closed form", "inverse Laplace transform" or "two methods".
+// The kind of evidence: "closed form", "inverse Laplace transform", "two methods", or "two methods, examined
+// at points only" where the right-hand side is no formula.
 std::string_view evidence_of(const Scene& scene);
 
 }  // namespace fde::bench

@@ -36,7 +36,10 @@ double Constraint::terms(double t, In columns) const {
 
 void set_end(Scene& scene, double end) {
   scene.problem.end = end;
-  if (scene.jumps_until) scene.problem.jump_times = scene.jumps_until(end);
+  if (!scene.load_times) return;
+  auto times = scene.load_times(end);
+  scene.problem.jump_times = std::move(times.jumps);
+  scene.problem.step_limits = std::move(times.limits);
 }
 
 Vec columns_at(const Outputs& outputs, double t, In y) {

@@ -119,13 +119,20 @@ struct PosedProblem {
   Outputs outputs{};
 };
 
+// What a right-hand side does as a function of t alone, up to a given end: Problem::jump_times and
+// Problem::step_limits.
+struct LoadTimes {
+  std::vector<double> jumps{};
+  std::vector<StepLimit> limits{};
+};
+
 // A problem with what is known about it. What is absent is not computed, stored or shown.
 struct Scene {
   std::string name{};  // id and all parameters: key of the cached reference; empty: not cached
   Problem problem{};
-  // The times in (0, end) at which the right-hand side jumps, if they are computed for a given end; empty:
-  // the jumps of the problem are complete.
-  std::function<std::vector<double>(double end)> jumps_until{};
+  // What the right-hand side does as a function of t alone, if it is computed for a given end; empty: the
+  // jump times and the step limits of the problem are complete.
+  std::function<LoadTimes(double end)> load_times{};
   std::string ill_posed_reason{};  // reason why the equations cannot be posed in this form; empty: they can
   Smoothness smoothness{};
   Outputs outputs{};

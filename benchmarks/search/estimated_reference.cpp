@@ -148,6 +148,7 @@ class Estimator {
     double shortest = scene_.problem.end, before = 0.0;
     for (const double t : scene_.problem.jump_times)
       shortest = std::min(shortest, t - std::exchange(before, t));
+    for (const auto& limit : scene_.problem.step_limits) shortest = std::min(shortest, limit.to - limit.from);
     while (steps * shortest < between * scene_.problem.end && steps <= most) steps *= 2;
     if (steps > most) throw no_estimate(fmt::format("its right-hand side jumps within {:g}", shortest));
     return steps;

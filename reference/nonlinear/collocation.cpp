@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fdebench/reference/nonlinear/collocation/piecewise_solution.hpp"
+#include "fdebench/reference/nonlinear/collocation/residual.hpp"
 #include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
 #include "fdebench/reference/nonlinear/error_estimates.hpp"
 #include "fdebench/reference/nonlinear/march/jumps.hpp"
@@ -36,6 +37,29 @@ struct InitialLengths {
   double panel = 1e-32, step = 1e-20, weightless = 1e-18;
 };
 
+// The length, relative to the end, of a first panel on which y hardly changes: there Newton's method, which
+// starts from y(0), finds the root that continues it. A solution of D^g y = -k y^2 with a small g is far from
+// y(0) soon after 0, and the equations of a longer panel have other roots. Throws std::runtime_error if that
+// is before the first double.
+double length_of_small_change(const Problem& problem) {
+  constexpr double small = 0.1, shortest = 1e-290;
+  Matrix jacobian(problem.size(), problem.size());
+  double length = 1.0;
+  if (!evaluate_jacobian(problem, 0.0, taylor_part(problem, 0.0), jacobian) || !jacobian.allFinite())
+    return length;
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    const double rate = jacobian.row(i).cwiseAbs().sum() / std::tgamma(order + 1.0);
+    if (order > 0.0 && rate > 0.0)
+      length = std::min(length, std::pow(small / rate, 1.0 / order) / problem.end);
+    if (length < shortest)
+      throw std::runtime_error(fmt::format(
+          "collocation: with an order of {:.3g} the solution leaves its initial value before t = {:.0e}",
+          order, shortest * problem.end));
+  }
+  return length;
+}
+
 // A solution starts like t^g, g the smallest order, and the first panel approximates it by a polynomial. That
 // error is below rounding if the panel is short enough, or it decays within some decades: before the first
 // step of a grid, which is at least N^-10 of the end, 6e-58 for 2^19 steps. With multipliers it must be below
@@ -50,7 +74,7 @@ InitialLengths initial_lengths(const Problem& problem) {
   InitialLengths usual;
   const double unseen = std::min(usual.panel, std::pow(rounding, 1.0 / order));
   if (std::ranges::none_of(problem.components, is_algebraic)) {
-    usual.panel = std::max(unseen, before_grids);
+    usual.panel = std::min(std::max(unseen, before_grids), length_of_small_change(problem));
     return usual;
   }
   const InitialLengths starts{.panel = unseen,
@@ -98,7 +122,9 @@ PanelTable reference_table(const Problem& problem, const CollocationOptions& opt
              .tolerance = options.tolerance,
              .negligible_before = starts.weightless}};
   };
-  const auto solution = solve(20, 1.0), other = solve(16, 3.0);
+  const auto solution = solve(20, 1.0);
+  require_small_residual(problem, solution);
+  const auto other = solve(16, 3.0);
   const auto second =
       diffusive_solution(problem, {.first_step = starts.step, .negligible_before = starts.weightless});
   const auto estimates = error_estimates(problem, solution, other, second);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "fdebench/schemes/diagnostics/damped_oscillation.hpp"
 #include "fdebench/schemes/diagnostics/modes.hpp"
@@ -15,19 +17,19 @@
 namespace fde {
 namespace {
 
-// A step longer than the time from a jump, or from 0, to the next.
+// A step longer than the time from a jump, or from 0, to the next, or than an interval with a step limit.
 std::optional<std::string> short_feature(const Problem& problem, const Grid& grid) {
+  std::vector<std::pair<double, double>> features;
   double begin = 0.0;
-  for (const double end : problem.jump_times) {
-    if (end >= grid.end) break;
-    const int n = grid.nearest_index(end);
-    const double longest = grid.step(std::min(grid.steps, std::max(1, n + (grid.time(n) < end ? 1 : 0))));
-    if (longest > end - begin) {
-      return fmt::format(
-          "a step of {:.3g} is longer than a feature of the problem, from t = {:.6g} to {:.6g}", longest,
-          begin, end);
-    }
-    begin = end;
+  for (const double jump : problem.jump_times) features.emplace_back(std::exchange(begin, jump), jump);
+  for (const auto& limit : problem.step_limits) features.emplace_back(limit.from, limit.to);
+  for (const auto& [from, to] : features) {
+    if (to >= grid.end) continue;
+    const int n = grid.nearest_index(to);
+    const double longest = grid.step(std::min(grid.steps, std::max(1, n + (grid.time(n) < to ? 1 : 0))));
+    if (longest <= to - from) continue;
+    return fmt::format("a step of {:.3g} is longer than a feature of the problem, from t = {:.6g} to {:.6g}",
+                       longest, from, to);
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fdebench/schemes/problem/componentwise.hpp"
 
@@ -42,6 +43,13 @@ bool has_jacobian(const Problem& problem) { return !tells<NoDerivatives>(problem
 bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobian) {
   std::visit([&](const auto& given) { evaluate(given, t, y, jacobian); }, problem.derivatives);
   return has_jacobian(problem);
+}
+
+double longest_step(const Problem& problem, double t) {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const auto& limit : problem.step_limits)
+    if (t < limit.to) longest = std::min(longest, std::max(limit.from - t, limit.longest));
+  return longest;
 }
 
 std::size_t initial_count(double order) { return static_cast<std::size_t>(std::max(std::ceil(order), 1.0)); }

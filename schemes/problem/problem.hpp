@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "fdebench/schemes/problem/derivatives.hpp"
 #include "fdebench/schemes/problem/equation.hpp"
 #include "fdebench/schemes/problem/increment_form.hpp"
+#include "fdebench/schemes/problem/interval.hpp"
 
 namespace fde {
 
@@ -45,6 +47,15 @@ struct ProblemText {
   std::vector<std::vector<std::string>> jacobian{};  // jacobian[i][j] = df_i/dy_j
 };
 
+// An interval in which f changes so quickly as a function of t alone that longer steps, or longer panels, may
+// pass over the change without a sample of it.
+struct StepLimit {
+  double from, to, longest;
+};
+
+// Intervals that contain f_i(t, y) for all t and y of the given intervals.
+using RangeOfRhs = std::function<void(const Interval& t, std::span<const Interval> y, std::span<Interval> f)>;
+
 // A multi-order system D^(gamma_i) y_i = f_i(t, y), 0 < t <= end, with Caputo derivatives. In a right row D
 // is the right derivative,
 //   y_i(t) = sum_k initial[k] (end - t)^k / k! + 1/Gamma(g) int_t^end (s - t)^(g-1) f_i(s, y(s)) ds,
@@ -68,7 +79,9 @@ struct Problem {
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
   Domain domain{};                   // a step that leaves it has crossed a singularity
   std::vector<double> jump_times{};  // the times after 0, increasing, at which rhs jumps
+  std::vector<StepLimit> step_limits{};
   std::vector<SwitchingFunction> switching_functions{};
+  RangeOfRhs range{};  // empty: f is known at points only
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
 };
@@ -81,6 +94,10 @@ bool has_jacobian(const Problem& problem);
 
 // Writes the dense df/dy to `jacobian`, size() x size(). False, and no change, where the problem has none.
 bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobian);
+
+// The longest step from t that keeps the step limits: one that ends before an interval, or is short enough
+// for it.
+double longest_step(const Problem& problem, double t);
 
 // Number of initial values of a row of this order: ceil(order), and 1 for order 0.
 std::size_t initial_count(double order);

@@ -17,17 +17,9 @@ MagnitudeScales without_unbounded_scales(MagnitudeScales sizes, const Problem& p
 }
 
 MagnitudeScales sizes_at_start(const Problem& problem) {
-  constexpr int samples = 64;
   const Vec initial = taylor_part(problem, 0.0);
-  const Vec rhs = rhs_at(problem, 0.0, initial).cwiseAbs();
-  MagnitudeScales sizes{initial.cwiseAbs(), rhs, rhs, Vec::Zero(problem.size())};
-  for (int k = 1; k <= samples; ++k) {
-    const Vec sample = rhs_at(problem, problem.end * k / samples, initial).cwiseAbs();
-    if (sample.allFinite()) {
-      sizes.forcing = sizes.forcing.cwiseMax(sample);
-    }
-  }
-  return sizes;
+  return {initial.cwiseAbs(), rhs_at(problem, 0.0, initial).cwiseAbs(), largest_forcing(problem),
+          Vec::Zero(problem.size())};
 }
 
 MagnitudeScales updated_scales(const MagnitudeScales& before, const Matrix& y, const Matrix& rhs,

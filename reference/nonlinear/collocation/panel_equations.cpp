@@ -86,7 +86,8 @@ LinearisedStep PanelEquations::linearise(const Vec& times, const MagnitudeScales
   const auto integral = [&](const Matrix& rhs) -> Matrix {
     return integrate(rhs, length).topRows(rhs.rows());
   };
-  at.noise = propagated_noise(step, integral, y, at.rhs, at.sizes.noise / rounding, with_signs);
+  at.noise =
+      propagated_noise(step, integral, y, at.rhs, at.sizes.forcing + at.sizes.noise / rounding, with_signs);
   return step;
 }
 

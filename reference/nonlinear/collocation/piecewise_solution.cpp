@@ -64,7 +64,8 @@ class CollocationSolver {
         noise_(problem, basis, options.tolerance) {}
 
   std::vector<Panel> run() {
-    constexpr std::size_t most_panels = 2000;
+    // After each jump they double from 1e-11 of the time on.
+    const std::size_t most_panels = 2000 + 50 * problem_.jump_times.size();
     while (time() < problem_.end) {
       if (panels_.size() == most_panels || cannot_reach_end(most_panels)) {
         fail("more panels than it can afford", time());
@@ -97,7 +98,8 @@ class CollocationSolver {
     constexpr double shortest = 1e-12;  // relative to the time
     const double from = time();
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
-      const double to = panel_end(from, length_, next_discontinuity(problem_, from));
+      const double to = panel_end(from, std::min(length_, longest_step(problem_, from)),
+                                  next_discontinuity(problem_, from));
       if (to - from <= shortest * from) {
         break;
       }
@@ -155,7 +157,7 @@ class CollocationSolver {
     const Vec size = noise_.record_panel(solution, from, to, values);
     sizes_ = solution.sizes;
     sizes_.noise = noise_.known_rhs_noise();
-    panels_.push_back({from, to, solution.rhs, values, size});
+    panels_.push_back({from, to, solution.rhs, values, size, noise_.negligible_rhs(solution)});
     if (jumps_at(problem_, to)) length_ = options_.first_after_jump * to;
   }
 
@@ -175,7 +177,9 @@ class CollocationSolver {
 }  // namespace
 
 PiecewiseSolution::PiecewiseSolution(const Problem& problem, const PanelOptions& options)
-    : basis_(options.points, points_for(problem)),
+    : problem_(problem),
+      negligible_before_(options.negligible_before * problem.end),
+      basis_(options.points, points_for(problem)),
       panels_(CollocationSolver(problem, options, basis_).run()) {
   const auto inner = static_cast<int>(basis_.dense_nodes.size()) - 2;
   kept_ = PanelBasis(inner, PanelPoints::legendre).dense_nodes;
@@ -187,6 +191,10 @@ Matrix PiecewiseSolution::legendre_values(const Panel& panel) const {
   for (Eigen::Index k = 0; k < kept_.size(); ++k)
     values.row(k) = basis_.interpolate(panel.values, kept_[k]).transpose();
   return values;
+}
+
+bool PiecewiseSolution::is_resolved(const Panel& panel) const {
+  return panel.to > negligible_before_ && !just_after_jump(problem_, panel.from, panel.to);
 }
 
 std::size_t PiecewiseSolution::panel_of(double t) const {

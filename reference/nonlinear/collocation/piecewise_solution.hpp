@@ -22,16 +22,22 @@ struct PanelOptions {
 // where no panel converges or too many are needed, Singularity where y leaves problem.domain.
 class PiecewiseSolution {
  public:
+  // The problem must outlive this object.
   PiecewiseSolution(const Problem& problem, const PanelOptions& options);
 
   [[nodiscard]] Vec at(double t) const;                // 0 <= t <= end
   [[nodiscard]] std::size_t panel_of(double t) const;  // the panel that ends at or after t
   [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
+  [[nodiscard]] const PanelBasis& basis() const { return basis_; }
+  // Whether the panel is long enough, and so long after a jump, that f and y were required to be resolved.
+  [[nodiscard]] bool is_resolved(const Panel& panel) const;
   // y at the start of a panel, at the Gauss-Legendre points and at its end: values that determine the
   // polynomial.
   [[nodiscard]] Matrix legendre_values(const Panel& panel) const;
 
  private:
+  const Problem& problem_;
+  double negligible_before_;  // absolute
   PanelBasis basis_;
   std::vector<Panel> panels_;
   Vec kept_;  // the points of legendre_values

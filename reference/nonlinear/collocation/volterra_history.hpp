@@ -10,9 +10,10 @@ namespace fde::reference {
 // A solved panel: f and y are polynomials in time, one row per point, one column per component.
 struct Panel {
   double from, to;
-  Matrix rhs;     // f at the nodes
-  Matrix values;  // y at the start, at the nodes and at the end
-  Vec size;       // of y and of its terms: the rounding errors of y are relative to this
+  Matrix rhs;      // f at the nodes
+  Matrix values;   // y at the start, at the nodes and at the end
+  Vec size;        // of y and of its terms: the rounding errors of y are relative to this
+  Vec negligible;  // of f: coefficients up to which it is resolved
 
   [[nodiscard]] double length() const { return to - from; }
 };

@@ -64,6 +64,7 @@ class DiffusiveIntegrator {
   // Halves the step until it resolves the solution.
   void add_step(double stop) {
     constexpr double shortest = 1e-13;  // relative to the time
+    while (length_ > longest_step(problem_, time_)) length_ /= 2;
     for (;;) {
       const double left = stop - time_;
       // Two steps of equal length rather than a long and a very short one.
@@ -90,7 +91,7 @@ class DiffusiveIntegrator {
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
       weights.push_back(memory_.weights(i, length));
     }
-    return equations_.solve(history(length), weights, time_, length, last_rhs_, size_);
+    return equations_.solve(history(length), weights, time_, length, value_, last_rhs_, size_);
   }
 
   // The history term at the stages; for algebraic rows the last value.

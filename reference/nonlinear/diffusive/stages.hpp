@@ -20,16 +20,21 @@ class StageEquations {
  public:
   StageEquations(const Problem& problem, Vec nodes);
 
-  // Newton's method down to rounding, with f = first_rhs at all stages as the initial guess; size: the
-  // largest |y| so far. nullopt where it does not converge.
+  // Newton's method down to rounding. The initial guess has f = last_rhs at all stages, or, where f depends
+  // on y so strongly that this is far from y, the last value; the first step finds the root that continues
+  // y(0). size: the largest |y| so far. nullopt where it does not converge.
   [[nodiscard]] std::optional<StageSolution> solve(const Matrix& history, const std::vector<Matrix>& weights,
-                                                   double from, double length, In first_rhs, In size) const;
+                                                   double from, double length, In last_value, In last_rhs,
+                                                   In size) const;
 
   // Sets the rounding noise of f that neither its size nor its derivatives show.
   void set_rhs_noise(const Vec& rhs_noise) { rhs_noise_ = rhs_noise; }
   [[nodiscard]] const Vec& nodes() const { return nodes_; }
 
  private:
+  [[nodiscard]] std::optional<StageSolution> newton(const Matrix& history, const std::vector<Matrix>& weights,
+                                                    const Vec& times, const Matrix& guess, In size) const;
+  [[nodiscard]] double relative_change(const std::vector<Matrix>& weights, double t, In y) const;
   // Linearises at at.y, and sets at.noise.
   [[nodiscard]] LinearisedStep linearise(const Vec& times, const std::vector<Matrix>& weights,
                                          StageSolution& at) const;

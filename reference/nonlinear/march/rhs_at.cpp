@@ -17,4 +17,19 @@ Matrix rhs_at(const Problem& problem, const Vec& times, const Matrix& y) {
   return rhs;
 }
 
+Vec largest_forcing(const Problem& problem) {
+  constexpr int samples = 64, within = 8;
+  const Vec initial = taylor_part(problem, 0.0);
+  Vec largest = Vec::Zero(problem.size());
+  const auto add = [&](double from, double to, int count) {
+    for (int k = 0; k <= count; ++k) {
+      const Vec f = rhs_at(problem, from + (to - from) * k / count, initial).cwiseAbs();
+      if (f.allFinite()) largest = largest.cwiseMax(f);
+    }
+  };
+  add(0.0, problem.end, samples);
+  for (const auto& limit : problem.step_limits) add(limit.from, limit.to, within);
+  return largest;
+}
+
 }  // namespace fde::reference

@@ -153,7 +153,7 @@ class AdaptiveSolver {
 
   // The end of the next step. The last two steps before `end` have about the same length.
   [[nodiscard]] double next_time(double end) const {
-    const double left = end - time_, length = control_.length();
+    const double left = end - time_, length = std::min(control_.length(), longest_step(problem_, time_));
     if (left <= 1.001 * length) return end;
     return left < 2.0 * length ? time_ + left / 2.0 : time_after(time_, length);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/initial_step_size.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
@@ -39,7 +40,7 @@ double initial_step_size(const Problem& problem, const Tolerance& accuracy, Run&
   // Infinite entries at the start count as 0: the values of f after the start suffice.
   const Vec f = run.rhs(0.0, start).unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
   Vec y(f.size()), unit(f.size());
-  for (double length = problem.end;; length *= shrink) {
+  for (double length = std::min(problem.end, longest_step(problem, 0.0));; length *= shrink) {
     if (length <= shortest_first * problem.end) return length;
     taylor.at(length, y);
     for (Eigen::Index i = 0; i < unit.size(); ++i) {

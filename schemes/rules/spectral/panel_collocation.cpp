@@ -67,7 +67,7 @@ void PanelCollocation::solve_between(double start, double end) {
 
 std::unique_ptr<MemoryBlock> PanelCollocation::solve_block(const TimeBlock& block, const Matrix& smooth,
                                                            const Sources& near) {
-  if (block.width <= width_) {
+  if (block.width <= width_ && block.length() <= longest_step(problem_, block.time(-1.0))) {
     auto panel = attempt_panel(block, smooth, near);
     if (panel || phase_ != RunPhase::running) return panel;
   }

@@ -126,7 +126,7 @@ TEST_P(RateOfOrder, IsThatOfTheMethod) {
     Vec y = Vec::Zero(1);
     for (int n = 0; n < steps; ++n) {
       const auto stages = equations.solve(memory.history_term(length), {memory.weights(0, length)},
-                                          n * length, length, Vec::Zero(1), Vec::Ones(1));
+                                          n * length, length, y, Vec::Zero(1), Vec::Ones(1));
       memory.advance(length, stages.value().rhs);
       y = stages->y.bottomRows<1>().transpose();
     }

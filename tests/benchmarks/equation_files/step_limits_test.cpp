@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Loads that change quickly limit the steps where they do, wherever that is and however short.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "benchmarks/equation_files/equation_files_testing.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/schemes/stepping/scheme.hpp"
+
+namespace fde::bench {
+namespace {
+
+Problem at_rest(const std::string& rhs, double end, const std::string& order = "0.9") {
+  return scene_of_text("end = " + std::to_string(end) + "\n[unknown.x]\norder = " + order + "\nrhs = \"" +
+                       rhs + "\"\ninitial = [" + (std::stod(order) > 1.0 ? "0, 0" : "0") + "]\n")
+      .problem;
+}
+
+TEST(StepLimits, FindPulsesOfAnyWidthAnywhere) {
+  for (const double width : {1e-7, 1e-4, 1e-2}) {
+    for (const double place : {0.3, 5.0, 9.9973}) {
+      const auto rhs =
+          "exp(-((t - " + std::to_string(place) + ")/" + std::to_string(1e9 * width) + "e-9)^2) - x";
+      const Problem problem = at_rest(rhs, 10.0);
+      EXPECT_LE(longest_step(problem, place - 1e-3 * width), 2.0 * width) << rhs;
+      // A step from afar ends where the pulse begins.
+      const double from = 0.5 * place;
+      EXPECT_LE(from + longest_step(problem, from), place + 2.0 * width) << rhs;
+    }
+  }
+}
+
+// cos t hides the pulse: their sum has turning points elsewhere, and on its steep part none that is near.
+TEST(StepLimits, FindPulsesOnSlopes) {
+  for (const auto* rhs :
+       {"cos(t) + 0.01*exp(-((t - 5)/1e-3)^2) - x", "20*t + 0.01*exp(-((t - 5)/1e-3)^2) - x"})
+    EXPECT_LE(longest_step(at_rest(rhs, 10.0), 5.0 - 1e-4), 2e-3) << rhs;
+}
+
+TEST(StepLimits, AreFirstRunsOfOscillations) {
+  const Problem problem = at_rest("sin(pi*t) - x", 10.0);
+  EXPECT_LE(longest_step(problem, 0.0), 0.5 + 1e-12);
+  EXPECT_GE(longest_step(problem, 3.7), 10.0);
+}
+
+TEST(StepLimits, AreNoneOfSlowLoads) {
+  for (const auto* rhs : {"1 - x", "t^2 - x", "exp(-t) - x", "-x^3 + t", "t*x"})
+    EXPECT_GE(longest_step(at_rest(rhs, 1.0), 0.0), 1.0) << rhs;
+}
+
+// Schemes that control their steps see a pulse that none of their steps would have sampled: the integral of
+// the load is known, J^g of a pulse of area A at distance d is A d^(g-1) / Gamma(g), up to the width.
+TEST(StepLimits, LetAdaptiveSchemesSeePulses) {
+  const double g = 0.9, width = 1e-3, place = 5.0, end = 10.0;
+  const Problem problem = at_rest("exp(-((t - 5)/1e-3)^2)/1e-3", end);
+  const double exact = std::sqrt(std::numbers::pi) * std::pow(end - place, g - 1.0) / std::tgamma(g);
+  for (const auto* id :
+       {"adaptive_pc", "adaptive_trapezoidal", "radau_exponentials", "spectral_collocation"}) {
+    const Trajectory path = find_scheme(id)->solve(problem, Tolerance{1e-6, 1e-6}, {.output_times = {end}});
+    ASSERT_EQ(path.status, SolveStatus::finished) << id;
+    EXPECT_NEAR(path.y(0, path.y.cols() - 1), exact, 1e-4 * exact + width * width) << id;
+  }
+}
+
+}  // namespace
+}  // namespace fde::bench
