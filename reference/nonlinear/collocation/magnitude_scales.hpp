@@ -7,6 +7,9 @@
 
 namespace fde::reference {
 
+// The coefficients of f are resolved to so many rounding errors of its forcing.
+inline constexpr double roundings_of_forcing = 16.0;
+
 // Sizes to which rounding errors and tolerances are relative: the largest so far, one number per component.
 struct MagnitudeScales {
   Vec values;   // of y_i

@@ -59,7 +59,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& hist
       return std::nullopt;
     }
     if (size > last_size / 10) {  // the Jacobian is reused while each iteration gains a digit
-      newton = linearise(times, before, length, found);
+      newton = linearise(times, before, from, length, found);
     }
     const Matrix correction =
         newton.solve(residual_of(problem_, next.topRows(points), found.values.topRows(points), found.rhs));
@@ -73,8 +73,8 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& hist
   return std::nullopt;
 }
 
-LinearisedStep PanelEquations::linearise(const Vec& times, const MagnitudeScales& before, double length,
-                                         Solution& at) const {
+LinearisedStep PanelEquations::linearise(const Vec& times, const MagnitudeScales& before, double from,
+                                         double length, Solution& at) const {
   const Matrix y = at.values.topRows(times.size());
   std::vector<Matrix> jacobians;
   for (Eigen::Index k = 0; k < times.size(); ++k) {
@@ -86,8 +86,12 @@ LinearisedStep PanelEquations::linearise(const Vec& times, const MagnitudeScales
   const auto integral = [&](const Matrix& rhs) -> Matrix {
     return integrate(rhs, length).topRows(rhs.rows());
   };
-  at.noise =
-      propagated_noise(step, integral, y, at.rhs, at.sizes.forcing + at.sizes.noise / rounding, with_signs);
+  const Vec further =
+      at.sizes.forcing +
+      (at.sizes.noise + rounding_of_times(problem_, from, times, y, at.rhs.topRows(times.size()))) / rounding;
+  at.noise = propagated_noise(step, integral, y, at.rhs, further, with_signs);
+  at.left_unresolved =
+      propagated_noise(step, integral, y, at.rhs, roundings_of_forcing * at.sizes.forcing, with_signs);
   return step;
 }
 

@@ -24,6 +24,7 @@ class PanelEquations {
     Vec increment;  // size of the integral of f_i over this panel without cancellation: its rounding is noise
                     // of y_i
     Noise noise;
+    Noise left_unresolved;  // what the part of f that counts as rounding of its forcing does to all rows
   };
 
   // Newton's method down to rounding on the panel [from, to], with f = first_rhs as the initial guess.
@@ -34,8 +35,8 @@ class PanelEquations {
 
  private:
   // Linearises at at.values, and sets the sizes, the increment and the noise of `at`.
-  [[nodiscard]] LinearisedStep linearise(const Vec& times, const MagnitudeScales& before, double length,
-                                         Solution& at) const;
+  [[nodiscard]] LinearisedStep linearise(const Vec& times, const MagnitudeScales& before, double from,
+                                         double length, Solution& at) const;
   // The right-hand sides of the equations for the values and f of `from`.
   [[nodiscard]] Matrix right_hand_side(const Matrix& history, const Solution& from, double length) const;
   [[nodiscard]] Matrix jacobian_at(double t, In y) const;

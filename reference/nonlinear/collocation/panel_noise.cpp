@@ -10,7 +10,7 @@ namespace fde::reference {
 namespace {
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
-constexpr double some_roundings = 16 * rounding;
+constexpr double some_roundings = roundings_of_forcing * rounding;
 constexpr double noises = 4.0;  // the sum of some rounding errors
 
 }  // namespace
@@ -23,11 +23,13 @@ PanelNoise::PanelNoise(const Problem& problem, const PanelBasis& basis, double t
       of_values_(Vec::Zero(problem.size())) {}
 
 Vec PanelNoise::negligible_rhs(const Solution& panel) const {
-  return tolerance_ * panel.sizes.rhs + some_roundings * panel.sizes.forcing + noises * panel.noise.rhs;
+  return tolerance_ * panel.sizes.rhs + some_roundings * panel.sizes.forcing + noises * panel.noise.rhs +
+         panel.left_unresolved.rhs;
 }
 
 Vec PanelNoise::negligible_values(const Solution& panel) const {
-  return tolerance_ * panel.sizes.values + some_roundings * panel.increment + noises * panel.noise.values;
+  return tolerance_ * panel.sizes.values + some_roundings * panel.increment + noises * panel.noise.values +
+         panel.left_unresolved.values;
 }
 
 bool PanelNoise::detect(const Solution& panel, double from, double to, double scale) {

@@ -123,7 +123,9 @@ LinearisedStep StageEquations::linearise(const Vec& times, const std::vector<Mat
   }
   LinearisedStep step(problem_, weights, std::move(jacobians));
   const auto integral = [&](const Matrix& rhs) { return weighted(weights, rhs); };
-  at.noise = propagated_noise(step, integral, at.y, at.rhs, forcing_ + rhs_noise_ / rounding, with_signs);
+  const Vec of_times = rounding_of_times(problem_, times[0] / 2.0, times, at.y, at.rhs);
+  at.noise = propagated_noise(step, integral, at.y, at.rhs, forcing_ + (rhs_noise_ + of_times) / rounding,
+                              with_signs);
   return step;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/march/rhs_at.hpp"
 
+#include <cmath>
+
 namespace fde::reference {
 
 Vec rhs_at(const Problem& problem, double t, In y) {
@@ -15,6 +17,12 @@ Matrix rhs_at(const Problem& problem, const Vec& times, const Matrix& y) {
     rhs.row(k) = rhs_at(problem, times[k], y.row(k).transpose()).transpose();
   }
   return rhs;
+}
+
+Vec rounding_of_times(const Problem& problem, double from, const Vec& times, const Matrix& y,
+                      const Matrix& rhs) {
+  const Vec moved = times.unaryExpr([&](double t) { return std::nextafter(t, from); });
+  return (rhs_at(problem, moved, y) - rhs).cwiseAbs().colwise().maxCoeff();
 }
 
 Vec largest_forcing(const Problem& problem) {
