@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import threading
 import time
+from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -69,6 +70,11 @@ class Program:
         self.executions = 0
         self.last: tuple[str, ...] = ()
         self.lock = threading.Lock()
+        self.notes: Counter[str] = Counter()  # of what a property counts
+        self.doubts: list[str] = []
+
+    def note(self, text: str) -> None:
+        self.notes[text] += 1
 
     def fresh(self) -> None:
         """Empties the folder for the next case."""

@@ -16,14 +16,15 @@ class Property:
     weight: float
     draw: Callable[[Random, Lists], Case]
     check: Callable[[Program, Case, Lists], None]
+    kind: bool = False  # one of those that --kinds runs
 
 
 PROPERTIES: dict[str, Property] = {}
 
 
-def must_hold(draw: Callable[[Random, Lists], Case], weight: float = 1.0):
+def must_hold(draw: Callable[[Random, Lists], Case], weight: float = 1.0, kind: bool = False):
     """Registers a function as a property under its name."""
     def register(check: Callable[[Program, Case, Lists], None]):
-        PROPERTIES[check.__name__] = Property(check.__name__, weight, draw, check)
+        PROPERTIES[check.__name__] = Property(check.__name__, weight, draw, check, kind)
         return check
     return register

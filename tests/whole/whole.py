@@ -3,6 +3,7 @@
 """Random whole commands: any two features are combined, and properties are checked from outside the program.
 
     whole.py FDEBENCH [--seconds S] [--seed N|date] [--jobs J] [--keep DIR] [--coverage] [--slow FACTOR] [--only PROPERTY]...
+    whole.py FDEBENCH --kinds --count N        N cases of the kinds of kinds.py, which need NumPy: every finding, and what was counted
     whole.py FDEBENCH --replay [FILE]...       the cases of kept/, or these
 
 Exit code 1 if a property does not hold: the case is shrunk, printed and stored in DIR.
@@ -11,6 +12,7 @@ Exit code 1 if a property does not hold: the case is shrunk, printed and stored 
 import argparse
 import datetime
 import hashlib
+import importlib.util
 import itertools
 import sys
 import tempfile
@@ -39,6 +41,9 @@ from program import Fault, Program
 from properties import PROPERTIES
 from shrinking import shrunk
 
+if importlib.util.find_spec("numpy"):
+    import kinds  # noqa: F401
+
 KEPT = Path(__file__).with_name("kept")
 
 
@@ -49,7 +54,7 @@ def fault_of(program: Program, case: Case, lists: Lists) -> Fault | None:
         PROPERTIES[case.holds].check(program, case, lists)
     except Fault as fault:
         return fault
-    except (ValueError, KeyError, IndexError, OverflowError) as wrong:
+    except (ValueError, KeyError, IndexError, OverflowError, ZeroDivisionError) as wrong:
         return Fault("unread", f"{type(wrong).__name__}: {wrong}")
     return None
 
@@ -60,6 +65,7 @@ class Search:
     def __init__(self, options: argparse.Namespace, lists: Lists, cache: Path) -> None:
         self.options, self.lists, self.cache = options, lists, cache
         self.end = time.monotonic() + options.seconds
+        self.chosen = [one for one in PROPERTIES.values() if (one.name in options.only if options.only else one.kind == options.kinds)]
         self.numbers = itertools.count()
         self.lock = threading.Lock()
         self.tried: Counter[str] = Counter()
@@ -67,16 +73,20 @@ class Search:
         self.executions = 0
         self.features: set[tuple[str, str]] = set()
         self.pairs: set[tuple[tuple[str, str], tuple[str, str]]] = set()
-        self.found: dict[tuple[str, str, str], Case] = {}
+        self.found: Counter[tuple[str, str, str]] = Counter()
+        self.notes: Counter[tuple[str, str]] = Counter()
 
     def drawn(self, number: int) -> Case:
         """Case `number`: depends on the seed and the number only, not on the number of jobs."""
         random = Random(f"{self.options.seed}:{number}")
-        chosen = [one for one in PROPERTIES.values() if not self.options.only or one.name in self.options.only]
-        return random.choices(chosen, [one.weight for one in chosen])[0].draw(random, self.lists)
+        return random.choices(self.chosen, [one.weight for one in self.chosen])[0].draw(random, self.lists)
 
-    def note(self, case: Case, seconds: float) -> None:
+    def goes_on(self, number: int) -> bool:
+        return number < self.options.count if self.options.count else time.monotonic() < self.end
+
+    def note(self, case: Case, seconds: float, program: Program) -> None:
         self.spent[case.holds] += seconds
+        self.notes.update({(case.holds, text): count for text, count in program.notes.items()})
         features = sorted(case.features())
         self.tried[case.holds] += 1
         self.features.update(features)
@@ -84,29 +94,31 @@ class Search:
 
     def work(self, folder: Path) -> None:
         program = Program(self.options.fdebench, folder, self.cache, self.options.slow)
-        while time.monotonic() < self.end:
-            number = next(self.numbers)
+        while self.goes_on(number := next(self.numbers)):
+            program.notes.clear()
             case = self.drawn(number)
             begin = time.monotonic()
             fault = fault_of(program, case, self.lists)
             with self.lock:
-                self.note(case, time.monotonic() - begin)
+                self.note(case, time.monotonic() - begin, program)
                 key = (case.holds, fault.kind, case.scheme) if fault else None
                 known = key is None or key in self.found
-                if key and not known:
-                    self.found[key] = case
-            if fault and not known:
-                self.report(program, case, fault, number)
+                if key:
+                    self.found[key] += 1
+            if fault and (not known or self.options.count):
+                self.report(program, case, fault, number, 0 if known else self.options.shrink)
         with self.lock:
             self.executions += program.executions
 
-    def report(self, program: Program, case: Case, fault: Fault, number: int) -> None:
+    def report(self, program: Program, case: Case, fault: Fault, number: int, seconds: float) -> None:
         def fails(other: Case) -> bool:
             same = fault_of(program, other, self.lists)
             return same is not None and same.kind == fault.kind
 
-        case = shrunk(case, fails, self.options.shrink * self.options.slow)
-        last = fault_of(program, case, self.lists) or fault
+        last = fault
+        if seconds:
+            case = shrunk(case, fails, seconds * self.options.slow)
+            last = fault_of(program, case, self.lists) or fault
         with self.lock:
             print(f"\nFOUND {case.holds} ({last.kind}; case {number} of seed {self.options.seed}): {last}\n{shell(case, last.arguments or program.last)}", flush=True)
             if self.options.keep:
@@ -130,6 +142,9 @@ def search(options: argparse.Namespace) -> bool:
         possible = sum(1 for _ in pairs_of(state.features))
         print(f"\nseed {options.seed}: {sum(state.tried.values())} cases, {state.executions} executions, "
               f"{len(state.pairs)} of {possible} pairs of {len(state.features)} features, {len(state.found)} findings")
+        print(*(f"  {count:6} {holds}: {text}" for (holds, text), count in sorted(state.notes.items())), sep="\n")
+        if options.count:
+            print(*(f"  {count:6} {holds}: FOUND {kind} {scheme}" for (holds, kind, scheme), count in state.found.items()), sep="\n")
         if options.coverage:
             print(*(f"  {count:6} {holds}, {state.spent[holds]:.0f} s" for holds, count in state.tried.most_common()), sep="\n")
             missing = Counter((a[0], b[0]) for a, b in set(pairs_of(state.features)) - state.pairs)
@@ -158,6 +173,8 @@ def main() -> int:
     parser.add_argument("fdebench", type=Path)
     parser.add_argument("files", type=Path, nargs="*", help="with --replay: the cases")
     parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--count", type=int, default=0, help="cases, in place of a time")
+    parser.add_argument("--kinds", action="store_true", help="the properties that are compared with the oracle")
     parser.add_argument("--seed", default="1")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--slow", type=float, default=1.0, help="by how much this build is slower than a release build")

@@ -1,0 +1,334 @@
+# SPDX-License-Identifier: MIT
+"""Solutions by collocation on given panels, in NumPy; shares nothing with the program.
+
+The unknowns u_i(t) satisfy g(t, u, J^p u) = 0 at every t, with fractional integrals J^p u_i of orders p > 0. On each panel u is a
+polynomial through the Radau points, in log(t - a) next to a time a where the problem jumps, in t elsewhere. The integrals of
+polynomial times kernel are computed by Gauss rules on pieces no longer than their distance from t, and with the kernel as weight on
+the last piece. The error is the difference of two resolutions.
+"""
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from math import exp, lgamma, log
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+import numpy as np
+from numpy.polynomial.legendre import leggauss, legroots, legvander
+
+Array = np.ndarray
+GAUSS = 12  # points of a rule on a piece
+FAR = 40.0  # e^-FAR is below the rounding
+
+
+class Uncertain(Exception):
+    """There is no value that could be relied on."""
+
+
+legendre = lru_cache(None)(leggauss)
+
+
+@lru_cache(None)
+def radau(count: int) -> tuple[Array, Array, Array]:
+    """The Radau points in (-1, 1] with 1 among them, the weights of the rule, and the coefficients of Legendre polynomials that follow
+    from values at the points."""
+    coefficients = np.zeros(count + 1)
+    coefficients[count - 1], coefficients[count] = -1.0, 1.0  # P_n - P_(n-1)
+    points = np.sort(legroots(coefficients).real)
+    points[-1] = 1.0
+    inverse = np.linalg.inv(legvander(points, count - 1))
+    return points, 2 * inverse[0], inverse
+
+
+@lru_cache(None)
+def gauss(power: float) -> tuple[Array, Array]:
+    """Points v and weights of the Gauss rule for the integral of v^(power - 1) f(v) over [0, 1]."""
+    b, n = power - 1, np.arange(GAUSS)
+    diagonal = np.where(n == 0, b / (b + 2), b * b / np.maximum((2 * n + b) * (2 * n + b + 2), 1e-300))
+    k = np.arange(1, GAUSS)
+    beside = 4 * k * k * (k + b) ** 2 / ((2 * k + b) ** 2 * (2 * k + b + 1) * (2 * k + b - 1))
+    beside[0] = 4 * (1 + b) / ((2 + b) ** 2 * (3 + b))
+    x, vectors = np.linalg.eigh(np.diag(diagonal) + np.diag(np.sqrt(beside), 1) + np.diag(np.sqrt(beside), -1))
+    return (1 + x) / 2, vectors[0] ** 2 / power
+
+
+def lagrange(count: int, x: Array) -> Array:
+    """The values at each x (rows) of the polynomials that are 1 at one Radau point and 0 at the others (columns)."""
+    return legvander(x, count - 1) @ radau(count)[2]
+
+
+@dataclass
+class Panel:
+    """Times a + z (`linear`), a + e^z, or the first one beside a: from a to a + e^high with u constant (`point`)."""
+
+    kind: str
+    anchor: float
+    low: float
+    high: float
+    z: Array = field(default_factory=lambda: np.zeros(0))
+
+    @property
+    def offsets(self) -> Array:
+        return self.z if self.kind == "linear" else np.exp(self.z)
+
+    @property
+    def logs(self) -> Array:
+        return np.log(self.z) if self.kind == "linear" else self.z
+
+
+@dataclass(frozen=True)
+class Shape:
+    """What is known about a problem where its panels have to be short."""
+
+    end: float
+    jumps: Sequence[float] = ()  # times at which a load or one of its derivatives jumps
+    pulses: Sequence[tuple[float, float, float]] = ()  # (time, distance up to which panels are short, their length)
+    longest: float = 1.0  # of a panel
+    order: float = 1.0  # the smallest of an integral
+    rate: float = 1.0  # the size of the derivatives of g
+
+
+def panels(shape: Shape, outputs: Sequence[float], scale: float) -> list[Panel]:
+    """The panels up to the end; outputs are ends of panels."""
+    least = 1e-6 * scale ** 20  # what is neglected beside a jump: not the same at two resolutions
+    start = log(least / max(shape.rate, 1)) / shape.order
+    anchors = sorted({0.0, *(a for a in shape.jumps if 0 < a < shape.end)})
+    found = []
+    for a, b in zip(anchors, [*anchors[1:], shape.end]):
+        stops = [t - a for t in sorted({*outputs, b}) if a < t <= b]
+        x = min(start, log(10 * least * min([1.0, stops[0], shape.longest, *(short for _, _, short in shape.pulses)])))
+        found.append(Panel("point", a, -np.inf, x))
+        position = exp(x)
+        for stop in stops:
+            while position < stop:
+                size = scale * min([shape.longest, *(max(short, 0.4 * (abs(a + position - c) - reach)) for c, reach, short in shape.pulses)])
+                size = min(size, scale * max(shape.longest * 0.05, 0.7 * (position)))
+                length = scale * min(1.5 / shape.order, 1 + 0.5 * max(0.0, log(size) - x))
+                if (grown := exp(x) * np.expm1(length)) < size and exp(x) + grown < 0.9 * stop:
+                    found.append(Panel("log", a, x, x + length))
+                    x += length
+                    position = exp(x)
+                else:
+                    left = stop - position
+                    upper = stop if left < 1.3 * size else position + size
+                    if x < -500:
+                        raise Uncertain("the first output is too early")
+                    found.append(Panel("linear", a, position, upper))
+                    position = upper
+                    x = log(upper)
+    return found
+
+
+class History:
+    """The nodes up to now with their values, and the weights of integrals over them."""
+
+    def __init__(self, orders: Sequence[float]) -> None:
+        self.orders = list(orders)
+        self.panels: list[Panel] = []
+        self.nodes: tuple[list[Array], ...] = ([], [], [], [])
+
+    def push(self, panel: Panel) -> None:
+        self.panels.append(panel)
+        measures = np.log(radau(len(panel.z))[1] * (panel.high - panel.low) / 2) + (panel.z if panel.kind == "log" else 0) if panel.kind != "point" else panel.z
+        for known, one in zip(self.nodes, (np.full(len(panel.z), panel.anchor), panel.offsets, panel.logs, measures)):
+            known.append(one)
+
+    def far(self, target: Panel, p: float, anchors: Array, offsets: Array, logs: Array, measures: Array) -> Array:
+        """The weights by the rule of the nodes themselves."""
+        x = target.logs[:, None]
+        same = anchors == target.anchor
+        apart = (target.anchor - anchors) + (target.offsets[:, None] - offsets)
+        # Next to an anchor differences are those of logarithms, since offsets may be below the least double.
+        distance = np.where(same, x + np.log(-np.expm1(np.minimum(logs - x, -1e-300))), np.log(np.maximum(apart, 1e-300)))
+        return np.exp((p - 1) * distance + measures)
+
+    def point(self, target: Panel, source: Panel, p: float) -> Array:
+        x = target.logs if target.anchor == source.anchor else np.log(target.anchor - source.anchor + target.offsets)
+        return -np.exp(p * x - lgamma(p + 1)) * np.expm1(p * np.log1p(-np.exp(source.high - x)))
+
+    def near(self, target: Panel, source: Panel, p: float) -> Array:
+        """The weights of a panel which is longer than its distance from the target."""
+        in_logs, length = source.kind == "log", source.high - source.low
+        if in_logs and target.anchor == source.anchor:
+            beyond = target.logs - source.high
+        else:
+            end = np.exp(source.high) if in_logs else source.high
+            between = target.anchor - source.anchor - end
+            beyond = (between if abs(between) > 1e-14 * target.anchor else 0.0) + target.offsets
+            beyond = np.log1p(beyond / end) if in_logs else beyond
+        # Pieces between distances from the panel's end, of which the last are as short as the distance of the target.
+        edges = list(np.linspace(length, 0, int(np.ceil(length / 2)) + 1 if in_logs else 2))
+        while edges[-2] > beyond[0] > 0 and len(edges) < 1100:
+            edges.insert(-1, edges[-2] / 2)
+        rule, weights = legendre(GAUSS)
+        half = -np.diff(edges) / 2
+        d = (np.array(edges[1:])[:, None] + half[:, None] * (1 + rule)).ravel()
+        w = (half[:, None] * weights).ravel()
+        apart = beyond[:, None] + d
+        if in_logs:
+            kernel = np.exp((p - 1) * (source.high + beyond[:, None] + np.log(-np.expm1(-apart))) + source.high - d)
+        else:
+            kernel = apart ** (p - 1)
+        return (kernel * w) @ lagrange(len(source.z), 1 - 2 * d / length) / exp(lgamma(p))
+
+    def own(self, panel: Panel, p: float) -> Array:
+        """The weights of a panel's own nodes."""
+        if panel.kind == "point":
+            return np.array([[np.exp(p * panel.high - lgamma(p + 1))]])
+        length = panel.high - panel.low
+        if panel.kind == "log":
+            return np.exp(p * panel.high) * self.scaled(len(panel.z), p, round(length, 10))
+        return length ** p * self.scaled(len(panel.z), p, 0.0)
+
+    @staticmethod
+    @lru_cache(None)
+    def scaled(count: int, p: float, length: float) -> Array:
+        """The own weights of [0, 1], or of [e^-length, 1] in logarithms."""
+        v, weights = gauss(p)
+        rule, w = legendre(GAUSS)
+        rows = []
+        for c in (1 + radau(count)[0]) / 2:
+            if not length:
+                rows.append(c ** p * weights @ lagrange(count, 2 * c * (1 - v) - 1))
+                continue
+            # From the node backwards: a piece with the kernel as weight, then pieces of about 1.
+            x, last = (c - 1) * length, min(c * length, 1.0)
+            d = last * v
+            factor = last ** p * weights * np.exp((p - 1) * (x + np.log(-np.expm1(-d) / d)) + x - d)
+            row = factor @ lagrange(count, 2 * (c - d / length) - 1)
+            if (rest := c * length - last) > 0:
+                half = rest / np.ceil(rest) / 2
+                d = (last + half * (2 * np.arange(np.ceil(rest))[:, None] + 1 + rule)).ravel()
+                kernel = np.exp((p - 1) * (x + np.log(-np.expm1(-d))) + x - d)
+                row = row + (kernel * np.tile(half * w, int(np.ceil(rest)))) @ lagrange(count, 2 * (c - d / length) - 1)
+            rows.append(row)
+        return np.array(rows) / exp(lgamma(p))
+
+    def weights(self, target: Panel) -> dict[float, Array]:
+        """For each order a row for each node of the target, a column for each earlier node."""
+        if not self.panels:
+            return {p: np.zeros((len(target.z), 0)) for p in self.orders}
+        anchors, offsets, logs, measures = (np.concatenate(one) for one in self.nodes)
+        found = {p: self.far(target, p, anchors, offsets, logs, measures) / exp(lgamma(p)) for p in self.orders}
+        begin = 0
+        for source in self.panels:
+            place = slice(begin, begin + len(source.z))
+            begin += len(source.z)
+            if source.kind == "point":
+                for p in self.orders:
+                    found[p][:, place] = self.point(target, source, p)[:, None]
+            elif self.is_near(target, source):
+                for p in self.orders:
+                    found[p][:, place] = self.near(target, source, p)
+        return found
+
+    @staticmethod
+    def is_near(target: Panel, source: Panel) -> bool:
+        if source.kind == "log" and target.anchor == source.anchor:
+            gap, length = target.logs[0] - source.high, source.high - source.low
+            return gap < length or (length > 2.5 and gap < FAR)
+        begin, end = (np.exp(source.low), np.exp(source.high)) if source.kind == "log" else (source.low, source.high)
+        gap = target.anchor - source.anchor + target.offsets[0] - end
+        return gap < end - begin or (source.kind == "log" and source.high - source.low > 2.5 and gap < end)
+
+
+Residual = Callable[[Array, float, list, list], list]
+
+
+@dataclass(frozen=True)
+class Equations:
+    """g(t, middle, u, integrals) = 0, for arrays of times; `middle` is a time within the panel, by which steps are decided."""
+
+    count: int
+    integrals: Sequence[tuple[int, float]]  # (unknown, order)
+    residual: Residual
+    start: Sequence[float]  # near the values of u at 0
+    columns: Callable[[float, list, list], dict[str, float]]
+
+
+def advance(equations: Equations, panel: Panel, past: dict[float, Array], own: dict[float, Array], values: list[Array], last: Array, level: dict[int, tuple[float, Array]]) -> tuple[Array | None, list]:
+    """The values of the unknowns on a panel by Newton's method, with derivatives by a complex step; and the integrals.
+
+    The first guess leaves the integrals in `level` as they are before the panel: unlike constant u, it stays next to the same root."""
+    m, n = len(panel.z), equations.count
+    times = panel.anchor + panel.offsets
+    low, high = (0 if panel.kind == "point" else panel.offsets[0]), panel.offsets[-1]
+    middle = max(panel.anchor + (low + high) / 2, np.nextafter(panel.anchor, np.inf))
+    before = [past[p] @ values[i] for i, p in equations.integrals]
+    u = np.repeat(last[:, None], m, axis=1)
+    for i, (p, value) in level.items():
+        u[i] = np.linalg.solve(own[p], value - past[p] @ values[i])
+    for _ in range(25):
+        integrals = [h + own[p] @ u[i] for h, (i, p) in zip(before, equations.integrals)]
+        g = np.array([np.broadcast_to(one, (m,)) for one in equations.residual(times, middle, list(u), integrals)], dtype=float)
+        jacobian = np.zeros((n, m, n, m))
+        diagonal = np.arange(m)
+        for k in range(n):
+            moved = [one + (1e-30j if j == k else 0) for j, one in enumerate(u)]
+            for row, one in enumerate(equations.residual(times, middle, moved, integrals)):
+                jacobian[row, diagonal, k, diagonal] += np.imag(one) * 1e30
+        for place, (k, p) in enumerate(equations.integrals):
+            moved = [one + (1e-30j if j == place else 0) for j, one in enumerate(integrals)]
+            for row, one in enumerate(equations.residual(times, middle, list(u), moved)):
+                derivative = np.broadcast_to(np.imag(one) * 1e30, (m,))
+                jacobian[row, :, k, :] += derivative[:, None] * own[p]
+        try:
+            change = np.linalg.solve(jacobian.reshape(n * m, n * m), g.ravel()).reshape(n, m)
+        except np.linalg.LinAlgError:
+            return None, []
+        u = u - change
+        if not np.isfinite(u).all():
+            return None, []
+        if np.abs(change).max() <= 1e-12 * (1e-3 + np.abs(u).max()):
+            return u, [h + own[p] @ u[i] for h, (i, p) in zip(before, equations.integrals)]
+    return None, []
+
+
+def trajectory(equations: Equations, shape: Shape, outputs: Sequence[float], nodes: int, scale: float) -> list[dict[str, float]]:
+    orders = sorted({p for _, p in equations.integrals})
+    history = History(orders)
+    values = [np.zeros(0) for _ in range(equations.count)]
+    guess, found = np.array(equations.start, dtype=float), []
+    mesh, halvings = panels(shape, outputs, scale), 0
+    left, level = sorted(outputs), {}
+    lowest = {i: min(p for j, p in equations.integrals if j == i) for i, _ in equations.integrals}
+    while mesh:
+        if (len(mesh) + len(history.panels)) * nodes > 5000:
+            raise Uncertain(f"{len(mesh)} panels")
+        panel = mesh.pop(0)
+        panel.z = np.array([panel.high]) if panel.kind == "point" else panel.low + (panel.high - panel.low) * (1 + radau(nodes)[0]) / 2
+        past, own = history.weights(panel), {p: history.own(panel, p) for p in orders}
+        for start in (level, {}):
+            u, integrals = advance(equations, panel, past, own, values, guess, start)
+            if u is not None and (panel.kind == "point" or continues(u, guess)):
+                break
+        else:
+            halvings += 1
+            if panel.kind == "point" or halvings > 60:
+                raise Uncertain(f"nothing continues the solution at t = {panel.anchor + panel.offsets[0]:g}")
+            middle = (panel.low + panel.high) / 2
+            mesh[:0] = [Panel(panel.kind, panel.anchor, panel.low, middle), Panel(panel.kind, panel.anchor, middle, panel.high)]
+            continue
+        history.push(panel)
+        values = [np.concatenate([one, more]) for one, more in zip(values, u)]
+        guess = u[:, -1]
+        level = {i: (p, integrals[equations.integrals.index((i, p))][-1]) for i, p in lowest.items()}
+        time = panel.anchor + panel.offsets[-1]
+        if left and abs(time - left[0]) <= 4e-16 * time:
+            found.append(equations.columns(left.pop(0), list(u[:, -1]), [one[-1] for one in integrals]))
+    return found
+
+
+def continues(u: Array, last: Array) -> bool:
+    begin = u @ lagrange(u.shape[1], np.array([-1.0]))[0]
+    return bool((np.abs(begin - last) <= 0.02 * (1e-3 + np.abs(u).max(axis=1))).all())
+
+
+def solution(equations: Equations, shape: Shape, outputs: Sequence[float]) -> list[dict[str, tuple[float, float]]]:
+    """For each output (sorted) the columns with their values and errors."""
+    with np.errstate(all="ignore"):
+        coarse, fine = (trajectory(equations, shape, outputs, nodes, scale) for nodes, scale in ((6, 1.0), (9, 0.8)))
+    if len(fine) != len(outputs) or len(coarse) != len(outputs):
+        raise Uncertain("an output is missing")
+    return [{name: (value, abs(value - other[name]) + 1e-13 * abs(value)) for name, value in one.items()} for one, other in zip(fine, coarse)]
