@@ -206,6 +206,10 @@ std::optional<SceneFactory> scene_of_file(std::string_view name) {
     return equation_scene(read_equation_text(id));
   }
   const auto file = file_in_folder(name);
+  if (!file && name.find_first_of("./\\") != std::string_view::npos)
+    reject_text("scene", id, "the id of a scene, or an equation file, whose name ends in .toml");
+  if (!file && std::filesystem::exists(fmt::format("{}{}", id, equation_file_extension)))
+    reject_text("scene", id, fmt::format("a scene; the file is {}{}", id, equation_file_extension));
   if (!file) return std::nullopt;
   SceneFactory maker = equation_scene(read_equation_text(*file));
   maker.id = id;
