@@ -19,6 +19,7 @@
 #include "fdebench/benchmarks/equation_files/file_discontinuities.hpp"
 #include "fdebench/benchmarks/equation_files/file_reference.hpp"
 #include "fdebench/benchmarks/equation_files/file_smoothness.hpp"
+#include "fdebench/benchmarks/equation_files/implied_terms.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
@@ -123,7 +124,7 @@ Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormu
 }
 
 Scene scene_of(const EquationText& all, const Parameters& parameters, bool is_built_in) {
-  const EquationText text = present_parts(all, parameters);
+  const EquationText text = with_implied_terms(present_parts(all, parameters), parameters);
   if (text.mechanics) return mechanical_scene_of(text, parameters, is_built_in);
   FileFormulas formulas(text, parameters, NumberStorage::values);
   formulas.require_parameters();
