@@ -89,12 +89,17 @@ class Scene(_Posed):
             raise TypeError(f"scene = {name!r}: must be the name of a scene or a file")
         self._name = os.fspath(name)
         self._settings = [f"{key}={_text(key, value)}" for key, value in {**(parameters or {}), **more}.items()]
-        self._id, self._columns, self._orders, self._end = _core.facts(self._name, self._settings)
+        self._id, self._columns, self._orders, self._end, self._note = _core.facts(self._name, self._settings)
 
     @property
     def id(self) -> str:
         """Its name without parameters."""
         return self._id
+
+    @property
+    def note(self) -> str:
+        """What the scene changes of its file: how far ``initial_velocity="projected"`` moves each velocity. "" if nothing."""
+        return self._note
 
     @property
     def label(self) -> str:

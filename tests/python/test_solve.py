@@ -45,6 +45,24 @@ def test_a_file_is_a_scene(tmp_path):
         fdebench.solve(str(file), "l1", 8)
 
 
+def test_initial_velocities_are_projected_onto_a_constraint(tmp_path):
+    """Of masses 1 and 3 under x' + 2 y' = 0: v - M^-1 a (a.v)/(a M^-1 a) with a = (1, 2), a M^-1 a = 7/3."""
+    file = tmp_path / "masses.toml"
+    file.write_text(
+        'end = 1\n[coordinate.x]\ninitial = [0, 0.333333]\n[coordinate.y]\ninitial = [0, -0.166667]\n[mechanics]\n'
+        'lagrangian = "(D(x,1)^2 + 3*D(y,1)^2)/2 - x^2"\nconstraints = ["D(x,1) + 2*D(y,1)"]\n'
+    )
+    with pytest.raises(ValueError, match="set initial_velocity=projected takes it"):
+        fdebench.solve(fdebench.Scene(file), "l1", 8)
+    scene = fdebench.Scene(file, initial_velocity="projected")
+    assert scene.note.endswith("D(x,1) by 4.29e-07, D(y,1) by 2.86e-07")
+    defect = (0.333333 - 2 * 0.166667) * 3 / 7
+    start = fdebench.solve(scene, "l1", 64, at=0)
+    assert start["D(x,1)"][0] == pytest.approx(0.333333 - defect, abs=1e-16)
+    assert start["D(y,1)"][0] == pytest.approx(-0.166667 - 2 / 3 * defect, abs=1e-16)
+    assert fdebench.Scene("pendulum").note == ""
+
+
 def test_a_problem_of_ones_own_has_its_solution():
     """D^0.5 y = -y from 1 is e^t erfc(sqrt(t))."""
     solution = fdebench.solve(relaxation(), "product_trapezoidal", 2048, grid="graded:2")
