@@ -227,6 +227,12 @@ def test_numbers_without_dimensions_are_numbers():
         (lambda: fdebench.mittag_leffler(1j, 1, 1), "^alpha = 1j: must be real numbers"),
         (lambda: fdebench.mittag_leffler(0.5, 1, None), "^z = None: must be numbers"),
         (lambda: fdebench.Problem([None], [1.0], lambda t, y: y, 1.0), "^orders = None: must be a real number"),
+        (lambda: fdebench.Problem(0.5, [1.0], lambda t, y: y, 1.0), "^orders = 0.5: must be a list"),
+        (lambda: fdebench.Problem([0.5], 1.0, lambda t, y: y, 1.0), "^initial = 1.0: must be a list"),
+        (lambda: fdebench.Problem([0.5], [1.0], lambda t, y: y, 1.0, names="y"), "^names = 'y': must be a list"),
+        (lambda: fdebench.Problem([0.5], [1.0], lambda t, y: y, 1.0, jumps=0.5), "^jumps = 0.5: must be a list"),
+        (lambda: fdebench.Scene("relaxation", "gamma=0.5"), "^parameters = 'gamma=0.5': must be a mapping"),
+        (lambda: fdebench.choose("relaxation", error=1e-3, norm=2.5j), "^norm = 2.5j: must be a real number"),
         (lambda: fdebench.Problem([0.5], [None], lambda t, y: y, 1.0), r"^initial\[0\] = None: must be real numbers"),
         (lambda: fdebench.Problem([0.5], [1j], lambda t, y: y, 1.0), r"^initial\[0\] = 1j: must be real numbers"),
         (lambda: fdebench.Problem([0.5], [1.0], lambda t, y: y, None), "^end = None: must be a real number"),
@@ -242,3 +248,10 @@ def test_integers_beyond_their_range_are_value_errors():
     for wrong, name in ((lambda: fdebench.solve("relaxation", "l1", 10**400), "steps"), (lambda: fdebench.choose("relaxation", error=10**400), "error")):
         with pytest.raises(ValueError, match=f"^{name} = "):
             wrong()
+
+
+def test_columns_may_be_one_name_and_runs_a_number():
+    answer = fdebench.choose("pendulum", error=1e-2, columns="phi", runs=1, seconds=10)
+    assert answer["error"] < 1e-2
+    with pytest.raises(KeyError, match="z: there are y"):
+        fdebench.exact("relaxation", 1.0)["z"]
