@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -23,6 +24,36 @@ constexpr Range any_order{.low = 0.0, .high = 2.0};
 // Whether the text contains a name.
 bool has_name(const FormulaText& formula) {
   return !is_decimal(formula.text) && std::ranges::any_of(formula.text, is_letter);
+}
+
+// Rejects t and unknowns in the coefficient or the order of a term.
+void require_constant(const FormulaText& formula, std::string_view allowed, FileFormulas& formulas) {
+  const auto is_unknown = [&](std::string_view name) {
+    return std::ranges::find(formulas.text().unknowns, name, &UnknownText::name) !=
+           formulas.text().unknowns.end();
+  };
+  const auto refuse = [&](std::string_view name) -> std::optional<Expression> {
+    if (name != "t" && !is_unknown(name)) return std::nullopt;
+    throw std::invalid_argument(fmt::format("{}: must not vary; {}", formula.text, allowed));
+  };
+  formulas.read(formula, {.time = false, .resolve_other = refuse});
+}
+
+// The order of a term; outside of [0, 2] the message says which unknowns of their own express it.
+double order_of(const TermText& term, std::string_view unknown, FileFormulas& formulas) {
+  const double order = formulas.constant(term.order, "order", any_number);
+  if (any_order.contains(order)) return order;
+  formulas.reject(
+      term.order,
+      order < 0.0
+          ? fmt::format(
+                "order = {0}: must be {1}; the integral of order {2} of {3} is an unknown z of its own: "
+                "D^{2} z = {3}, z(0) = 0",
+                order, any_order.text(), -order, unknown)
+          : fmt::format(
+                "order = {0}: must be {1}; D^{0} {2} is D^{3:.6g} v of an unknown v of its own: D^2 {2} = v, "
+                "v(0) = {2}''(0)",
+                order, any_order.text(), unknown, order - any_order.high));
 }
 
 // x'(0) may be listed where the order depends on parameters and is at most 1; there it must be 0.
@@ -56,10 +87,13 @@ EquationSystem::Unknown unknown_of(const UnknownText& text, Eigen::Index first, 
   std::vector<Term> terms;
   EquationSystem::Unknown unknown{.name = text.name, .first = first, .chain = {}};
   const TermText* leading = nullptr;
-  for (const auto& [coefficient, order] : text.terms) {
-    unknown.coefficients.push_back(formulas.read(coefficient, {.time = false}));
-    terms.push_back({formulas.constant_in_double(coefficient, "coefficient", any_number),
-                     formulas.constant(order, "order", any_order)});
+  for (const auto& term : text.terms) {
+    require_constant(term.coefficient,
+                     "a coefficient that does is a factor, or on the right with its D(x, q)", formulas);
+    require_constant(term.order, "orders that do are not supported", formulas);
+    unknown.coefficients.push_back(formulas.read(term.coefficient, {.time = false}));
+    terms.push_back({formulas.constant_in_double(term.coefficient, "coefficient", any_number),
+                     order_of(term, text.name, formulas)});
     if (leading == nullptr || terms.back().order > terms.front().order) {
       std::swap(terms.front(), terms.back());
       leading = &text.terms[terms.size() - 1];
@@ -146,8 +180,10 @@ FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool
     const auto nodes = unknown.chain ? unknown.chain->nodes() : std::vector{0.0};
     const auto row = nearest_order(nodes, order);
     if (row) return pool.variable(static_cast<int>(unknown.first + *row) + 1);
-    throw std::invalid_argument(fmt::format("D({}, {}): must be of an order of its chain, {}", unknown.name,
-                                            order, fmt::join(nodes, ", ")));
+    const bool is_above = unknown.chain && order > unknown.chain->leading().order;
+    throw std::invalid_argument(fmt::format(
+        "D({}, {}): must be of an order of its chain, {}{}", unknown.name, order, fmt::join(nodes, ", "),
+        is_above ? "; an order above those of the terms must be one of them" : ""));
   };
   return {.time = true, .resolve_unknown = node};
 }
