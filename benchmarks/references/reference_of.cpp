@@ -49,8 +49,17 @@ reference::Reference reference_of(const Scene& scene) {
 
 std::string_view evidence_of(const Scene& scene) {
   const auto evidence = scene.reference.at ? scene.reference.evidence : reference::Evidence::two_methods;
-  if (evidence == reference::Evidence::closed_form) return "closed form";
-  return evidence == reference::Evidence::laplace_transform ? "inverse Laplace transform" : "two methods";
+  switch (evidence) {
+    case reference::Evidence::closed_form:
+      return "closed form";
+    case reference::Evidence::laplace_transform:
+      return "inverse Laplace transform";
+    case reference::Evidence::two_methods:
+      return "two methods";
+    case reference::Evidence::estimate:
+      break;
+  }
+  return "estimate";
 }
 
 }  // namespace fde::bench

@@ -16,7 +16,7 @@ PosedProblem reference_problem_of(const Scene& scene);
 // there is no reference.
 reference::Reference reference_of(const Scene& scene);
 
-// The kind of evidence: "closed form", "inverse Laplace transform" or "two methods".
+// The kind of evidence: "closed form", "inverse Laplace transform", "two methods" or "estimate".
 std::string_view evidence_of(const Scene& scene);
 
 }  // namespace fde::bench
