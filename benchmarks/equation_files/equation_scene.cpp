@@ -22,6 +22,7 @@
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
+#include "fdebench/benchmarks/equation_files/singular_loads.hpp"
 #include "fdebench/benchmarks/equation_files/time_jumps.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
@@ -137,6 +138,8 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, bool is_bu
   scene.jumps_until = time_jumps(system.rows, system.jumps, formulas.pool());
   set_end(scene, system.end);
   scene.reference = file_reference(system, scene.problem, columns, formulas);
+  if (!scene.reference.at)
+    scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
   for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
   if (!text.constraints.empty()) scene.constraint = constraint_of(text.constraints, columns, formulas);
