@@ -24,6 +24,7 @@
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
+#include "fdebench/benchmarks/equation_files/singular_loads.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/equation_file_name.hpp"
@@ -139,6 +140,8 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   scene.load_times = load_times(system.rows, system.jumps, formulas.pool());
   set_end(scene, system.end);
   scene.reference = file_reference(system, scene.problem, columns, formulas);
+  if (!scene.reference.at)
+    scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
   for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
   if (!text.constraints.empty()) scene.constraint = constraint_of(text.constraints, columns, formulas);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -82,6 +83,23 @@ std::vector<double> initial_values(const UnknownText& unknown, const FormulaText
   return values;
 }
 
+// Makes known what the sums of the coefficients of one order are exactly.
+void add_sums(const UnknownText& text, const std::vector<Expression>& coefficients, FileFormulas& formulas) {
+  auto& pool = formulas.pool();
+  if (!pool.has_fractions()) return;
+  std::map<double, std::pair<double, Expression>> sums;
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    const double order = formulas.constant(text.terms[k].order, "order", any_order),
+                 value = formulas.constant_in_double(text.terms[k].coefficient, "coefficient", any_number);
+    const auto [place, is_new] = sums.try_emplace(order, value, coefficients[k]);
+    if (is_new) continue;
+    auto& [sum, exact] = place->second;
+    sum += value;
+    exact = pool.make_expression(Operation::add, exact, coefficients[k]);
+    pool.add_constant(sum, exact);
+  }
+}
+
 // The unknown with its chain, starting at row `first`; without a chain if the row is algebraic.
 EquationSystem::Unknown unknown_of(const UnknownText& text, Eigen::Index first, FileFormulas& formulas) {
   std::vector<Term> terms;
@@ -99,6 +117,7 @@ EquationSystem::Unknown unknown_of(const UnknownText& text, Eigen::Index first, 
       leading = &text.terms[terms.size() - 1];
     }
   }
+  add_sums(text, unknown.coefficients, formulas);
   const Term top = terms.front();
   if (top.order == 0.0 && text.may_be_algebraic) return unknown;
   if (top.order == 0.0)
@@ -134,7 +153,7 @@ void add_scaled(const UnknownText& text, EquationSystem::Unknown& unknown, const
   const double first = static_cast<double>(pool.value(unknown.coefficients.front()).value());
   const double sum = unknown.chain->leading().coefficient, others = sum - first;
   if (others == 0.0) return;
-  const auto number = [&](double value) { return pool.number(fmt::format("{}", value)); };
+  const auto number = [&](double value) { return pool.number(value); };
   const auto varying = pool.make_expression(Operation::multiply, number(others), *unknown.factor);
   const auto leading = pool.make_expression(Operation::add, number(first), varying);
   const auto scale = pool.make_expression(Operation::divide, number(sum), leading);
@@ -161,15 +180,14 @@ void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& pool, std:
   const auto row = [&](Eigen::Index i) { return pool.variable(static_cast<int>(unknown.first + i) + 1); };
   auto sum = pool.number(0);
   for (Eigen::Index i = 0; i < chain.size(); ++i) {
-    const auto weight = pool.number(fmt::format("{}", chain.coefficients()[i]));
+    const auto weight = pool.number(chain.coefficients()[i]);
     sum =
         pool.make_expression(Operation::add, sum, pool.make_expression(Operation::multiply, weight, row(i)));
     if (i > 0) rows.push_back(row(i));
   }
   if (unknown.factor) sum = pool.make_expression(Operation::multiply, *unknown.factor, sum);
   const auto rest = pool.make_expression(Operation::subtract, *unknown.rhs, sum);
-  rows.push_back(pool.make_expression(Operation::divide, rest,
-                                      pool.number(fmt::format("{}", chain.leading().coefficient))));
+  rows.push_back(pool.make_expression(Operation::divide, rest, pool.number(chain.leading().coefficient)));
 }
 
 }  // namespace

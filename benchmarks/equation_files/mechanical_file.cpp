@@ -160,21 +160,35 @@ std::pair<double, double> order_of(const mechanics::StateRow& row, const Compone
       return {row.order, row.order < 1.0 ? 1.0 : 2.0};
     case mechanics::RowKind::multiplier:
       return {0.0, 0.0};
+    case mechanics::RowKind::velocity:
+      if (row.order > 1.0) return {1.0, row.order};
+      [[fallthrough]];
     default:
       return {0.0, component.order};
   }
 }
 
 // The exact solution of a linear system, from its multiplier form, whose coefficients are those of the file.
-void add_linear_reference(Scene& scene, const MechanicalSystem& system, ExpressionPool& pool) {
+void add_linear_reference(Scene& scene, const MechanicalFile& file, FileFormulas& formulas) {
+  const auto posed = [](const Dynamics& dynamics) {
+    return mechanics::posed(dynamics, {dynamics.has_constraints() ? mechanics::Formulation::multiplier
+                                                                  : mechanics::Formulation::acceleration});
+  };
+  const auto is_linear_motion = [&](ExpressionPool& pool) {
+    const Algebra algebra(pool);
+    const auto equations = posed(Dynamics(file.system, algebra));
+    return is_linear(expression_problem(equations.components, equations.rhs, 1.0, pool));
+  };
+  if (!is_linear_motion(formulas.pool())) return;
+  FileFormulas exact(formulas.text(), formulas.parameters(), NumberStorage::fractions);
+  auto system = read_mechanical_file(exact).system;
+  system.velocity = file.system.velocity;  // which may have been projected onto the constraints
+  auto& pool = exact.pool();
   const Algebra algebra(pool);
   const Dynamics dynamics(system, algebra);
-  const auto equations =
-      mechanics::posed(dynamics, {dynamics.has_constraints() ? mechanics::Formulation::multiplier
-                                                             : mechanics::Formulation::acceleration});
-  const auto problem = expression_problem(equations.components, equations.rhs, 1.0, pool);
-  if (!is_linear(problem)) return;
-  LinearRows rows{.orders = {}, .components = equations.components, .rows = equations.rhs, .outputs = {}};
+  const auto equations = posed(dynamics);
+  LinearRows rows{
+      .components = equations.components, .rows = equations.rhs, .initial = equations.exact_initial};
   std::vector<std::size_t> multipliers;
   for (std::size_t i = 0; i < equations.rows.size(); ++i) {
     rows.orders.push_back(order_of(equations.rows[i], equations.components[i]));
@@ -189,7 +203,7 @@ void add_linear_reference(Scene& scene, const MechanicalSystem& system, Expressi
   // Above order 1 the multiplier of this form lacks a part if lambda is unbounded at the start.
   if (*dynamics.constraint_orders().rbegin() > 1.0 && !scene.reactions.initial_multipliers) return;
   rows.outputs = multipliers;
-  if (auto exact = linear_rows_reference(rows, pool)) scene.reactions.exact = std::move(*exact);
+  if (auto lambda = linear_rows_reference(rows, pool)) scene.reactions.exact = std::move(*lambda);
 }
 
 // The formulation of the reference at the default parameters; `other` if the motion does not start regularly
@@ -339,7 +353,7 @@ Scene mechanical_file_scene(MechanicalFile file, FileFormulas& formulas, const P
                               ? mechanics::FormulationChoice{mechanics::Formulation::acceleration}
                               : mechanics::formulation_choice_of(parameters);
       Scene scene = mechanics::mechanical_scene(system, choice, names, end, pool);
-      if (scene.ill_posed_reason.empty()) add_linear_reference(scene, system, pool);
+      if (scene.ill_posed_reason.empty()) add_linear_reference(scene, file, formulas);
       return scene;
     };
     try {
