@@ -115,6 +115,10 @@ void say(const Streams& streams, Message kind, std::string_view message) {
   streams.err.flush();
 }
 
+void warn(const Streams& streams, std::string_view text) {
+  if (!text.empty()) say(streams, Message::warning, fmt::format("warning: {}", text));
+}
+
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& given,
                  const SceneRegistry& known) {
   Streams streams = given;

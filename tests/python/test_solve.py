@@ -2,6 +2,7 @@
 """Solves from Python, held against formulas and against the command."""
 
 import csv
+import fractions
 import io
 import math
 import pathlib
@@ -176,6 +177,28 @@ def test_a_right_hand_side_returns_as_many_numbers_as_there_are_unknowns():
     problem = fdebench.Problem([0.5, 0.5], [1.0, 1.0], lambda t, y: [0.0], 1.0)
     with pytest.raises(ValueError, match=r"rhs: returned an array of shape \(1\), must be \(2\)"):
         fdebench.solve(problem, "l1", 8)
+
+
+@pytest.mark.parametrize(
+    "returned, called",
+    [(lambda y: None, "None"), (lambda y: [None, 1.0], "None"), (lambda y: [1j, 1.0], "complex numbers"), (lambda y: y * (1 + 0j), "complex numbers"),
+     (lambda y: ["1", "2"], "text"), (lambda y: "12", "text"), (lambda y: numpy.array([1.0, 2j], dtype=object), "complex numbers"),
+     (lambda y: numpy.array([1.0, "2"], dtype=object), "text")],
+)  # fmt: skip
+def test_a_right_hand_side_that_returns_no_real_numbers_is_named(returned, called):
+    """NumPy makes nan of None, drops imaginary parts with a warning, and reads numbers from text."""
+    problem = fdebench.Problem([0.5, 0.5], [1.0, 1.0], lambda t, y: returned(y), 1.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for solve in (lambda: fdebench.solve(problem, "l1", 8), lambda: fdebench.exact(problem, 1.0)):
+            with pytest.raises(ValueError, match=f"^rhs: returned {called} at t = .*, must be real numbers$"):
+                solve()
+
+
+@pytest.mark.parametrize("kind", [float, int, bool, numpy.float32, fractions.Fraction])
+def test_a_right_hand_side_may_return_any_real_numbers(kind):
+    problem = fdebench.Problem([1.0], [0.0], lambda t, y: [kind(1)], 1.0)
+    assert fdebench.solve(problem, "l1", 8).values[-1, 0] == pytest.approx(1.0)
 
 
 FALLING = pathlib.Path(__file__).parents[2] / "docs/examples/falling.toml"
