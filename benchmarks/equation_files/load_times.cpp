@@ -51,6 +51,20 @@ std::vector<Expression> time_parts(const std::vector<Expression>& rows, const Ex
   return parts;
 }
 
+// Functions of t whose sign changes are kinks of the rows.
+std::vector<Expression> kinks_in(const std::vector<Expression>& rows, ExpressionPool& pool) {
+  std::vector<Expression> found;
+  const auto used = pool.subexpressions(rows);
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    const auto [operation, arguments, value, text, variable] = pool[static_cast<Expression>(e)];
+    if (!used[e] || pool.depends_on_unknowns(static_cast<Expression>(e))) continue;
+    if (operation == Operation::abs) found.push_back(arguments[0]);
+    if (operation == Operation::min || operation == Operation::max)
+      found.push_back(pool.make_expression(Operation::subtract, arguments[0], arguments[1]));
+  }
+  return found;
+}
+
 // A function of t, and its derivative, whose sign changes are its turning points.
 struct Curve {
   TimeFunction value, slope;
@@ -149,16 +163,17 @@ void add_limits(const Curve& curve, double from, double to, std::vector<StepLimi
   add_limits(runs_of(curve.value, ends, negligible * size), limits);
 }
 
-std::vector<double> jumps_until(double end, const std::vector<TimeFunction>& arguments,
-                                std::vector<double> jumps) {
+// The given times, and those at which a function changes its sign.
+std::vector<double> sign_changes_until(double end, const std::vector<TimeFunction>& arguments,
+                                       std::vector<double> times) {
   for (const auto& argument : arguments) {
     const auto pieces = argument.signs(first_part * end, end);
     for (std::size_t k = 1; k < pieces.size(); ++k)
-      if (pieces[k - 1].to == pieces[k].from) jumps.push_back(pieces[k].from);
+      if (pieces[k - 1].to == pieces[k].from) times.push_back(pieces[k].from);
   }
-  std::ranges::sort(jumps);
-  jumps.erase(std::unique(jumps.begin(), jumps.end(), same_time), jumps.end());
-  return jumps;
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end(), same_time), times.end());
+  return times;
 }
 
 std::vector<StepLimit> limits_until(double end, const std::vector<Curve>& curves,
@@ -179,9 +194,10 @@ std::vector<StepLimit> limits_until(double end, const std::vector<Curve>& curves
 
 std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& rows,
                                                 std::vector<double> declared_jumps, ExpressionPool& pool) {
-  std::vector<TimeFunction> arguments;
+  std::vector<TimeFunction> of_jumps, of_kinks;
   for (const auto argument : pool.arguments(rows, {Operation::sign, Operation::step}))
-    if (!pool.depends_on_unknowns(argument)) arguments.emplace_back(argument, pool);
+    if (!pool.depends_on_unknowns(argument)) of_jumps.emplace_back(argument, pool);
+  for (const auto argument : kinks_in(rows, pool)) of_kinks.emplace_back(argument, pool);
   std::vector<Curve> curves;
   for (const auto part : time_parts(rows, pool)) {
     try {
@@ -194,7 +210,8 @@ std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& r
     }
   }
   return [=, declared = std::move(declared_jumps)](double end) {
-    LoadTimes times{.jumps = jumps_until(end, arguments, declared)};
+    LoadTimes times{.jumps = sign_changes_until(end, of_jumps, declared),
+                    .kinks = sign_changes_until(end, of_kinks, {})};
     times.limits = limits_until(end, curves, times.jumps);
     return times;
   };

@@ -38,6 +38,7 @@ PosedProblem reference_problem_of(const Scene& scene) {
   PosedProblem posed = *scene.reference_problem;
   posed.problem.end = scene.problem.end;
   posed.problem.jump_times = scene.problem.jump_times;
+  posed.problem.kink_times = scene.problem.kink_times;
   posed.problem.step_limits = scene.problem.step_limits;
   return posed;
 }
@@ -49,12 +50,15 @@ reference::Reference reference_of(const Scene& scene) {
   return reference;
 }
 
+bool is_examined_at_points_only(const Scene& scene) {
+  return !scene.reference.at && !reference_problem_of(scene).problem.range;
+}
+
 std::string_view evidence_of(const Scene& scene) {
   const auto evidence = scene.reference.at ? scene.reference.evidence : reference::Evidence::two_methods;
   if (evidence == reference::Evidence::closed_form) return "closed form";
   if (evidence == reference::Evidence::laplace_transform) return "inverse Laplace transform";
-  const bool by_intervals = reference_problem_of(scene).problem.range != nullptr;
-  return by_intervals ? "two methods" : "two methods, examined at points only";
+  return is_examined_at_points_only(scene) ? "two methods, examined at points only" : "two methods";
 }
 
 }  // namespace fde::bench

@@ -16,6 +16,10 @@ PosedProblem reference_problem_of(const Scene& scene);
 // std::runtime_error with the reason if there is no reference.
 reference::Reference reference_of(const Scene& scene);
 
+// Whether the reference is computed by two methods for a right-hand side that is no formula: interval
+// arithmetic does not show then that its residual is small between the points at which it is examined.
+bool is_examined_at_points_only(const Scene& scene);
+
 // The kind of evidence: "closed form", "inverse Laplace transform", "two methods", or "two methods, examined
 // at points only" where the right-hand side is no formula.
 std::string_view evidence_of(const Scene& scene);

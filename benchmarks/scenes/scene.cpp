@@ -39,6 +39,7 @@ void set_end(Scene& scene, double end) {
   if (!scene.load_times) return;
   auto times = scene.load_times(end);
   scene.problem.jump_times = std::move(times.jumps);
+  scene.problem.kink_times = std::move(times.kinks);
   scene.problem.step_limits = std::move(times.limits);
 }
 

@@ -119,10 +119,10 @@ struct PosedProblem {
   Outputs outputs{};
 };
 
-// What a right-hand side does as a function of t alone, up to a given end: Problem::jump_times and
-// Problem::step_limits.
+// What a right-hand side does as a function of t alone, up to a given end: Problem::jump_times, kink_times
+// and step_limits.
 struct LoadTimes {
-  std::vector<double> jumps{};
+  std::vector<double> jumps{}, kinks{};
   std::vector<StepLimit> limits{};
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -110,9 +111,13 @@ Reference reference_from_table(PanelTable table, const Problem& problem) {
   return reference_from_panels(std::move(table), initial_bound(problem));
 }
 
-PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
-  require_supported(problem);
-  require_affordable(problem);
+PanelTable reference_table(const Problem& given, const CollocationOptions& options) {
+  require_supported(given);
+  require_affordable(given);
+  // Polynomials resolve a kink no better than a jump.
+  Problem problem = given;
+  problem.jump_times.clear();
+  std::ranges::set_union(given.jump_times, given.kink_times, std::back_inserter(problem.jump_times));
   const InitialLengths starts = initial_lengths(problem);
   const auto solve = [&](int points, double shortest) -> PiecewiseSolution {
     return {problem,

@@ -73,9 +73,21 @@ NodalSolution solution_on(const Problem& problem, const NodalBasis& basis, const
   }
 }
 
+// Neither method chooses its nodes by the solution: both would pass over a load that changes quickly.
+void require_slow_loads(const Problem& problem) {
+  constexpr double resolved = 0.05;  // of the end
+  for (const auto& limit : problem.step_limits) {
+    if (limit.to - limit.from < resolved * problem.end)
+      throw std::runtime_error(fmt::format(
+          "two methods: a load changes within t = {:.6g} ... {:.6g}, a time that they do not resolve",
+          limit.from, limit.to));
+  }
+}
+
 }  // namespace
 
 PanelTable two_sided_table(const Problem& problem) {
+  require_slow_loads(problem);
   const PanelBasis fine(points, PanelPoints::legendre), coarse(coarse_points, PanelPoints::legendre);
   const ClusteringMap time = time_of(problem);
   const int panels = count_of(9, time);

@@ -32,6 +32,7 @@ struct Recommendation {
   std::vector<std::string> missing{};       // without options: the best error, and what would be needed
   bool constant = false;                    // the solution equals its initial value at all times
   std::optional<double> reference_bound{};  // of the reference at the end time; nullopt: not known here
+  bool examined_at_points_only = false;     // the reference; see is_examined_at_points_only
   std::optional<ErrorEstimate> estimate{};  // the basis of all errors; nullopt: there is a reference
 };
 

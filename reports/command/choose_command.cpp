@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
@@ -67,6 +68,7 @@ Recommendation searched(const SceneVariant& variant, Scene scene, const Accuracy
     line.set({.part = std::min(part, 1.0), .current_run = what});
   };
   const auto start = std::chrono::steady_clock::now();
+  const bool at_points_only = is_examined_at_points_only(scene);
   auto known = reference_or_estimate(scene, question, part_of_estimate * seconds, tell);
   scene.reference = std::move(known.reference);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -74,6 +76,7 @@ Recommendation searched(const SceneVariant& variant, Scene scene, const Accuracy
   auto made = recommend(found, variant.key(), scene.outputs.names, question, known.estimate);
   const Vec bounds = scene.reference.at(scene.problem.end).bound;
   if (bounds.size() > 0) made.reference_bound = bounds.maxCoeff();
+  made.examined_at_points_only = at_points_only;
   return made;
 }
 

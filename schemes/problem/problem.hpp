@@ -79,6 +79,7 @@ struct Problem {
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
   Domain domain{};                   // a step that leaves it has crossed a singularity
   std::vector<double> jump_times{};  // the times after 0, increasing, at which rhs jumps
+  std::vector<double> kink_times{};  // those at which it is continuous, but not its derivative by t
   std::vector<StepLimit> step_limits{};
   std::vector<SwitchingFunction> switching_functions{};
   RangeOfRhs range{};  // empty: f is known at points only

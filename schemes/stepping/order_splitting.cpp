@@ -178,6 +178,7 @@ Problem split_orders(const Problem& problem, const OrderSplitting& links) {
     for (Eigen::Index i = 0; i < rhs_values.size(); ++i) f[last_of(links, position, i)] = rhs_values[i];
   };
   result.jump_times = problem.jump_times;
+  result.kink_times = problem.kink_times;
   result.step_limits = problem.step_limits;
   for (const auto& one : problem.switching_functions) {
     result.switching_functions.emplace_back(

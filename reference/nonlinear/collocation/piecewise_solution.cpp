@@ -87,6 +87,7 @@ class CollocationSolver {
       return false;
     }
     const double before = panels_[panels_.size() - 1 - output_times].to;
+    if (last_jump(problem_, time()) > before) return false;  // where panels are short for a while
     return fde::reference::cannot_reach_end(before, time(), output_times, problem_.end,
                                             most_panels - panels_.size());
   }

@@ -137,7 +137,8 @@ class ResidualTest {
 
   [[nodiscard]] bool is_small(Eigen::Index i, double residual, double length, double t, const Scales& scales,
                               double part) const {
-    return residual <= part * scales.terms[i] || residual <= scales.rounding[i] ||
+    constexpr double nothing = 1e-300;
+    return residual <= nothing || residual <= part * scales.terms[i] || residual <= scales.rounding[i] ||
            residual * effect(i, length, t) <= part * scales.sizes[i];
   }
 
