@@ -24,15 +24,16 @@ struct Decimal {
 };
 
 // How a reference is obtained. closed_form and laplace_transform give error bounds; two_methods gives an
-// error estimate from the difference of two methods with different discretisations.
-enum class Evidence { closed_form, laplace_transform, two_methods };
+// error estimate from the difference of two methods with different discretisations; estimate is any other
+// value, such as that of one run whose error is estimated from others.
+enum class Evidence { estimate, two_methods, laplace_transform, closed_form };
 
 // A reference solution as a function of time, in double and to any number of decimal digits.
 // Parameters and times are taken as their shortest decimal representations: 0.1 is exactly one tenth.
 struct Reference {
   std::function<ReferenceValue(double t)> at;
   std::function<std::vector<Decimal>(double t, int digits)> digits{};  // empty: available in double only
-  Evidence evidence = Evidence::closed_form;
+  Evidence evidence = Evidence::estimate;                              // what is proved says so
   std::optional<double> seconds{};  // processor time that it took to compute, for a reference by two methods
 };
 

@@ -107,6 +107,8 @@ ParameterText DeclarationReader::parameter_of(const TomlEntry& entry) const {
   if (entry.name == "until")
     reject(entry.position, "parameter until: must be another name, this one sets the end");
   if (entry.node->is_table()) return described_parameter(entry);
+  if (entry.node->is_string())
+    reject_kind(*entry.node, entry.name, fmt::format("a number, or {} = {{ formula = ... }}", entry.name));
   return {.declared = {entry.name, number_of(*entry.node, entry.name), any_number, "of the file"}};
 }
 

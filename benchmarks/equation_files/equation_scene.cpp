@@ -19,10 +19,12 @@
 #include "fdebench/benchmarks/equation_files/file_discontinuities.hpp"
 #include "fdebench/benchmarks/equation_files/file_reference.hpp"
 #include "fdebench/benchmarks/equation_files/file_smoothness.hpp"
+#include "fdebench/benchmarks/equation_files/implied_terms.hpp"
 #include "fdebench/benchmarks/equation_files/load_times.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
+#include "fdebench/benchmarks/equation_files/singular_loads.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/equation_file_name.hpp"
@@ -98,12 +100,13 @@ Outputs path_of(const std::vector<NamedFormula>& texts, const std::vector<System
   return path;
 }
 
-Scene mechanical_scene_of(const EquationText& text, const Parameters& parameters, bool is_built_in) {
+Scene mechanical_scene_of(const EquationText& text, const Parameters& parameters,
+                          const NoteReceiver& on_note) {
   FileFormulas formulas(text, parameters, NumberStorage::values);
   formulas.require_parameters();
   const auto file = read_mechanical_file(formulas);
-  Scene scene = mechanical_file_scene(file, formulas, parameters);
-  scene.from_file = !is_built_in;
+  Scene scene = mechanical_file_scene(file, formulas, parameters, on_note);
+  scene.from_file = !text.is_built_in;
   auto applied = file.system.forces;
   applied.push_back(file.system.lagrangian);
   for (const auto rate : formulas.pool().derivatives(file.system.constraints, 0)) applied.push_back(rate);
@@ -122,14 +125,14 @@ Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormu
   return {.edge = text.edge, .margin = Program(formulas.pool(), {margin}, system.size())};
 }
 
-Scene scene_of(const EquationText& all, const Parameters& parameters, bool is_built_in) {
-  const EquationText text = present_parts(all, parameters);
-  if (text.mechanics) return mechanical_scene_of(text, parameters, is_built_in);
+Scene scene_of(const EquationText& all, const Parameters& parameters, const NoteReceiver& on_note) {
+  const EquationText text = with_implied_terms(present_parts(all, parameters), parameters);
+  if (text.mechanics) return mechanical_scene_of(text, parameters, on_note);
   FileFormulas formulas(text, parameters, NumberStorage::values);
   formulas.require_parameters();
   const auto system = read_system(formulas);
   const auto columns = output_columns(system, formulas);
-  Scene scene{.problem = problem_of(system, formulas), .from_file = !is_built_in};
+  Scene scene{.problem = problem_of(system, formulas), .from_file = !text.is_built_in};
   if (text.domain) scene.problem.domain = domain_of(*text.domain, system, formulas);
   scene.smoothness = file_smoothness(system, scene.problem, formulas);
   exclude_unshown_rows(scene.smoothness, columns, system.size());
@@ -137,6 +140,8 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, bool is_bu
   scene.load_times = load_times(system.rows, system.jumps, formulas.pool());
   set_end(scene, system.end);
   scene.reference = file_reference(system, scene.problem, columns, formulas);
+  if (!scene.reference.at)
+    scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
   for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
   if (!text.constraints.empty()) scene.constraint = constraint_of(text.constraints, columns, formulas);
@@ -163,7 +168,7 @@ EquationFormula written(const UnknownText& unknown) {
   return equation;
 }
 
-SceneFactory factory_of(EquationText text, bool is_built_in) {
+SceneFactory factory_of(EquationText text, NoteReceiver on_note) {
   const auto kept = std::make_shared<const EquationText>(std::move(text));
   const std::filesystem::path file = kept->file;
   SceneFactory maker{
@@ -171,8 +176,8 @@ SceneFactory factory_of(EquationText text, bool is_built_in) {
       .title = kept->title.empty() ? file.stem().string() : kept->title,
       .source = kept->source.empty() ? kept->file : kept->source,
       .parameters = {},
-      .make = [=](const Parameters& parameters) { return scene_of(*kept, parameters, is_built_in); },
-      .checksum = is_built_in ? "" : sha256(kept->meaning),
+      .make = [=](const Parameters& parameters) { return scene_of(*kept, parameters, on_note); },
+      .checksum = kept->is_built_in ? "" : sha256(kept->meaning),
       .toml = kept->contents};
   for (const auto& parameter : kept->parameters) maker.parameters.push_back(parameter.declared);
   if (kept->mechanics) {
@@ -199,35 +204,44 @@ std::optional<std::filesystem::path> file_in_folder(std::string_view id) {
   return std::filesystem::exists(file) ? std::optional(file) : std::nullopt;
 }
 
-std::optional<SceneFactory> scene_of_file(std::string_view name) {
+std::optional<SceneFactory> scene_of_file(std::string_view name, const NoteReceiver& on_note) {
   const std::string id(name);
   if (name.ends_with(equation_file_extension)) {
     if (!is_printable(id)) reject_text("scene", id, "a file whose name is UTF-8 that prints");
-    return equation_scene(read_equation_text(id));
+    return equation_scene(read_equation_text(id), on_note);
   }
   const auto file = file_in_folder(name);
+  if (!file && name.find_first_of("./\\") != std::string_view::npos)
+    reject_text("scene", id, "the id of a scene, or an equation file, whose name ends in .toml");
+  if (!file && std::filesystem::exists(fmt::format("{}{}", id, equation_file_extension)))
+    reject_text("scene", id, fmt::format("a scene; the file is {}{}", id, equation_file_extension));
   if (!file) return std::nullopt;
-  SceneFactory maker = equation_scene(read_equation_text(*file));
+  SceneFactory maker = equation_scene(read_equation_text(*file), on_note);
   maker.id = id;
   return maker;
 }
 
 }  // namespace
 
-SceneFactory equation_scene(EquationText text) { return factory_of(std::move(text), false); }
-
-SceneFactory built_in_scene(const std::string& id, std::string_view toml) {
-  return factory_of(parse_equation_text(id, toml), true);
+SceneFactory equation_scene(EquationText text, NoteReceiver on_note) {
+  return factory_of(std::move(text), std::move(on_note));
 }
 
-SceneRegistry with_equation_files(const SceneRegistry& scenes) {
+SceneFactory built_in_scene(const std::string& id, std::string_view toml) {
+  auto text = parse_equation_text(id, toml);
+  text.is_built_in = true;
+  return factory_of(std::move(text), {});
+}
+
+SceneRegistry with_equation_files(const SceneRegistry& scenes, NoteReceiver on_note) {
   for (const auto id : scenes.ids()) {
     if (const auto file = file_in_folder(id)) {
       throw std::invalid_argument(
           fmt::format("{}: must have another name, the scene {} is built in", file->string(), id));
     }
   }
-  return {scenes, scene_of_file};
+  return {scenes,
+          [on_note = std::move(on_note)](std::string_view name) { return scene_of_file(name, on_note); }};
 }
 
 std::vector<std::string> names_in_scene_folder() {

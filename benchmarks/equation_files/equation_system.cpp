@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -23,6 +25,36 @@ constexpr Range any_order{.low = 0.0, .high = 2.0};
 // Whether the text contains a name.
 bool has_name(const FormulaText& formula) {
   return !is_decimal(formula.text) && std::ranges::any_of(formula.text, is_letter);
+}
+
+// Rejects t and unknowns in the coefficient or the order of a term.
+void require_constant(const FormulaText& formula, std::string_view allowed, FileFormulas& formulas) {
+  const auto is_unknown = [&](std::string_view name) {
+    return std::ranges::find(formulas.text().unknowns, name, &UnknownText::name) !=
+           formulas.text().unknowns.end();
+  };
+  const auto refuse = [&](std::string_view name) -> std::optional<Expression> {
+    if (name != "t" && !is_unknown(name)) return std::nullopt;
+    throw std::invalid_argument(fmt::format("{}: must not vary; {}", formula.text, allowed));
+  };
+  formulas.read(formula, {.time = false, .resolve_other = refuse});
+}
+
+// The order of a term; outside of [0, 2] the message says which unknowns of their own express it.
+double order_of(const TermText& term, std::string_view unknown, FileFormulas& formulas) {
+  const double order = formulas.constant(term.order, "order", any_number);
+  if (any_order.contains(order)) return order;
+  formulas.reject(
+      term.order,
+      order < 0.0
+          ? fmt::format(
+                "order = {0}: must be {1}; the integral of order {2} of {3} is an unknown z of its own: "
+                "D^{2} z = {3}, z(0) = 0",
+                order, any_order.text(), -order, unknown)
+          : fmt::format(
+                "order = {0}: must be {1}; D^{0} {2} is D^{3:.6g} v of an unknown v of its own: D^2 {2} = v, "
+                "v(0) = {2}''(0)",
+                order, any_order.text(), unknown, order - any_order.high));
 }
 
 // x'(0) may be listed where the order depends on parameters and is at most 1; there it must be 0.
@@ -51,20 +83,41 @@ std::vector<double> initial_values(const UnknownText& unknown, const FormulaText
   return values;
 }
 
+// Makes known what the sums of the coefficients of one order are exactly.
+void add_sums(const UnknownText& text, const std::vector<Expression>& coefficients, FileFormulas& formulas) {
+  auto& pool = formulas.pool();
+  if (!pool.has_fractions()) return;
+  std::map<double, std::pair<double, Expression>> sums;
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    const double order = formulas.constant(text.terms[k].order, "order", any_order),
+                 value = formulas.constant_in_double(text.terms[k].coefficient, "coefficient", any_number);
+    const auto [place, is_new] = sums.try_emplace(order, value, coefficients[k]);
+    if (is_new) continue;
+    auto& [sum, exact] = place->second;
+    sum += value;
+    exact = pool.make_expression(Operation::add, exact, coefficients[k]);
+    pool.add_constant(sum, exact);
+  }
+}
+
 // The unknown with its chain, starting at row `first`; without a chain if the row is algebraic.
 EquationSystem::Unknown unknown_of(const UnknownText& text, Eigen::Index first, FileFormulas& formulas) {
   std::vector<Term> terms;
   EquationSystem::Unknown unknown{.name = text.name, .first = first, .chain = {}};
   const TermText* leading = nullptr;
-  for (const auto& [coefficient, order] : text.terms) {
-    unknown.coefficients.push_back(formulas.read(coefficient, {.time = false}));
-    terms.push_back({formulas.constant_in_double(coefficient, "coefficient", any_number),
-                     formulas.constant(order, "order", any_order)});
+  for (const auto& term : text.terms) {
+    require_constant(term.coefficient,
+                     "a coefficient that does is a factor, or on the right with its D(x, q)", formulas);
+    require_constant(term.order, "orders that do are not supported", formulas);
+    unknown.coefficients.push_back(formulas.read(term.coefficient, {.time = false}));
+    terms.push_back({formulas.constant_in_double(term.coefficient, "coefficient", any_number),
+                     order_of(term, text.name, formulas)});
     if (leading == nullptr || terms.back().order > terms.front().order) {
       std::swap(terms.front(), terms.back());
       leading = &text.terms[terms.size() - 1];
     }
   }
+  add_sums(text, unknown.coefficients, formulas);
   const Term top = terms.front();
   if (top.order == 0.0 && text.may_be_algebraic) return unknown;
   if (top.order == 0.0)
@@ -100,7 +153,7 @@ void add_scaled(const UnknownText& text, EquationSystem::Unknown& unknown, const
   const double first = static_cast<double>(pool.value(unknown.coefficients.front()).value());
   const double sum = unknown.chain->leading().coefficient, others = sum - first;
   if (others == 0.0) return;
-  const auto number = [&](double value) { return pool.number(fmt::format("{}", value)); };
+  const auto number = [&](double value) { return pool.number(value); };
   const auto varying = pool.make_expression(Operation::multiply, number(others), *unknown.factor);
   const auto leading = pool.make_expression(Operation::add, number(first), varying);
   const auto scale = pool.make_expression(Operation::divide, number(sum), leading);
@@ -127,15 +180,14 @@ void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& pool, std:
   const auto row = [&](Eigen::Index i) { return pool.variable(static_cast<int>(unknown.first + i) + 1); };
   auto sum = pool.number(0);
   for (Eigen::Index i = 0; i < chain.size(); ++i) {
-    const auto weight = pool.number(fmt::format("{}", chain.coefficients()[i]));
+    const auto weight = pool.number(chain.coefficients()[i]);
     sum =
         pool.make_expression(Operation::add, sum, pool.make_expression(Operation::multiply, weight, row(i)));
     if (i > 0) rows.push_back(row(i));
   }
   if (unknown.factor) sum = pool.make_expression(Operation::multiply, *unknown.factor, sum);
   const auto rest = pool.make_expression(Operation::subtract, *unknown.rhs, sum);
-  rows.push_back(pool.make_expression(Operation::divide, rest,
-                                      pool.number(fmt::format("{}", chain.leading().coefficient))));
+  rows.push_back(pool.make_expression(Operation::divide, rest, pool.number(chain.leading().coefficient)));
 }
 
 }  // namespace
@@ -146,8 +198,10 @@ FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool
     const auto nodes = unknown.chain ? unknown.chain->nodes() : std::vector{0.0};
     const auto row = nearest_order(nodes, order);
     if (row) return pool.variable(static_cast<int>(unknown.first + *row) + 1);
-    throw std::invalid_argument(fmt::format("D({}, {}): must be of an order of its chain, {}", unknown.name,
-                                            order, fmt::join(nodes, ", ")));
+    const bool is_above = unknown.chain && order > unknown.chain->leading().order;
+    throw std::invalid_argument(fmt::format(
+        "D({}, {}): must be of an order of its chain, {}{}", unknown.name, order, fmt::join(nodes, ", "),
+        is_above ? "; an order above those of the terms must be one of them" : ""));
   };
   return {.time = true, .resolve_unknown = node};
 }

@@ -45,9 +45,11 @@ void reject_at(const std::string& file, const TextPosition& place, std::string_v
 }
 
 void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte, std::string_view what) {
-  if (!formula.maps_bytes_to_columns && byte > 0)
-    reject_at(file, formula.position, fmt::format("byte {} of the text: {}", byte + 1, what));
-  reject_at(file, {formula.position.line, formula.position.column + static_cast<int>(byte)}, what);
+  LinePiece piece{0, formula.position};
+  for (const auto& one : formula.pieces)
+    if (one.first <= byte) piece = one;
+  piece.position.column += static_cast<int>(byte - piece.first);
+  reject_at(file, piece.position, what);
 }
 
 std::string read_text_file(const std::filesystem::path& file, std::size_t most_bytes) {

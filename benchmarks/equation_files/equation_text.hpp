@@ -18,11 +18,17 @@ struct TextPosition {
   int line = 1, column = 1;
 };
 
+// Bytes of a text that stand side by side in a line of the file, from byte `first` of the text on.
+struct LinePiece {
+  std::size_t first;
+  TextPosition position;
+};
+
 // A formula as written in an equation file, or a number as its shortest decimal.
 struct FormulaText {
   std::string text{};
-  TextPosition position{};             // of its first byte, or of the enclosing string
-  bool maps_bytes_to_columns = false;  // whether byte b of the text is at column position.column + b
+  TextPosition position{};          // of its first byte
+  std::vector<LinePiece> pieces{};  // in order; empty: all bytes stand side by side from `position` on
 };
 
 struct TermText {
@@ -100,12 +106,14 @@ struct MechanicsText {
   bool is_vakonomic = false;               // principle = "vakonomic"
   std::vector<FormulaText> multipliers{};  // of a vakonomic problem, at t = 0; empty: 0
   std::string formulation{};               // the default; empty: the first that exists
+  bool projects_velocity = false;          // the default of the parameter initial_velocity
 };
 
 // The contents of an equation file with unparsed formulas: docs/equation_files.md. Parts with `unless` are
 // left out if all these parameters have these values.
 struct EquationText {
   std::string file{};
+  bool is_built_in = false;
   std::string title{}, source{};
   FormulaText end{};
   std::vector<ParameterText> parameters{};  // parameters and unknowns are in file order

@@ -113,6 +113,7 @@ Expression FileFormulas::derivative(std::string_view unknown, Expression order, 
     order_texts_[static_cast<double>(*value)] =
         formula_text(pool_, order, [&](int variable) { return parameter_name(variable); });
   }
+  with_exact(order, static_cast<double>(*value));
   const bool is_formula = !is_decimal && variables.resolve_formula_order;
   const auto& resolve = is_formula ? variables.resolve_formula_order : variables.resolve_unknown;
   try {
@@ -144,15 +145,21 @@ std::string FileFormulas::order_text(double order) const {
 }
 
 double FileFormulas::constant(const FormulaText& formula, std::string_view name, const Range& allowed) {
-  const auto known = value(read(formula, {.time = false}));
-  return require_in(allowed, static_cast<double>(known.value()), formula, name);
+  const auto known = read(formula, {.time = false});
+  return with_exact(known, require_in(allowed, static_cast<double>(value(known).value()), formula, name));
+}
+
+double FileFormulas::with_exact(Expression exact, double value) {
+  if (pool_.has_fractions()) pool_.add_constant(value, exact);
+  return value;
 }
 
 double FileFormulas::constant_in_double(const FormulaText& formula, std::string_view name,
                                         const Range& allowed) {
   FileFormulas unfolded(text_, parameters_, NumberStorage::decimals);
   const auto written = unfolded.read(formula, {.time = false});
-  return require_in(allowed, Program(unfolded.pool(), {written}, 0)(0.0, Vec()), formula, name);
+  const double value = Program(unfolded.pool(), {written}, 0)(0.0, Vec());
+  return with_exact(read(formula, {.time = false}), require_in(allowed, value, formula, name));
 }
 
 double FileFormulas::require_in(const Range& allowed, double value, const FormulaText& formula,

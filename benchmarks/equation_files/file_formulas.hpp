@@ -40,7 +40,7 @@ class FileFormulas {
 
   // An unknown or a derivative that the system does not have may be multiplied by 0.
   Expression read(const FormulaText& formula, const FormulaVariables& variables);
-  // The value of a formula that contains parameters only.
+  // The value of a formula that contains parameters only; a pool of fractions keeps what it is exactly.
   double constant(const FormulaText& formula, std::string_view name, const Range& allowed);
   // The same evaluated in double, operation by operation, as code would be.
   double constant_in_double(const FormulaText& formula, std::string_view name, const Range& allowed);
@@ -67,6 +67,8 @@ class FileFormulas {
   Expression parameter(const ParameterText& known);
   [[nodiscard]] double require_in(const Range& allowed, double value, const FormulaText& formula,
                                   std::string_view name) const;
+  // The value, which stands for this expression in a pool of fractions.
+  double with_exact(Expression exact, double value);
   // The value of an expression without variables other than parameters.
   std::optional<long double> value(Expression of);
   Expression derivative(std::string_view unknown, Expression order, bool is_decimal,

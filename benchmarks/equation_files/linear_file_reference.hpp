@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,10 +13,10 @@ namespace fde::bench {
 
 // The exact solution in these columns, derivatives of unknowns, if the equations are linear in the unknowns
 // with constant coefficients and loads c t^p, or c switched on at a time: an inverse Laplace transform.
-// nullopt otherwise, or for more than 12 rows. Numbers are read as their shortest decimals; a coefficient
-// c*tau^q of D^q and a load c/gamma(p + 1)*t^p are those of the decimals c and tau. If a number of the
-// equations is not such a decimal, for instance 1/3, the reference has no `digits`, and the effect is
-// included in its bound.
+// nullopt otherwise, or for more than 12 rows. Coefficients, orders, initial values and loads are the
+// fractions that the file writes: 0.1 is one tenth, 1/3 a third; a coefficient c*tau^q of D^q and a load
+// c/gamma(p + 1)*t^p are exact too. If another number is no fraction, for instance sqrt(2), the reference has
+// no `digits`.
 std::optional<reference::Reference> linear_file_reference(const EquationText& text,
                                                           const Parameters& parameters,
                                                           const Problem& problem,
@@ -27,10 +28,11 @@ struct LinearRows {
   std::vector<std::pair<double, double>> orders{};  // lower, upper
   std::vector<Component> components{};
   std::vector<Expression> rows{};
+  std::map<std::size_t, Expression> initial{};  // initial values that are computed, by row
   std::vector<std::size_t> outputs{};
 };
 
-// The same for such rows. Precondition: they are linear.
+// The same for such rows. Preconditions: they are linear, and the pool has fractions.
 std::optional<reference::Reference> linear_rows_reference(const LinearRows& rows, ExpressionPool& pool);
 
 }  // namespace fde::bench

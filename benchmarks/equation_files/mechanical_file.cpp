@@ -2,6 +2,7 @@
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -159,21 +160,35 @@ std::pair<double, double> order_of(const mechanics::StateRow& row, const Compone
       return {row.order, row.order < 1.0 ? 1.0 : 2.0};
     case mechanics::RowKind::multiplier:
       return {0.0, 0.0};
+    case mechanics::RowKind::velocity:
+      if (row.order > 1.0) return {1.0, row.order};
+      [[fallthrough]];
     default:
       return {0.0, component.order};
   }
 }
 
 // The exact solution of a linear system, from its multiplier form, whose coefficients are those of the file.
-void add_linear_reference(Scene& scene, const MechanicalSystem& system, ExpressionPool& pool) {
+void add_linear_reference(Scene& scene, const MechanicalFile& file, FileFormulas& formulas) {
+  const auto posed = [](const Dynamics& dynamics) {
+    return mechanics::posed(dynamics, {dynamics.has_constraints() ? mechanics::Formulation::multiplier
+                                                                  : mechanics::Formulation::acceleration});
+  };
+  const auto is_linear_motion = [&](ExpressionPool& pool) {
+    const Algebra algebra(pool);
+    const auto equations = posed(Dynamics(file.system, algebra));
+    return is_linear(expression_problem(equations.components, equations.rhs, 1.0, pool));
+  };
+  if (!is_linear_motion(formulas.pool())) return;
+  FileFormulas exact(formulas.text(), formulas.parameters(), NumberStorage::fractions);
+  auto system = read_mechanical_file(exact).system;
+  system.velocity = file.system.velocity;  // which may have been projected onto the constraints
+  auto& pool = exact.pool();
   const Algebra algebra(pool);
   const Dynamics dynamics(system, algebra);
-  const auto equations =
-      mechanics::posed(dynamics, {dynamics.has_constraints() ? mechanics::Formulation::multiplier
-                                                             : mechanics::Formulation::acceleration});
-  const auto problem = expression_problem(equations.components, equations.rhs, 1.0, pool);
-  if (!is_linear(problem)) return;
-  LinearRows rows{.orders = {}, .components = equations.components, .rows = equations.rhs, .outputs = {}};
+  const auto equations = posed(dynamics);
+  LinearRows rows{
+      .components = equations.components, .rows = equations.rhs, .initial = equations.exact_initial};
   std::vector<std::size_t> multipliers;
   for (std::size_t i = 0; i < equations.rows.size(); ++i) {
     rows.orders.push_back(order_of(equations.rows[i], equations.components[i]));
@@ -188,7 +203,7 @@ void add_linear_reference(Scene& scene, const MechanicalSystem& system, Expressi
   // Above order 1 the multiplier of this form lacks a part if lambda is unbounded at the start.
   if (*dynamics.constraint_orders().rbegin() > 1.0 && !scene.reactions.initial_multipliers) return;
   rows.outputs = multipliers;
-  if (auto exact = linear_rows_reference(rows, pool)) scene.reactions.exact = std::move(*exact);
+  if (auto lambda = linear_rows_reference(rows, pool)) scene.reactions.exact = std::move(*lambda);
 }
 
 // The formulation of the reference at the default parameters; `other` if the motion does not start regularly
@@ -220,6 +235,36 @@ void require_distinct(const std::vector<SystemColumn>& columns, const FileFormul
                 fmt::format("column {}: must have another name, a column has this one", name));
     }
   }
+}
+
+constexpr std::string_view velocity_name = "initial_velocity";
+
+// The parameter initial_velocity: whether the velocities are projected onto the constraints. A file may have
+// a parameter of its own with this name, which takes its place.
+bool has_velocity_parameter(const MechanicalFile& file, const EquationText& text) {
+  return !text.is_built_in && file.starts_with_velocities && !text.mechanics->constraints.empty() &&
+         std::ranges::none_of(text.parameters,
+                              [](const auto& one) { return one.declared.name == velocity_name; });
+}
+
+Parameter velocity_parameter(const EquationText& text) {
+  std::vector<std::string> words{"given", "projected"};
+  if (text.mechanics->projects_velocity) std::ranges::reverse(words);
+  return choice(std::string(velocity_name), words,
+                "initial velocities as given, or projected onto the constraints");
+}
+
+// Moves v(0) onto the constraints; a line with the change of each velocity.
+std::string project_velocity(MechanicalSystem& system, ExpressionPool& pool) {
+  const Algebra algebra(pool);
+  const Dynamics dynamics(system, algebra);
+  const Vec projected = mechanics::projected_velocity(dynamics), change = projected - system.velocity;
+  system.velocity = projected;
+  std::vector<std::string> changes;
+  for (std::size_t i = 0; i < system.size(); ++i)
+    changes.push_back(
+        fmt::format("D({},1) by {:.3g}", system.coordinates[i], change[static_cast<Eigen::Index>(i)]));
+  return fmt::format("initial velocities projected onto the constraints: {}", fmt::join(changes, ", "));
 }
 
 }  // namespace
@@ -264,7 +309,10 @@ MechanicalFile read_mechanical_file(FileFormulas& formulas) {
     formulas.reject(mechanics.multipliers.front(),
                     "multipliers: must be given only for principle = vakonomic with initial velocities");
   }
-  read_start(system, formulas, !two_sided);
+  if (mechanics.projects_velocity && two_sided)
+    reject_at(text.file, mechanics.position, "initial_velocity: must be given only with initial velocities");
+  file.starts_with_velocities = !two_sided;
+  read_start(system, formulas, file.starts_with_velocities);
   if (file.is_extremum) file.ends = read_ends(system, formulas);
   file.has_positions_only = mechanics::is_memory_lagrangian(system, formulas.pool());
   return file;
@@ -289,31 +337,49 @@ std::vector<SystemColumn> columns_of(const MechanicalFile& file) {
   return columns;
 }
 
-Scene mechanical_file_scene(const MechanicalFile& file, FileFormulas& formulas,
-                            const Parameters& parameters) {
+Scene mechanical_file_scene(MechanicalFile file, FileFormulas& formulas, const Parameters& parameters,
+                            const std::function<void(const std::string& note)>& on_note) {
   auto& pool = formulas.pool();
-  const auto& system = file.system;
+  auto& system = file.system;
   std::vector<std::string> names;
   const auto columns = columns_of(file);
   require_distinct(columns, formulas);
   for (const auto& column : columns) names.push_back(column.name);
   const double end = formulas.constant(formulas.text().end, "end", valid_end_times);
   return with_positions(formulas, [&] {
-    if (file.is_extremum) return mechanics::extremum_scene(system, file.ends, names, end, pool);
-    const auto choice = system.constraints.empty()
-                            ? mechanics::FormulationChoice{mechanics::Formulation::acceleration}
-                            : mechanics::formulation_choice_of(parameters);
-    Scene scene = mechanics::mechanical_scene(system, choice, names, end, pool);
-    if (scene.ill_posed_reason.empty()) add_linear_reference(scene, system, pool);
-    return scene;
+    const auto scene_of_motion = [&] {
+      if (file.is_extremum) return mechanics::extremum_scene(system, file.ends, names, end, pool);
+      const auto choice = system.constraints.empty()
+                              ? mechanics::FormulationChoice{mechanics::Formulation::acceleration}
+                              : mechanics::formulation_choice_of(parameters);
+      Scene scene = mechanics::mechanical_scene(system, choice, names, end, pool);
+      if (scene.ill_posed_reason.empty()) add_linear_reference(scene, file, formulas);
+      return scene;
+    };
+    try {
+      return scene_of_motion();
+    } catch (const mechanics::StartError& fault) {
+      if (!has_velocity_parameter(file, formulas.text())) throw;
+      if (parameters.choice(velocity_name) != "projected") {
+        throw mechanics::ConstraintError(
+            fault.constraint, fmt::format("{}; --set {}=projected takes it", fault.what(), velocity_name));
+      }
+    }
+    const auto note = project_velocity(system, pool);
+    if (on_note) on_note(fmt::format("{}: {}", formulas.text().file, note));
+    return scene_of_motion();
   });
 }
 
 std::vector<Parameter> formulation_parameters(const EquationText& text) {
-  if (text.mechanics->constraints.empty() || text.mechanics->is_vakonomic) return {};
+  if (text.mechanics->constraints.empty()) return {};
   const auto defaults = default_parameters(text);
   FileFormulas formulas(text, defaults, NumberStorage::values, FileFormulas::ParametersAs::variables);
-  const auto system = read_mechanical_file(formulas).system;
+  const auto file = read_mechanical_file(formulas);
+  std::vector<Parameter> added;
+  if (has_velocity_parameter(file, text)) added.push_back(velocity_parameter(text));
+  if (text.mechanics->is_vakonomic) return added;
+  const auto& system = file.system;
   auto fitting =
       with_positions(formulas, [&] { return mechanics::formulations_of(system, formulas.pool()); });
   const auto& given = text.mechanics->formulation;
@@ -326,7 +392,9 @@ std::vector<Parameter> formulation_parameters(const EquationText& text) {
                     chosen));
   }
   std::rotate(fitting.begin(), first, first + 1);
-  return mechanics::with_formulations({}, fitting);
+  auto all = mechanics::with_formulations({}, fitting);
+  all.insert(all.end(), added.begin(), added.end());
+  return all;
 }
 
 Parameters default_parameters(const EquationText& text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ namespace fde::bench {
 struct MechanicalFile {
   mechanics::MechanicalSystem system{};
   bool is_extremum = false;  // principle = "vakonomic", D(x, a) in the Lagrangian, or values at the end
+  bool starts_with_velocities = true;
   bool has_positions_only = false;  // a Lagrangian without velocities, whose D(x, a) are infinite at the end
   mechanics::ExtremumEnds ends{};
   std::map<int, std::string> names{};  // of [columns], by variable
@@ -29,7 +31,9 @@ MechanicalFile read_mechanical_file(FileFormulas& formulas);
 std::vector<SystemColumn> columns_of(const MechanicalFile& file);
 
 // Its scene, with a reference if it is linear. Throws in the same way if the motion does not start regularly.
-Scene mechanical_file_scene(const MechanicalFile& file, FileFormulas& formulas, const Parameters& parameters);
+// `on_note` gets a line about initial velocities that were projected onto the constraints.
+Scene mechanical_file_scene(MechanicalFile file, FileFormulas& formulas, const Parameters& parameters,
+                            const std::function<void(const std::string& note)>& on_note);
 
 // Runs a function whose errors are those of the Lagrangian or of a constraint.
 template <class Function>
@@ -45,7 +49,7 @@ auto with_positions(const FileFormulas& formulas, const Function& function) {
 }
 
 // The parameters of a file with [mechanics] besides its own: `formulation` and `kappa` if there are
-// constraints.
+// constraints, and with initial velocities, unless the scene is built in, `initial_velocity`.
 std::vector<Parameter> formulation_parameters(const EquationText& text);
 
 // The parameters of a file with their default values.

@@ -21,7 +21,8 @@ class MechanicsReader : TomlReader {
                                    const std::vector<UnknownText>& coordinates) const {
     const auto& of = table(node, "mechanics");
     require_keys(of, "mechanics",
-                 {"lagrangian", "forces", "constraints", "principle", "multipliers", "formulation"});
+                 {"lagrangian", "forces", "constraints", "principle", "multipliers", "formulation",
+                  "initial_velocity"});
     MechanicsText mechanics{.position = position_of(node)};
     mechanics.lagrangian = formula(required(of, mechanics.position, "mechanics", "lagrangian"), "lagrangian");
     if (const auto* forces = of.get("forces")) mechanics.forces = forces_of(*forces, coordinates);
@@ -37,6 +38,12 @@ class MechanicsReader : TomlReader {
       mechanics.multipliers = formulas(*multipliers, "multipliers");
     if (const auto* formulation = of.get("formulation"))
       mechanics.formulation = formulation_of(*formulation, mechanics);
+    if (const auto* velocity = of.get("initial_velocity")) {
+      mechanics.projects_velocity =
+          word(*velocity, "initial_velocity", {"given", "projected"}) == "projected";
+      if (mechanics.constraints.empty())
+        reject(position_of(*velocity), "initial_velocity: there must be constraints");
+    }
     return mechanics;
   }
 

@@ -10,6 +10,7 @@
 
 #include "fdebench/benchmarks/expressions/apply.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reference/special_functions/numbers/rational.hpp"
 
 namespace fde::bench {
 
@@ -157,7 +158,9 @@ std::vector<reference::ConditionedValue<Real>> values_at(
       values[e] = entry.variable == 0 ? reference::ConditionedValue<Real>{time, time}
                                       : rows.at(static_cast<std::size_t>(entry.variable) - 1);
     } else if (entry.operation == Operation::number) {
-      const Real number = entry.text.empty() ? Real(entry.value) : reference::parse<Real>(entry.text);
+      const Real number = entry.text.empty()     ? Real(entry.value)
+                          : pool.has_fractions() ? reference::rounded<Real>(reference::Rational(entry.text))
+                                                 : reference::parse<Real>(entry.text);
       values[e] = {number, Real(abs(number))};
     } else {
       values[e] = rounded_apply<Real>(entry.operation, at(0), at(1), at(2));

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "fdebench/benchmarks/equation_files/deep_keys.hpp"
+#include "fdebench/benchmarks/equation_files/line_pieces.hpp"
+#include "fdebench/benchmarks/expressions/foreign_notation.hpp"
 #include "fdebench/benchmarks/text/entry_named.hpp"
 
 namespace fde::bench {
@@ -33,6 +35,15 @@ std::string_view kind_of(const toml::node& node) {
   }
 }
 
+// What a formula in a wrong place needs.
+std::string_view hint_of_toml(std::string_view fault) {
+  const auto has = [=](std::string_view words) { return fault.find(words) != std::string_view::npos; };
+  if (has("unescaped control characters"))
+    return R"(; a formula of several lines stands between """ and """)";
+  if (has("floating-point: expected")) return "; a number has a digit before its point, as 0.5";
+  return has("value type") || has("decimal integer") ? "; a formula stands in quotes" : "";
+}
+
 }  // namespace
 
 TextPosition position_of(const toml::source_region& region) {
@@ -47,7 +58,8 @@ toml::table parse_toml(const std::string& file, std::string_view text) {
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& fault) {
-    reject_at(file, position_of(fault.source()), fmt::format("no TOML: {}", fault.description()));
+    reject_at(file, position_of(fault.source()),
+              fmt::format("no TOML: {}{}", fault.description(), hint_of_toml(fault.description())));
   }
 }
 
@@ -89,8 +101,12 @@ void TomlReader::require_keys(const toml::table& of, std::string_view name,
                               const std::vector<std::string_view>& allowed) const {
   for (const auto& entry : entries(of, name)) {
     if (std::ranges::find(allowed, entry.name) != allowed.end()) continue;
-    reject(entry.position, fmt::format("{}: no such key of {}{}; there are {}", entry.name, name,
-                                       did_you_mean(entry.name, allowed), fmt::join(allowed, ", ")));
+    auto hint = key_hint(entry.name);
+    if (hint.empty()) hint = did_you_mean(entry.name, allowed);
+    if (hint.empty() && name == "the file" && entry.node->is_number())
+      hint = "; a parameter stands under [parameters]";
+    reject(entry.position, fmt::format("{}: no such key of {}{}; there are {}", entry.name, name, hint,
+                                       fmt::join(allowed, ", ")));
   }
 }
 
@@ -104,8 +120,9 @@ FormulaText TomlReader::formula(const toml::node& node, std::string_view name) c
   FormulaText made{.position = position_of(node)};
   if (const auto* text = node.as_string()) {
     made.text = text->get();
-    made.maps_bytes_to_columns = is_verbatim(made.text, made.position);
-    if (made.maps_bytes_to_columns) ++made.position.column;
+    const auto line = lines_[static_cast<std::size_t>(made.position.line) - 1];
+    made.pieces = line_pieces(text_.substr(line), made.position, made.text);
+    if (!made.pieces.empty()) made.position = made.pieces.front().position;
   } else if (const auto* whole = node.as_integer()) {
     made.text = std::to_string(whole->get());
   } else if (const auto* number = node.as_floating_point()) {
@@ -116,22 +133,6 @@ FormulaText TomlReader::formula(const toml::node& node, std::string_view name) c
     reject_kind(node, name, "a number or a formula");
   }
   return made;
-}
-
-std::string_view TomlReader::line(int number) const {
-  const auto begin = lines_[static_cast<std::size_t>(number) - 1];
-  return text_.substr(begin, text_.find('\n', begin) - begin);
-}
-
-// Whether the string is written verbatim: on one line, without escapes, after its quote and after ASCII
-// characters only.
-bool TomlReader::is_verbatim(const std::string& text, const TextPosition& place) const {
-  const auto of_line = line(place.line);
-  const auto begin = static_cast<std::size_t>(place.column);
-  if (of_line.size() <= begin || (of_line[begin - 1] != '"' && of_line[begin - 1] != '\'')) return false;
-  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80U; };
-  return of_line.substr(begin, text.size()) == text &&
-         std::ranges::all_of(of_line.substr(0, begin), is_ascii);
 }
 
 }  // namespace fde::bench

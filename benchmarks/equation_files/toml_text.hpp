@@ -52,9 +52,6 @@ class TomlReader {
   [[nodiscard]] FormulaText formula(const toml::node& node, std::string_view name) const;
 
  private:
-  [[nodiscard]] std::string_view line(int number) const;
-  [[nodiscard]] bool is_verbatim(const std::string& text, const TextPosition& place) const;
-
   const std::string& file_;
   std::string_view text_;
   std::vector<std::size_t> lines_{0};  // offsets of the lines

@@ -11,6 +11,7 @@
 #include "fdebench/benchmarks/expressions/increments.hpp"
 #include "fdebench/benchmarks/expressions/instruction_text.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
+#include "fdebench/benchmarks/expressions/values_at_start.hpp"
 
 namespace fde::bench {
 namespace {
@@ -163,8 +164,9 @@ IncrementForm increments_of(const Problem& problem, const std::vector<Expression
 
 }  // namespace
 
-Problem expression_problem(std::vector<Component> components, const std::vector<Expression>& rows, double end,
-                           ExpressionPool& pool) {
+Problem expression_problem(std::vector<Component> components, const std::vector<Expression>& as_given,
+                           double end, ExpressionPool& pool) {
+  const auto rows = with_limits_at_start(as_given, pool);
   const auto size = std::ssize(rows);
   Problem problem{.components = std::move(components), .end = end};
   const Program rhs(pool, rows, size);

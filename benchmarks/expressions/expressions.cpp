@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/expressions/apply.hpp"
+#include "fdebench/reference/special_functions/numbers/rational.hpp"
 
 namespace fde::bench {
 namespace {
@@ -59,20 +60,59 @@ Expression ExpressionPool::number(const std::string& decimal) {
   std::from_chars(decimal.data(), end, nearest);
   if (static_cast<double>(value) != nearest)
     value = nearest;  // avoids double rounding, which could give a neighbour of the nearest double
-  const std::pair key{value, numbers_ == NumberStorage::decimals ? decimal : ""};
-  const auto found = known_numbers_.find(key);
-  if (found != known_numbers_.end()) return found->second;
-  const auto made = add({.operation = Operation::number, .value = value, .text = key.second});
-  return known_numbers_[key] = made;
+  if (numbers_ == NumberStorage::values || !std::isfinite(value)) return folded(value);
+  return folded(value, has_fractions() ? reference::decimal_fraction(decimal).str() : decimal);
 }
 
 Expression ExpressionPool::number(int whole) { return number(std::to_string(whole)); }
 
-Expression ExpressionPool::folded(long double value) {
-  const std::pair<long double, std::string> key{value, ""};
+Expression ExpressionPool::number(double nearest) {
+  const auto known = constants_.find(nearest);
+  return known == constants_.end() ? number(fmt::format("{}", nearest)) : known->second;
+}
+
+Expression ExpressionPool::folded(long double value, const std::string& text) {
+  const std::pair<long double, std::string> key{value, text};
   const auto found = known_numbers_.find(key);
   if (found != known_numbers_.end()) return found->second;
-  return known_numbers_[key] = add({.operation = Operation::number, .value = value});
+  return known_numbers_[key] = add({.operation = Operation::number, .value = value, .text = text});
+}
+
+// nullopt for an operation that is not rational, a division by 0, and a fraction that is too long.
+std::optional<Expression> ExpressionPool::folded_fraction(Operation operation, Expression a, Expression b) {
+  constexpr std::size_t longest = 2000;
+  using reference::Rational;
+  if ((*this)[a].text.empty() || (b != none && (*this)[b].text.empty())) return std::nullopt;  // not finite
+  const Rational x((*this)[a].text), y(b == none ? "0" : (*this)[b].text);
+  const auto of = [&](const Rational& value) -> std::optional<Expression> {
+    const std::string text = value.str();
+    if (text.size() > longest) return std::nullopt;
+    return folded(reference::rounded<long double>(value), text);
+  };
+  switch (operation) {
+    case Operation::add:
+      return of(x + y);
+    case Operation::subtract:
+      return of(x - y);
+    case Operation::multiply:
+      return of(x * y);
+    case Operation::divide:
+      return y == 0 ? std::nullopt : of(x / y);
+    case Operation::negate:
+      return of(-x);
+    case Operation::abs:
+      return of(x < 0 ? Rational(-x) : x);
+    case Operation::sign:
+      return of(Rational(x.sign()));
+    case Operation::step:
+      return of(Rational(x.sign() + 1, 2));
+    case Operation::min:
+      return of(y < x ? y : x);
+    case Operation::max:
+      return of(x < y ? y : x);
+    default:
+      return std::nullopt;
+  }
 }
 
 Expression ExpressionPool::pi() {
@@ -136,13 +176,15 @@ std::optional<Expression> ExpressionPool::simplified(Operation operation, Expres
 
 Expression ExpressionPool::make_expression(Operation operation, Expression a, Expression b, Expression c) {
   const std::array of{a, b, c};
-  bool numbers = numbers_ == NumberStorage::values && a != none;
+  bool numbers = numbers_ != NumberStorage::decimals && a != none;
   std::array<long double, 3> values{};
   for (std::size_t i = 0; i < of.size() && of[i] != none; ++i) {
     numbers = numbers && (*this)[of[i]].operation == Operation::number;
     if (numbers) values[i] = (*this)[of[i]].value;
   }
-  if (numbers) {
+  if (numbers && has_fractions()) {
+    if (const auto fraction = folded_fraction(operation, a, b)) return *fraction;
+  } else if (numbers) {
     const long double value = apply(operation, values[0], values[1], values[2]);
     if (std::isfinite(value)) return folded(value);
   }

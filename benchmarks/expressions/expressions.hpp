@@ -58,9 +58,10 @@ std::span<const FunctionSignature> function_table();
 // An expression: the index of its node in an ExpressionPool. Its subexpressions have smaller indices.
 using Expression = int;
 
-// How numbers are stored: as long double values, with constant folding, or as the decimals that were written,
-// for evaluation to any number of digits.
-enum class NumberStorage { values, decimals };
+// How numbers are stored: as long double values, with constant folding; as the decimals that were written,
+// for evaluation to any number of digits; or as fractions, "3" or "1/3", whose sums, products and quotients
+// are fractions again.
+enum class NumberStorage { values, decimals, fractions };
 
 // Expressions of numbers and variables. Equal expressions are stored once, so that a program evaluates them
 // once and their number is a small multiple of the length of the formula. Sums with 0 and products with 0 and
@@ -73,7 +74,7 @@ class ExpressionPool {
     Operation operation;
     std::array<Expression, 3> arguments{none, none, none};
     long double value = 0.0L;  // of a number
-    std::string text{};        // of a number stored as written
+    std::string text{};        // of a number stored as written or as a fraction
     int variable = 0;
   };
   static constexpr Expression none = -1;
@@ -81,6 +82,9 @@ class ExpressionPool {
   // Precondition: the text is a decimal.
   Expression number(const std::string& decimal);
   Expression number(int whole);
+  // The number whose nearest double this is: a constant that was added, or else its shortest decimal.
+  Expression number(double nearest);
+  void add_constant(double nearest, Expression exact) { constants_.try_emplace(nearest, exact); }
   Expression pi();
   Expression variable(int index);
   // Throws std::invalid_argument if there are more than most_expressions expressions.
@@ -111,13 +115,16 @@ class ExpressionPool {
   [[nodiscard]] std::vector<bool> subexpressions(const std::vector<Expression>& of) const;
   [[nodiscard]] std::vector<bool> subexpressions(Expression of) const;
 
+  [[nodiscard]] bool has_fractions() const { return numbers_ == NumberStorage::fractions; }
+
   static constexpr std::size_t most_expressions = 200'000;
 
  private:
   using Key = std::tuple<Operation, Expression, Expression, Expression>;
 
   Expression add(Node entry);
-  Expression folded(long double value);
+  Expression folded(long double value, const std::string& text = "");
+  std::optional<Expression> folded_fraction(Operation operation, Expression a, Expression b);
   Expression integer_power(Expression base, int exponent);
   std::optional<Expression> simplified(Operation operation, Expression a, Expression b);
   Expression derivative_of(const Node& entry, const std::vector<Expression>& derivatives);
@@ -127,6 +134,7 @@ class ExpressionPool {
   std::vector<Node> entries_{};
   std::map<Key, Expression> known_{};
   std::map<std::pair<long double, std::string>, Expression> known_numbers_{};
+  std::map<double, Expression> constants_{};
 };
 
 }  // namespace fde::bench

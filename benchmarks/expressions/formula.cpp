@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fdebench/benchmarks/expressions/foreign_notation.hpp"
 #include "fdebench/benchmarks/expressions/formula_tokens.hpp"
 #include "fdebench/benchmarks/text/entry_named.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
@@ -51,11 +52,41 @@ class FormulaParser {
   }
   [[noreturn]] void expected(std::string_view allowed) const {
     fault(token_.text.empty() ? fmt::format("the formula ends, there must be {}", allowed)
-                              : fmt::format("'{}': must be {}", token_.text, allowed),
+                              : fmt::format("'{}': must be {}{}", token_.text, allowed, hint()),
           token_.byte_offset);
   }
 
-  void advance() { token_ = next_token(text_, token_.byte_offset + token_.text.size()); }
+  // How to write what begins with this token.
+  [[nodiscard]] std::string hint() const {
+    const auto& before = previous_.text;
+    if (is_function(before) || before == "D")
+      return symbol_hint(text_.substr(token_.byte_offset), false, false);
+    if (token_.text == "(" && is_name(before)) return hint_of_arguments(before);
+    const bool follows_number = !before.empty() && is_digit(before.back()) && !is_name(before);
+    return symbol_hint(text_.substr(token_.byte_offset), follows_number,
+                       follows_number || is_name(before) || before == ")");
+  }
+
+  // The same of the bracket behind the name of an unknown or of a parameter.
+  [[nodiscard]] std::string hint_of_arguments(std::string_view name) const {
+    const auto first = next_token(text_, token_.byte_offset + 1);
+    const auto second = next_token(text_, first.byte_offset + first.text.size());
+    if (first.text == "t" && second.text == ")") return fmt::format("; {0}(t) is {0}", name);
+    if (first.text == "t" && second.text == "-") {
+      return fmt::format(
+          "; delays are not supported, the nearest is an unknown z that lags behind {0} by tau: order = 1, "
+          "rhs = ({0} - z)/tau",
+          name);
+    }
+    if (first.text == "0" && second.text == ")")
+      return fmt::format("; {}(0) is the number of its key initial: write that, or a parameter", name);
+    return fmt::format("; {} is no function, a product needs its '*'", name);
+  }
+
+  void advance() {
+    previous_ = token_;
+    token_ = next_token(text_, token_.byte_offset + token_.text.size());
+  }
 
   bool take(std::string_view symbol) {
     if (token_.text != symbol) return false;
@@ -144,14 +175,41 @@ class FormulaParser {
   }
 
   [[noreturn]] void unknown_name(const FormulaToken& token) const {
-    if (token.text == "e") fault("e: no such name here; e^x is exp(x)", token.byte_offset);
-    auto known = names_.accepted_names;
-    known.emplace_back("pi");
-    auto nearby = known;
-    for (const auto& function : function_table()) nearby.push_back(function.name);
-    fault(fmt::format("{}: no such name here{}; there are {} and functions", token.text,
-                      did_you_mean(token.text, nearby), fmt::join(known, ", ")),
+    const bool is_call = token_.text == "(" || token_.text == "[";
+    auto hint = is_call ? function_hint(token.text) : name_hint(token.text);
+    if (hint.empty()) hint = hint_of_derivative(token.text);
+    if (hint.empty()) {
+      std::vector<std::string_view> known;
+      if (is_call) {
+        for (const auto& function : function_table()) known.push_back(function.name);
+      } else {
+        known = names_.accepted_names;
+        known.emplace_back("pi");
+      }
+      hint = fmt::format("{}; there are {}{}", did_you_mean(token.text, known), fmt::join(known, ", "),
+                         is_call ? "" : " and functions");
+    }
+    fault(fmt::format("{}: no such {} here{}", token.text, is_call ? "function" : "name", hint),
           token.byte_offset);
+  }
+
+  // Of dx, vx and xdot, where x is an unknown.
+  [[nodiscard]] std::string hint_of_derivative(std::string_view name) const {
+    constexpr std::array<std::string_view, 3> ends{"_dot", "dot", "p"};
+    const auto is_unknown = [&](std::string_view one) {
+      return names_.derivative && one != "t" &&
+             std::ranges::find(names_.accepted_names, one) != names_.accepted_names.end();
+    };
+    const auto text = [](std::string_view one) {
+      return fmt::format("; the derivative of {0} is D({0}, 1)", one);
+    };
+    if ((name.starts_with('d') || name.starts_with('v')) && is_unknown(name.substr(1)))
+      return text(name.substr(1));
+    for (const auto end : ends) {
+      const auto begin = name.substr(0, name.size() - std::min(end.size(), name.size()));
+      if (name.ends_with(end) && is_unknown(begin)) return text(begin);
+    }
+    return "";
   }
 
   Expression call(const FunctionSignature& function) {
@@ -162,8 +220,10 @@ class FormulaParser {
       arguments[i] = sum();
       const bool is_last = i + 1 == function.arguments;
       if (!take(is_last ? ")" : ",")) {
-        expected(fmt::format("'{}', {} taking {} argument{}", is_last ? ")" : ",", function.name,
-                             function.arguments, function.arguments == 1 ? "" : "s"));
+        const bool is_too_many = is_last && i > 0 && token_.text == ",";
+        expected(fmt::format("'{}', {} taking {} argument{}{}", is_last ? ")" : ",", function.name,
+                             function.arguments, function.arguments == 1 ? "" : "s",
+                             is_too_many ? fmt::format(", as {0}(a, {0}(b, c))", function.name) : ""));
       }
     }
     return made(function.operation, arguments[0], arguments[1], arguments[2]);
@@ -196,7 +256,7 @@ class FormulaParser {
   std::string_view text_;
   const FormulaNames& names_;
   ExpressionPool& into_;
-  FormulaToken token_{};
+  FormulaToken token_{}, previous_{};
   int depth_ = 0;
 };
 

@@ -13,7 +13,8 @@ struct SignedPiece {
   double from, to, sign;
 };
 
-// An expression of t alone, with its derivative where that is known (see ExpressionPool::derivative).
+// An expression of t alone, with its derivative where that is known (see ExpressionPool::derivative) and no
+// step or sign makes the expression jump.
 class TimeFunction {
  public:
   // Precondition: the expression has no variable but t.

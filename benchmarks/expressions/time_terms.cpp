@@ -7,13 +7,15 @@
 #include <cmath>
 #include <cstddef>
 #include <tuple>
+#include <utility>
 
 namespace fde::bench {
 namespace {
 
 using Terms = std::optional<std::vector<TimeTerm>>;
 
-constexpr std::size_t most_terms = 100;
+constexpr std::size_t most_terms = 2000;      // of a sum
+constexpr std::size_t most_part_terms = 500;  // of a part of a product
 
 // Computes the terms of an expression from those of its arguments, by rules for sums, products and powers.
 class TimeTermRules {
@@ -59,20 +61,49 @@ class TimeTermRules {
   }
 
   static Terms sum(Terms a, const Terms& b) {
-    if (!a || !b || a->size() + b->size() > most_terms) return std::nullopt;
+    if (!a || !b || a->size() + b->size() > most_part_terms) return std::nullopt;
     a->insert(a->end(), b->begin(), b->end());
     return a;
   }
 
   Terms product(const Terms& a, const Terms& b) {
-    if (!a || !b || a->size() * b->size() > most_terms) return std::nullopt;
+    if (!a || !b || a->size() * b->size() > most_part_terms) return std::nullopt;
     std::vector<TimeTerm> terms;
     for (const auto& x : *a) {
       for (const auto& y : *b) {
-        if ((x.from && !is_constant(y)) || (y.from && !is_constant(x))) return std::nullopt;
-        terms.push_back({made(Operation::multiply, x.coefficient, y.coefficient),
-                         made(Operation::add, x.power, y.power), x.from ? x.from : y.from});
+        const bool is_first = start_of(x) < start_of(y);
+        const auto& [earlier, later] = is_first ? std::tie(x, y) : std::tie(y, x);
+        const auto moved = start_of(x) == start_of(y) ? std::vector{earlier} : from_start_of(later, earlier);
+        if (!moved) return std::nullopt;
+        for (const auto& one : *moved) {
+          terms.push_back({made(Operation::multiply, one.coefficient, later.coefficient),
+                           made(Operation::add, one.power, later.power), later.from ? later.from : one.from});
+        }
       }
+    }
+    return terms;
+  }
+
+  [[nodiscard]] long double start_of(const TimeTerm& term) const {
+    return term.from ? pool_.value(*term.from).value_or(0.0L) : 0.0L;
+  }
+
+  // c (t - a)^p from the start b of a later term on: c sum_k binomial(p, k) (b - a)^(p-k) (t - b)^k; nullopt
+  // unless p is a small whole number.
+  Terms from_start_of(const TimeTerm& later, const TimeTerm& term) {
+    constexpr long double most = 8.0L;
+    const auto known = pool_.value(term.power);
+    if (!known || *known < 0.0L || *known > most || *known != std::floor(*known)) return std::nullopt;
+    const int power = static_cast<int>(*known);
+    const auto start = term.from ? *term.from : pool_.number(0);
+    const auto shift = made(Operation::subtract, *later.from, start);
+    std::vector<TimeTerm> terms;
+    int binomial = 1;
+    for (int k = 0; k <= power; ++k) {
+      const auto scale = made(Operation::multiply, pool_.number(binomial),
+                              made(Operation::power, shift, pool_.number(power - k)));
+      terms.push_back({made(Operation::multiply, term.coefficient, scale), pool_.number(k), later.from});
+      binomial = binomial * (power - k) / (k + 1);
     }
     return terms;
   }
@@ -105,9 +136,8 @@ class TimeTermRules {
   ExpressionPool& pool_;
 };
 
-}  // namespace
-
-Terms time_terms(Expression of, ExpressionPool& pool) {
+// The terms of an expression that is no sum.
+Terms terms_of_part(Expression of, ExpressionPool& pool) {
   const auto used = pool.subexpressions(of);
   std::vector<Terms> terms(used.size());
   std::vector<bool> varies(used.size(), false);
@@ -133,6 +163,33 @@ Terms time_terms(Expression of, ExpressionPool& pool) {
     }
   }
   return terms.back();
+}
+
+}  // namespace
+
+Terms time_terms(Expression of, ExpressionPool& pool) {
+  TimeTermRules rules(pool);
+  std::vector<TimeTerm> terms;
+  std::vector<std::pair<Expression, bool>> open{{of, false}};  // summands, and whether they are subtracted
+  for (std::size_t parts = 0; !open.empty(); ++parts) {
+    const auto [part, is_negative] = open.back();
+    open.pop_back();
+    const auto [operation, arguments] = std::pair(pool[part].operation, pool[part].arguments);
+    const bool is_difference = operation == Operation::subtract;
+    if (is_difference || operation == Operation::add) {
+      open.emplace_back(arguments[1], is_negative != is_difference);
+      open.emplace_back(arguments[0], is_negative);
+    } else if (operation == Operation::negate) {
+      open.emplace_back(arguments[0], !is_negative);
+    } else {
+      auto some = terms_of_part(part, pool);
+      if (is_negative) some = rules.of(Operation::negate, some, {});
+      if (!some) return std::nullopt;
+      terms.insert(terms.end(), some->begin(), some->end());
+    }
+    if (terms.size() > most_terms || parts > 4 * most_terms) return std::nullopt;
+  }
+  return terms;
 }
 
 std::optional<Expression> caputo_derivative(const std::vector<TimeTerm>& terms, double order,

@@ -8,13 +8,14 @@
 
 namespace fde::bench {
 
-// c t^p; with `from`: c for t > from, 0 before, and p = 0. All are expressions without variables.
+// c t^p; with `from`: c (t - from)^p for t > from, 0 before, and p a whole number. All are expressions
+// without variables.
 struct TimeTerm {
   Expression coefficient, power;
   std::optional<Expression> from{};
 };
 
-// An expression of t, t >= 0, as a sum of such terms; nullopt if it is not of this form or has more than 100
+// An expression of t, t >= 0, as a sum of such terms; nullopt if it is not of this form or has more than 2000
 // terms.
 std::optional<std::vector<TimeTerm>> time_terms(Expression of, ExpressionPool& pool);
 

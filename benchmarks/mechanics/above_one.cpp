@@ -8,6 +8,12 @@
 namespace fde::bench::mechanics {
 namespace {
 
+Expressions numbers(const Vec& values, const Algebra& algebra) {
+  Expressions all;
+  for (const double value : values) all.push_back(algebra.number(value));
+  return all;
+}
+
 // The constraint a.v + b.w + sum_k b_k.w_k + c(t) = 0, w of order alpha above 1, with constants a, b, b_k.
 class ConstantConstraint {
  public:
@@ -60,6 +66,27 @@ class ConstantConstraint {
     return direction_ * (-zero_if_rounding(by_velocity_.dot(system.velocity) + rest, size) / alignment_);
   }
 
+  // The same without rounding. Precondition: the pool has fractions.
+  [[nodiscard]] Expressions exact_initial_memory() const {
+    const auto& algebra = dynamics_.algebra();
+    const auto direction = algebra.negative(dynamics_.compensation({algebra.number(1.0)}));
+    const auto velocity = numbers(dynamics_.system().velocity, algebra);
+    Expression defect = algebra.sum(algebra.dot(dynamics_.acceleration_jacobian().entries, velocity),
+                                    remaining_constraint()[0]);
+    Expression alignment = algebra.zero();
+    for (std::size_t k = 0; k < dynamics_.system().memory.size(); ++k) {
+      const auto& [coordinate, order] = dynamics_.system().memory[k];
+      if (order != alpha_) continue;
+      const auto along = algebra.product(dynamics_.memory_jacobian()(0, k), direction[coordinate]);
+      alignment = algebra.sum(alignment, along);
+    }
+    const auto start = columns_at_start(dynamics_.system());
+    const auto all = algebra.product(algebra.negative(algebra.quotient(defect, alignment)), direction);
+    return algebra.pool().substituted(all, [&](int variable) {
+      return variable == 0 ? algebra.zero() : algebra.number(start[variable - 1]);
+    });
+  }
+
   // c(t) + sum_k b_k.w_k as an expression of t and the columns.
   [[nodiscard]] Expressions remaining_constraint() const {
     const auto& system = dynamics_.system();
@@ -86,12 +113,6 @@ class ConstantConstraint {
   Vec direction_, by_velocity_, by_memory_;
   double alpha_ = 0.0, alignment_ = 0.0;
 };
-
-Expressions numbers(const Vec& values, const Algebra& algebra) {
-  Expressions all;
-  for (const double value : values) all.push_back(algebra.number(value));
-  return all;
-}
 
 double at(const Vec& values, std::size_t i) { return values[static_cast<Eigen::Index>(i)]; }
 
@@ -190,11 +211,14 @@ PosedEquations multiplier_above_one(const Dynamics& dynamics) {
         pool.variable(equations.add_row({RowKind::position, i}, 1.0, {at(system.position, i)})));
   }
   for (std::size_t i = 0; i < n; ++i) {
-    velocity.push_back(
-        pool.variable(equations.add_row({RowKind::velocity, i}, order - 1.0, {at(system.velocity, i)})));
+    velocity.push_back(pool.variable(
+        equations.add_row({RowKind::velocity, i, order}, order - 1.0, {at(system.velocity, i)})));
   }
+  const bool has_exact = pool.has_fractions() && !initial.isZero(0.0);
+  const Expressions exact = has_exact ? constraint.exact_initial_memory() : Expressions{};
   Expressions remembered;
   for (std::size_t i = 0; i < n; ++i) {
+    if (has_exact) equations.exact_initial[equations.rows.size()] = exact[i];
     remembered.push_back(
         pool.variable(equations.add_row({RowKind::memory, i, order}, 2.0 - order, {at(initial, i)})));
   }

@@ -10,7 +10,7 @@
 
 namespace fde::bench::mechanics {
 
-Expression Algebra::number(double value) const { return pool_.number(fmt::format("{}", value)); }
+Expression Algebra::number(double value) const { return pool_.number(value); }
 
 Expression Algebra::sum(Expression a, Expression b) const {
   if (pool_[b].operation == Operation::negate) return difference(a, pool_[b].arguments[0]);
@@ -138,46 +138,49 @@ ExpressionMatrix Algebra::jacobian(const Expressions& f, const std::vector<int>&
 }
 
 Algebra::Scaled Algebra::split(Expression e) const {
-  const auto& entry = pool_[e];
+  const ExpressionPool::Node entry = pool_[e];
   if (entry.operation == Operation::negate) {
     const auto inner = split(entry.arguments[0]);
-    return {-inner.factor, inner.rest};
+    return {negative(inner.factor), inner.rest};
   }
-  if (entry.operation != Operation::multiply) return {1.0L, e};
+  if (entry.operation != Operation::multiply) return {pool_.number(1), e};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     if (pool_[entry.arguments[i]].operation == Operation::number)
-      return {pool_[entry.arguments[i]].value, entry.arguments[1 - i]};
+      return {entry.arguments[i], entry.arguments[1 - i]};
   }
-  return {1.0L, e};
+  return {pool_.number(1), e};
 }
 
-// nullopt if the factor is not a double.
+// nullopt if the factor is neither a double nor a fraction.
 std::optional<Expression> Algebra::joined(const Scaled& of) const {
-  const auto factor = static_cast<double>(of.factor);
-  if (!std::isfinite(factor) || static_cast<long double>(factor) != of.factor) return std::nullopt;
+  const auto exact = pool_[of.factor].value;
+  const auto factor = static_cast<double>(exact);
+  if (pool_[of.factor].operation != Operation::number || !std::isfinite(factor)) return std::nullopt;
+  if (pool_.has_fractions()) return product(of.factor, of.rest);
+  if (static_cast<long double>(factor) != exact) return std::nullopt;
   return product(number(factor), of.rest);
 }
 
 std::optional<Expression> Algebra::simplified(Operation operation, Expression a, Expression b) const {
   const auto first = split(a), second = split(b);
+  const auto made = [&](Operation of, Expression x, Expression y) { return pool_.make_expression(of, x, y); };
   switch (operation) {
     case Operation::add:
     case Operation::subtract:
       if (first.rest != second.rest) return std::nullopt;
-      return joined(
-          {first.factor + (operation == Operation::add ? second.factor : -second.factor), first.rest});
+      return joined({made(operation, first.factor, second.factor), first.rest});
     case Operation::multiply: {
       const auto& number_of = pool_[a].operation == Operation::number ? a : b;
       if (pool_[number_of].operation == Operation::number) {
         const auto other = number_of == a ? second : first;
-        return joined({pool_[number_of].value * other.factor, other.rest});
+        return joined({made(operation, number_of, other.factor), other.rest});
       }
       const auto rest = product(std::min(first.rest, second.rest), std::max(first.rest, second.rest));
-      return joined({first.factor * second.factor, rest});
+      return joined({made(operation, first.factor, second.factor), rest});
     }
     case Operation::divide:
       if (pool_[b].operation != Operation::number) return std::nullopt;
-      return joined({first.factor / pool_[b].value, first.rest});
+      return joined({made(operation, first.factor, b), first.rest});
     default:
       return std::nullopt;
   }

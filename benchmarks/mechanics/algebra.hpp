@@ -62,9 +62,9 @@ class Algebra {
   [[nodiscard]] Expressions gradient(Expression f, const std::vector<int>& variables) const;
 
  private:
-  // factor * rest.
+  // factor * rest, the factor being a number.
   struct Scaled {
-    long double factor;
+    Expression factor;
     Expression rest;
   };
   [[nodiscard]] Scaled split(Expression e) const;

@@ -150,6 +150,14 @@ Vec consistent_velocity(const Dynamics& dynamics) {
   return system.velocity + at_start(dynamics, dynamics.compensation(dynamics.constraint()));
 }
 
+Vec projected_velocity(const Dynamics& dynamics) {
+  const Vec& velocity = dynamics.system().velocity;
+  const Vec nearest = nearest_velocity(dynamics), jumped = consistent_velocity(dynamics);
+  const bool jumps = jumped != velocity;
+  const Vec& chosen = jumps && (jumped - velocity).norm() < (nearest - velocity).norm() ? jumped : nearest;
+  return chosen.allFinite() ? chosen : velocity;
+}
+
 Vec initial_multiplier(const Dynamics& dynamics) {
   if (!singular_directions(dynamics).empty()) return Vec::Zero(std::ssize(dynamics.constraint()));
   return at_start(dynamics, dynamics.regular_multiplier());
@@ -174,7 +182,7 @@ void require_regular_start(const Dynamics& dynamics) {
       throw ConstraintError(
           static_cast<std::size_t>(i),
           "does not depend on a velocity at t = 0: must contain D(x, 1) of a coordinate, so that it has a "
-          "reaction");
+          "reaction; x^2 + y^2 = 1 is written as its derivative, x*D(x,1) + y*D(y,1)");
     }
     const Matrix first = rates.topRows(i + 1) * metric.lu().solve(reactions.topRows(i + 1).transpose());
     if (is_singular(first)) {
@@ -195,7 +203,7 @@ void require_start_on_constraints(const Dynamics& dynamics) {
   for (Eigen::Index i = 0; i < now.value.size(); ++i) {
     const double value = std::min(std::abs(now.value[i]), std::abs(at_order_one[i]));
     if (!std::isfinite(value) || value <= rounding * size[i]) continue;  // not finite: a run says so
-    throw ConstraintError(
+    throw StartError(
         static_cast<std::size_t>(i),
         fmt::format(
             "is {:.6g} at t = 0: must be 0 with these initial values; the nearest velocity with this is {}",

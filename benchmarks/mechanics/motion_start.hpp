@@ -29,6 +29,10 @@ Vec consistent_velocity(const Dynamics& dynamics);
 // lambda(0) as a guess: 0 if it is unbounded.
 Vec initial_multiplier(const Dynamics& dynamics);
 
+// The velocity nearest to v(0), in the metric of L, with which all constraints hold at t = 0: with w = 0, or
+// with w = v in terms of order 1 where that velocity is nearer. v(0) itself if there is none.
+Vec projected_velocity(const Dynamics& dynamics);
+
 // Newton's method for the constraints at a fixed place, from the velocity v: step(v) is its step, along the
 // reaction.
 Vec velocity_on_constraints(Vec velocity, const std::function<Vec(const Vec& velocity)>& step);
@@ -43,11 +47,16 @@ struct ConstraintError : std::invalid_argument {
   std::size_t constraint;
 };
 
+// The same where a constraint is not 0 at t = 0 with the initial velocities.
+struct StartError : ConstraintError {
+  using ConstraintError::ConstraintError;
+};
+
 // Throws std::invalid_argument if the metric is singular at t = 0, and ConstraintError if a constraint has no
 // reaction there or depends on those before it.
 void require_regular_start(const Dynamics& dynamics);
 
-// Throws ConstraintError, with the nearest velocity that keeps all constraints, if one is not 0 at t = 0:
+// Throws StartError, with the nearest velocity that keeps all constraints, if one is not 0 at t = 0:
 // with w = 0, or with w = v in terms of order 1.
 void require_start_on_constraints(const Dynamics& dynamics);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace fde::bench::mechanics {
 // What a row of a formulation is, for the coordinate `coordinate`; the multiplier and chi have no coordinate.
 enum class RowKind {
   position,        // q
-  velocity,        // v
+  velocity,        // v; with an order above 1 its row is D^(order - 1) v
   free_velocity,   // P v, the part of v that the constraints leave free
   constrained,     // chi = b.v, the part of v that a constraint of order above 1 determines
   rate,            // D^order v
@@ -36,6 +37,8 @@ struct PosedEquations {
   std::vector<Component> components{};
   Expressions rhs{};
   Expressions columns{};
+  std::map<std::size_t, Expression>
+      exact_initial{};             // initial values that are computed, by row, as fractions
   std::vector<PowerLoad> loads{};  // powers of t in the right-hand sides that are not integer
   std::string ill_posed_reason{};  // reason why this form is not well posed; the rest is empty then
 

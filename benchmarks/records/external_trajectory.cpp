@@ -35,14 +35,19 @@ std::string_view unquoted(std::string_view cell) {
 }
 
 // The names after t. np.savetxt begins the header with #, spreadsheets with a byte order mark.
-std::vector<std::string> names_in(std::string_view header) {
+std::vector<std::string> names_in(std::string_view header, const Scene& scene) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  constexpr std::size_t longest = 60;
   if (header.starts_with(byte_order_mark)) header.remove_prefix(byte_order_mark.size());
   header = trimmed(header);
   if (header.starts_with('#')) header.remove_prefix(1);
   std::vector<std::string> names;
   for (const auto& cell : split_names(header)) names.emplace_back(unquoted(trimmed(cell)));
-  if (names.front() != "t") throw std::invalid_argument("must be a header, t and columns of the scene");
+  if (names.front() != "t") {
+    throw std::invalid_argument(
+        fmt::format("'{}': must be the header, t and one or more of the columns {}, with commas between them",
+                    is_printable(header) ? header.substr(0, longest) : "", csv_names(scene.outputs.names)));
+  }
   names.erase(names.begin());
   return names;
 }
@@ -69,7 +74,7 @@ ColumnIndices column_indices_of(const std::vector<std::string>& names, const Sce
 class TrajectoryReader {
  public:
   TrajectoryReader(const std::string& header, const Scene& scene)
-      : names_(names_in(header)), places_(column_indices_of(names_, scene)), end_(scene.problem.end) {
+      : names_(names_in(header, scene)), places_(column_indices_of(names_, scene)), end_(scene.problem.end) {
     for (const auto& place : places_) {
       if (place) path_.columns.push_back(*place);
     }

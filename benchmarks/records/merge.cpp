@@ -8,6 +8,8 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/records/lines.hpp"
@@ -20,11 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A range of bytes with scenes and rows of a session.
+// A range of bytes with scenes and rows of a session, and the ranges within it that are left out.
 struct ByteRange {
   fs::path file;
   std::uint64_t begin = 0, end = 0;  // bytes
   std::size_t rows = 0;
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> left_out{};
+
+  [[nodiscard]] bool leaves_out(std::uint64_t at) const {
+    return std::ranges::any_of(left_out,
+                               [&](const auto& part) { return part.first <= at && at < part.second; });
+  }
 };
 
 // The line of a session and all ranges with its scenes and rows.
@@ -33,28 +41,35 @@ struct SessionRanges {
   std::vector<ByteRange> places{};
 };
 
-void find_sessions(const fs::path& file, std::vector<SessionRanges>& all) {
+// Returns the warning of the scan.
+std::string find_sessions(const fs::path& file, std::vector<SessionRanges>& all) {
   ByteRange* place = nullptr;
-  scan_results(file, {.session =
-                          [&](const Session& session, std::uint64_t end) {
-                            const std::string line = line_of(session);
-                            auto found = std::ranges::find(all, line, &SessionRanges::line);
-                            if (found == all.end()) found = all.insert(all.end(), {.line = line});
-                            place = &found->places.emplace_back(ByteRange{file, end, end});
-                          },
-                      .scene = [&](const auto&, std::uint64_t end) { place->end = end; },
-                      .rows =
-                          [&](const auto& rows, std::uint64_t end) {
-                            place->end = end;
-                            place->rows += rows.size();
-                          }});
+  return scan_results(file,
+                      {.session =
+                           [&](const Session& session, std::uint64_t end) {
+                             const std::string line = line_of(session);
+                             auto found = std::ranges::find(all, line, &SessionRanges::line);
+                             if (found == all.end()) found = all.insert(all.end(), {.line = line});
+                             place = &found->places.emplace_back(ByteRange{file, end, end});
+                           },
+                       .scene = [&](const auto&, std::uint64_t end) { place->end = end; },
+                       .rows =
+                           [&](const auto& rows, std::uint64_t end) {
+                             place->end = end;
+                             place->rows += rows.size();
+                           },
+                       .left_out = [&](std::uint64_t begin,
+                                       std::uint64_t end) { place->left_out.emplace_back(begin, end); }})
+      .warning;
 }
 
 // Copies a range whose session is in no other file: nothing in it is repeated.
 void copy_all(const ByteRange& place, AtomicFile& out) {
   LineReader line(place.file);
   line.go_to(place.begin);
-  while (line.end() < place.end && line.next()) out.write(line.text() + '\n');
+  while (line.end() < place.end && line.next()) {
+    if (!place.leaves_out(line.begin())) out.write(line.text() + '\n');
+  }
 }
 
 // Copies the descriptions and measurements of a range that have not been written yet. The lines were
@@ -65,6 +80,7 @@ void copy_new(const ByteRange& place, std::set<std::string>& written, AtomicFile
   std::string lines;
   std::size_t rows = 0;
   while (line.end() < place.end && line.next()) {
+    if (place.leaves_out(line.begin())) continue;
     const ResultsLine parsed = parse_line(line.text());
     lines += line.text() + '\n';
     rows += parsed.scene ? 0 : 1;
@@ -87,8 +103,12 @@ MergeCounts merge_results(const std::vector<fs::path>& files, const fs::path& ou
     throw std::invalid_argument(fmt::format("{}: exists, it must be a new file", out.string()));
   AtomicFile file(out);
   std::vector<SessionRanges> sessions;
-  for (const auto& from : files) find_sessions(from, sessions);
-  MergeCounts merged{.sessions = sessions.size()};
+  MergeCounts merged;
+  for (const auto& from : files) {
+    if (auto warning = find_sessions(from, sessions); !warning.empty())
+      merged.warnings.push_back(std::move(warning));
+  }
+  merged.sessions = sessions.size();
   for (const auto& [line, places] : sessions) {
     file.write(line);
     if (places.size() == 1) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace fde::bench {
@@ -10,6 +11,7 @@ namespace fde::bench {
 // The counts of a merge.
 struct MergeCounts {
   std::size_t sessions = 0, rows = 0, repeated_rows = 0;  // repeated_rows: not copied
+  std::vector<std::string> warnings{};                    // of lines that are left out, one a file
 };
 
 // Writes a results file with the contents of all files: each session once, in the order of first occurrence,

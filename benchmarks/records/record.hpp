@@ -66,6 +66,7 @@ struct Results {
   std::vector<Session> sessions{};
   std::vector<Record> records{};
   std::vector<SceneDescription> scenes{};
+  std::string warning{};  // of the reader, on lines that are left out
 };
 
 // Whether two sessions are of the same build, whose examinations give the same rows on every machine.

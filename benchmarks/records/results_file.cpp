@@ -52,29 +52,29 @@ bool counts(const std::vector<Record>& rows, bool from_here, const RecordedRun& 
 
 // The recorded runs and scenes of this build, and the offset of the end of the last complete write.
 struct RecordedContents {
-  RecordedByKey runs;
-  std::set<SceneSettings> scenes;
-  std::uint64_t valid = 0;
+  RecordedByKey runs{};
+  std::set<SceneSettings> scenes{};
+  ScanSummary summary{};
 };
 RecordedContents recorded_in(const std::filesystem::path& file, const Session& build) {
   RecordedContents found;
   bool is_ours = false, from_here = false;
-  found.valid = scan_results(file, {.session =
-                                        [&](const Session& session, auto) {
-                                          is_ours = same_build(session, build);
-                                          from_here = same_machine(session, build);
-                                        },
-                                    .scene =
-                                        [&](const SceneDescription& scene, auto) {
-                                          if (is_ours) found.scenes.insert(scene.scene);
-                                        },
-                                    .rows =
-                                        [&](const std::vector<Record>& rows, auto) {
-                                          if (!is_ours) return;
-                                          RecordedRun& run = found.runs[rows.front().key];
-                                          if (!counts(rows, from_here, run)) return;
-                                          for (const Record& row : rows) run.add(row);
-                                        }});
+  found.summary = scan_results(file, {.session =
+                                          [&](const Session& session, auto) {
+                                            is_ours = same_build(session, build);
+                                            from_here = same_machine(session, build);
+                                          },
+                                      .scene =
+                                          [&](const SceneDescription& scene, auto) {
+                                            if (is_ours) found.scenes.insert(scene.scene);
+                                          },
+                                      .rows =
+                                          [&](const std::vector<Record>& rows, auto) {
+                                            if (!is_ours) return;
+                                            RecordedRun& run = found.runs[rows.front().key];
+                                            if (!counts(rows, from_here, run)) return;
+                                            for (const Record& row : rows) run.add(row);
+                                          }});
   return found;
 }
 
@@ -98,10 +98,13 @@ Results read_results(const std::filesystem::path& file) {
   for (LineReader line(file); line.next();) ++count;
   Results results;
   results.records.reserve(count);
-  scan_results(file, {.session = [&](const Session& session, auto) { results.sessions.push_back(session); },
-                      .scene = [&](const SceneDescription& scene, auto) { results.scenes.push_back(scene); },
-                      .rows = [&](std::vector<Record> rows,
-                                  auto) { std::ranges::move(rows, std::back_inserter(results.records)); }});
+  results.warning =
+      scan_results(file,
+                   {.session = [&](const Session& session, auto) { results.sessions.push_back(session); },
+                    .scene = [&](const SceneDescription& scene, auto) { results.scenes.push_back(scene); },
+                    .rows = [&](std::vector<Record> rows,
+                                auto) { std::ranges::move(rows, std::back_inserter(results.records)); }})
+          .warning;
   return results;
 }
 
@@ -110,8 +113,10 @@ RecordedRun recorded_of(const RecordedByKey& runs, const RunKey& run) {
   return found == runs.end() ? RecordedRun() : found->second;
 }
 
-RecordedByKey read_recorded(const std::filesystem::path& file) {
-  return std::filesystem::exists(file) ? recorded_in(file, this_session()).runs : RecordedByKey();
+ReadRecorded read_recorded(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return {};
+  auto found = recorded_in(file, this_session());
+  return {std::move(found.runs), std::move(found.summary.warning)};
 }
 
 ResultsFile::ResultsFile(std::filesystem::path file, std::chrono::seconds wait) : path_(std::move(file)) {
@@ -123,7 +128,8 @@ ResultsFile::ResultsFile(std::filesystem::path file, std::chrono::seconds wait) 
     auto found = recorded_in(path_, session_);
     recorded_ = std::move(found.runs);
     described_ = std::move(found.scenes);
-    if (ftruncate(descriptor_, static_cast<off_t>(found.valid)) != 0)
+    warning_ = std::move(found.summary.warning);
+    if (ftruncate(descriptor_, static_cast<off_t>(found.summary.valid)) != 0)
       throw cannot_be_written(path_, std::strerror(errno));
   } catch (...) {
     close(descriptor_);
@@ -141,11 +147,17 @@ void ResultsFile::append(const std::vector<Record>& rows) {
 }
 
 void ResultsFile::append(const SceneDescription& scene) {
+  described_.insert(scene.scene);  // also if it is unreadable, so that it is not computed again
   write(line_of(scene));
-  described_.insert(scene.scene);
 }
 
 void ResultsFile::write(const std::string& lines) {
+  try {
+    require_readable(lines);
+  } catch (const std::exception& reason) {
+    throw UnreadableLines(
+        fmt::format("{}: not written, for no command could read it: {}", path_.string(), reason.what()));
+  }
   write_bytes(session_written_ ? lines : line_of(session_) + lines);
   session_written_ = true;
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,18 @@ Results read_results(const std::filesystem::path& file);
 using RecordedByKey = std::map<RunKey, RecordedRun>;
 RecordedRun recorded_of(const RecordedByKey& runs, const RunKey& run);
 
-// The runs in a results file; empty if there is no file. The file is not changed.
-RecordedByKey read_recorded(const std::filesystem::path& file);
+// The runs in a results file, and its warning (ScanSummary); empty if there is no file. The file is not
+// changed.
+struct ReadRecorded {
+  RecordedByKey runs{};
+  std::string warning{};
+};
+ReadRecorded read_recorded(const std::filesystem::path& file);
+
+// Rows or a description that no reader would accept: a defect of what computed them.
+struct UnreadableLines : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // A results file open for appending. The rows of an examination are appended in one write, and so are the
 // times of a run: a killed process leaves a valid file.
@@ -37,11 +48,16 @@ class ResultsFile {
   // The recorded rows of this run, as RecordedByKey has them.
   [[nodiscard]] RecordedRun recorded(const RunKey& run) const { return recorded_of(recorded_, run); }
 
+  // What ScanSummary says of the lines that were in the file; empty: nothing.
+  [[nodiscard]] const std::string& warning() const { return warning_; }
+
   // Whether the same build has described this scene.
   [[nodiscard]] bool describes(const SceneSettings& scene) const { return described_.contains(scene); }
 
   // Appends the rows of an examination, the ending last, or the times of a recorded one; or the description
-  // of a scene. Throws std::system_error naming the file if the disk is full or the file has been removed.
+  // of a scene. They are read back before they are written: throws UnreadableLines, and writes nothing, if a
+  // reader would leave one out. Throws std::system_error naming the file if the disk is full or the file has
+  // been removed.
   void append(const std::vector<Record>& rows);
   void append(const SceneDescription& scene);
 
@@ -51,6 +67,7 @@ class ResultsFile {
 
   std::filesystem::path path_;
   int descriptor_ = -1;
+  std::string warning_{};
   Session session_ = this_session();
   bool session_written_ = false;
   RecordedByKey recorded_;

@@ -46,14 +46,14 @@ double parse_grading(std::string_view text) {
     const auto grading = try_parse_number(text.substr(graded.size()));
     if (grading && *grading >= 1.0 && *grading <= 100.0) return *grading;
   }
-  reject_text("--grid", text, "uniform or graded:R with R in [1, 100], or graded:auto on the command line");
+  reject_text("grid", text, "uniform or graded:R with R in [1, 100]");
 }
 
 HistoryKind parse_history(std::string_view text) {
   for (const auto kind : {HistoryKind::automatic, HistoryKind::direct, HistoryKind::exponentials}) {
     if (name(kind) == text) return kind;
   }
-  throw std::invalid_argument(fmt::format("--history = {}: must be auto, direct or exponentials", text));
+  reject_text("history", text, "auto, direct or exponentials");
 }
 
 }  // namespace fde::bench

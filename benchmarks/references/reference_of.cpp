@@ -56,9 +56,17 @@ bool is_examined_at_points_only(const Scene& scene) {
 
 std::string_view evidence_of(const Scene& scene) {
   const auto evidence = scene.reference.at ? scene.reference.evidence : reference::Evidence::two_methods;
-  if (evidence == reference::Evidence::closed_form) return "closed form";
-  if (evidence == reference::Evidence::laplace_transform) return "inverse Laplace transform";
-  return is_examined_at_points_only(scene) ? "two methods, examined at points only" : "two methods";
+  switch (evidence) {
+    case reference::Evidence::closed_form:
+      return "closed form";
+    case reference::Evidence::laplace_transform:
+      return "inverse Laplace transform";
+    case reference::Evidence::two_methods:
+      return is_examined_at_points_only(scene) ? "two methods, examined at points only" : "two methods";
+    case reference::Evidence::estimate:
+      break;
+  }
+  return "estimate";
 }
 
 }  // namespace fde::bench

@@ -20,8 +20,8 @@ reference::Reference reference_of(const Scene& scene);
 // arithmetic does not show then that its residual is small between the points at which it is examined.
 bool is_examined_at_points_only(const Scene& scene);
 
-// The kind of evidence: "closed form", "inverse Laplace transform", "two methods", or "two methods, examined
-// at points only" where the right-hand side is no formula.
+// The kind of evidence: "closed form", "inverse Laplace transform", "two methods", "two methods,
+// examined at points only" where the right-hand side is no formula, or "estimate".
 std::string_view evidence_of(const Scene& scene);
 
 }  // namespace fde::bench

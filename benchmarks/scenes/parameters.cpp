@@ -65,7 +65,7 @@ ParameterValue Parameter::read(std::string_view text) const {
   } else if (!default_formula.empty() && text == default_formula) {
     return default_formula;
   }
-  throw std::invalid_argument(fmt::format("--set {} = {}: {}must be {}{}", name, text,
+  throw std::invalid_argument(fmt::format("{} = {}: {}must be {}{}", name, text,
                                           double_range_message(text), allowed(), suggestion));
 }
 

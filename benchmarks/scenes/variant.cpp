@@ -62,7 +62,7 @@ std::vector<std::string> values_of(const std::string& setting) {
 template <class Scene, class Reader>
 void add_setting(const std::string& setting, Scene& scene, const Reader& read) {
   const auto equals = setting.find('=');
-  if (equals == std::string::npos || equals == 0) reject_text("--set", setting, "NAME=VALUE");
+  if (equals == std::string::npos || equals == 0) reject_text("setting", setting, "NAME=VALUE");
   const auto name = setting.substr(0, equals);
   const auto value = std::string_view(setting).substr(equals + 1);
   bool first = !scene.until;
@@ -71,7 +71,7 @@ void add_setting(const std::string& setting, Scene& scene, const Reader& read) {
   } else {
     first = scene.values.emplace(name, read(name, value)).second;
   }
-  if (!first) reject_text("--set", setting, "one value for each name");
+  if (!first) reject_text("setting", setting, "one value for each name");
 }
 
 void add_setting(const std::string& setting, SceneVariant& variant) {
@@ -139,7 +139,7 @@ std::vector<SceneVariant> read_variants(const std::string& text, const std::vect
   for (const auto& setting : named.settings) {
     const auto values = values_of(setting);
     if (values.size() * variants.size() > max_variants) {
-      reject_text("--set", setting,
+      reject_text("setting", setting,
                   fmt::format("a range of at most {} scenes with the others", max_variants));
     }
     std::vector<SceneVariant> more;

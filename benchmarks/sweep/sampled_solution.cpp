@@ -19,7 +19,9 @@ namespace {
 constexpr int first_times = 120, most_times = 400;
 constexpr double allowed = 0.004;         // distance of curve and polyline, as a fraction of a column's range
 constexpr Eigen::Index most_columns = 8;  // a diffusion has hundreds
-constexpr int digits_of_times = 5, digits_of_values = 4;
+constexpr double least_width = 1e-5;      // of an interval that is bisected, as a fraction of the end
+constexpr int digits_of_times = 7;        // resolve half of least_width, so that rounded times increase
+constexpr int digits_of_values = 4;
 
 // The first `kept` columns at adaptively chosen times, dense where one of the first `columns` is curved.
 class Samples {
@@ -41,7 +43,7 @@ class Samples {
 
   Place add(double t) {
     const auto [value, bounds] = reference_.at(t);
-    if (!value.allFinite()) throw std::runtime_error("no value");
+    if (!value.allFinite() || !bounds.allFinite()) throw std::runtime_error("no value");
     if (bounds.size() > 0) bound_ = std::max(bound_, bounds.maxCoeff());
     return values_.insert_or_assign(t, value.head(kept_)).first;
   }
@@ -51,7 +53,7 @@ class Samples {
   Place refined(Place left) {
     const auto right = std::next(left);
     const double width = right->first - left->first;
-    if (std::ssize(values_) >= most_times || width < 1e-5 * end_) return right;
+    if (std::ssize(values_) >= most_times || width < least_width * end_) return right;
     const Vec between = 0.5 * (left->second + right->second);
     const auto middle = add(left->first + 0.5 * width);
     const Vec away = (middle->second - between).head(columns_).cwiseAbs() - allowed * range_;

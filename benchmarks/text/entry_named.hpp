@@ -7,7 +7,7 @@
 
 namespace fde::bench {
 
-// ", did you mean 'x'?" with the candidate at the least edit distance from `name`; empty without candidates.
+// ", did you mean 'x'?" with the candidate at the least edit distance from `name`; empty if none is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates);
 
 // Throws std::invalid_argument: "KIND ID: no such KIND, did you mean 'X'?; there are ...". More than ten ids

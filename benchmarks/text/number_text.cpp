@@ -180,7 +180,11 @@ std::vector<std::string> expand_decimal_range(std::string_view name, std::string
 
 std::vector<double> parse_numbers(std::string_view name, std::string_view text, const Range& allowed) {
   std::vector<double> numbers;
-  for (const auto& part : split_list(text)) numbers.push_back(parse_number(name, part, allowed));
+  for (const auto& part : split_list(text)) {
+    if (!is_decimal(part))
+      reject_text(name, part, fmt::format("{}, or several with commas between them", allowed.text()));
+    numbers.push_back(parse_number(name, part, allowed));
+  }
   return numbers;
 }
 

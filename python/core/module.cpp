@@ -40,7 +40,9 @@ struct SceneSelection {
 };
 
 // Equation files are read at every call, as they may have changed.
-SceneRegistry named_scenes() { return with_equation_files(built_in_scenes()); }
+SceneRegistry named_scenes(NoteReceiver on_note = {}) {
+  return with_equation_files(built_in_scenes(), std::move(on_note));
+}
 
 SceneVariant variant_of(const SceneSelection& named, const SceneRegistry& known) {
   return read_variant(SceneArguments{named.name, named.settings}, known);
@@ -57,10 +59,11 @@ int program(const std::vector<std::string>& arguments) {
   return without_gil([&] { return run_fdebench(arguments, {.out = std::cout, .err = std::cerr}); });
 }
 
-// Tuple of id, column names, orders and end time.
+// Tuple of id, column names, orders, end time, and what the scene changes of its file ("" if nothing).
 py::tuple facts(const SceneSelection& named) {
+  std::string changes;
   const auto [id, scene] = without_gil([&]() -> std::pair<std::string, Scene> {
-    const SceneRegistry all = named_scenes();
+    const SceneRegistry all = named_scenes([&](const std::string& note) { changes = note; });
     const auto variant = variant_of(named, all);
     Scene known = make_scene_unchecked(*variant.maker, variant.values);
     known.problem.end = variant.until.value_or(known.problem.end);
@@ -68,7 +71,7 @@ py::tuple facts(const SceneSelection& named) {
   });
   std::vector<double> orders;
   for (const auto& component : scene.problem.components) orders.push_back(component.order);
-  return py::make_tuple(id, scene.outputs.names, orders, scene.problem.end);
+  return py::make_tuple(id, scene.outputs.names, orders, scene.problem.end, changes);
 }
 
 // Tuple of names, times, values (one row a time), warning, cost as JSON, and the names of events or None.

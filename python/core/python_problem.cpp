@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "fdebench/reports/command/own_problem.hpp"
 
@@ -24,21 +25,56 @@ SharedObject shared(const py::object& object) {
           }};
 }
 
+[[noreturn]] void throw_value_error(const std::string& message) {
+  PyErr_SetString(PyExc_ValueError, message.c_str());
+  throw py::error_already_set();
+}
+
+// What NumPy would convert to doubles although it is no real numbers: None to nan, a complex number to its
+// real part, text to the number that it spells. nullptr: nothing.
+const char* no_reals(const py::array& any) {
+  switch (any.dtype().kind()) {
+    case 'b':
+    case 'i':
+    case 'u':
+    case 'f':
+      return nullptr;
+    case 'c':
+      return "complex numbers";
+    case 'U':
+    case 'S':
+      return "text";
+    case 'O':
+      for (const py::handle one : any.attr("flat")) {
+        if (one.is_none()) return "None";
+        if (py::isinstance<py::str>(one) || py::isinstance<py::bytes>(one)) return "text";
+        if (PyComplex_Check(one.ptr())) return "complex numbers";
+      }
+      return nullptr;
+    default:
+      return "no numbers";
+  }
+}
+
 // The result of function(t, y) as an array. Throws error_already_set with the exception that the function
-// raises, or with ValueError for a wrong shape; never std::runtime_error, which means a failure of the solve.
+// raises, or with ValueError for no real numbers or a wrong shape; never std::runtime_error, which means a
+// failure of the solve.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 Numbers call(const py::object& function, const char* name, double t, In y,
              const std::vector<py::ssize_t>& shape) {
   const py::object result = function(t, py::array_t<double>(y.size(), y.data()));
-  auto numbers = Numbers::ensure(result);
+  const auto any = py::array::ensure(result);
+  if (!any) throw py::error_already_set();
+  if (const auto* given = no_reals(any)) {
+    throw_value_error(fmt::format("{}: returned {} at t = {:.6g}, must be real numbers", name, given, t));
+  }
+  auto numbers = Numbers::ensure(any);
   if (!numbers) throw py::error_already_set();
   const std::vector<py::ssize_t> given(numbers.shape(), numbers.shape() + numbers.ndim());
   const bool one_number = numbers.ndim() == 0 && y.size() == 1;
   if (given != shape && !one_number) {
-    PyErr_SetString(PyExc_ValueError, fmt::format("{}: returned an array of shape ({}), must be ({})", name,
-                                                  fmt::join(given, ", "), fmt::join(shape, ", "))
-                                          .c_str());
-    throw py::error_already_set();
+    throw_value_error(fmt::format("{}: returned an array of shape ({}), must be ({})", name,
+                                  fmt::join(given, ", "), fmt::join(shape, ", ")));
   }
   return numbers;
 }

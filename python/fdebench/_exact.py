@@ -32,6 +32,8 @@ class Exact(Mapping[str, NDArray]):
         self.times, self.bounds, self._columns = times, bounds, columns
 
     def __getitem__(self, name: str) -> NDArray:
+        if name not in self._columns:
+            raise KeyError(f"{name}: there are {', '.join(self._columns)}")
         return self._columns[name]
 
     def __iter__(self) -> Iterator[str]:

@@ -49,6 +49,13 @@ def _text(name: str, value: Value) -> str:
     return str(int(value)) if isinstance(value, numbers.Integral) else repr(_real(name, value))
 
 
+def _listed(name: str, values: Any) -> list[Any]:
+    """The entries of a list, tuple or array; a number or a text alone is a TypeError."""
+    if isinstance(values, (str, bytes, Mapping)) or not hasattr(values, "__len__") or getattr(values, "ndim", 1) == 0:
+        raise TypeError(f"{name} = {values!r}: must be a list")
+    return list(values)
+
+
 class _Posed:
     """What is known of a scene and of a problem alike."""
 
@@ -87,14 +94,21 @@ class Scene(_Posed):
     def __init__(self, name: str | os.PathLike[str], parameters: Mapping[str, Value] | None = None, /, **more: Value):
         if not isinstance(name, (str, os.PathLike)):
             raise TypeError(f"scene = {name!r}: must be the name of a scene or a file")
+        if not isinstance(parameters, (Mapping, type(None))):
+            raise TypeError(f"parameters = {parameters!r}: must be a mapping, as in Scene('relaxation', {{'gamma': 0.5}})")
         self._name = os.fspath(name)
         self._settings = [f"{key}={_text(key, value)}" for key, value in {**(parameters or {}), **more}.items()]
-        self._id, self._columns, self._orders, self._end = _core.facts(self._name, self._settings)
+        self._id, self._columns, self._orders, self._end, self._note = _core.facts(self._name, self._settings)
 
     @property
     def id(self) -> str:
         """Its name without parameters."""
         return self._id
+
+    @property
+    def note(self) -> str:
+        """What the scene changes of its file: how far ``initial_velocity="projected"`` moves each velocity. "" if nothing."""
+        return self._note
 
     @property
     def label(self) -> str:
@@ -136,15 +150,16 @@ class Problem(_Posed):
         names: Sequence[str] | None = None,
         jumps: Sequence[float] = (),
     ):
-        self._orders = [_order(order) for order in orders]
+        self._orders = [_order(order) for order in _listed("orders", orders)]
+        initial = _listed("initial", initial)
         if not self._orders or len(initial) != len(self._orders):
             raise ValueError(f"initial: has {len(initial)} entries for {len(self._orders)} orders, must have one for each")
         values = [_initial(i, order, initial[i]) for i, order in enumerate(self._orders)]
         self._end = _positive("end", end)
-        self._columns = list(names) if names is not None else _usual_names(len(self._orders))
-        if len(set(self._columns)) != len(self._orders):
+        self._columns = _listed("names", names) if names is not None else _usual_names(len(self._orders))
+        if len(set(self._columns)) != len(self._orders) or not all(isinstance(name, str) for name in self._columns):
             raise ValueError(f"names = {self._columns}: must be {len(self._orders)} different names")
-        times = [_positive("jumps", time) for time in jumps]
+        times = [_positive("jumps", time) for time in _listed("jumps", jumps)]
         if times != sorted(set(times)):
             raise ValueError(f"jumps = {times}: must increase")
         for name, function in {"rhs": rhs, "jacobian": jacobian}.items():

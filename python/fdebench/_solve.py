@@ -111,9 +111,9 @@ def choose(
     *,
     norm: str = "maximum",
     scale: str = "mixed",
-    columns: Sequence[str] | None = None,
+    columns: str | Sequence[str] | None = None,
     seconds: float | None = None,
-    runs: str = "many",
+    runs: str | int = "many",
 ) -> dict[str, Any]:
     """The scheme, grid and number of steps to take for an accuracy, found by making runs.
 
@@ -128,9 +128,10 @@ def choose(
     >>> answer["error"] < 1e-4, sorted(answer)[:4]
     (True, ['accuracy', 'asked', 'command', 'error'])
     """
-    options = ["--error", repr(_real("error", error)), "--norm", norm, "--scale", scale, "--runs", runs, "--json"]
-    if columns is not None:
-        options += ["--columns", ",".join(columns)]
+    options = ["--error", repr(_real("error", error)), "--json"]
+    for name, value in {"norm": norm, "scale": scale, "runs": runs, "columns": columns}.items():
+        if value is not None:
+            options += [f"--{name}", _text(name, value)]
     if seconds is not None:
         options += ["--max-time", _text("seconds", seconds)]
     found = json.loads(_command("choose", scene, options))

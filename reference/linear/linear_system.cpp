@@ -26,45 +26,78 @@ void require_outputs(const std::vector<std::size_t>& outputs, std::size_t size) 
   }
 }
 
-LinearSystem checked(LinearSystem system) {
+void require_size(std::size_t size) {
+  if (size >= 1 && size <= most_components) return;
+  throw std::invalid_argument(fmt::format("{}: {} components: must be 1 to {}", name, size, most_components));
+}
+
+void require_lists(const auto& system) {
   const std::size_t size = system.orders.size();
-  if (size < 1 || size > most_components) {
-    throw std::invalid_argument(
-        fmt::format("{}: {} components: must be 1 to {}", name, size, most_components));
-  }
+  require(system.initial.size() == size, "a list of initial values is needed for each order");
+  require(system.loads.empty() || system.loads.size() == size,
+          "there have to be no loads, or a list of them for each order");
+}
+
+// The shape and the numbers of a system of doubles.
+void require_finite(const LinearSystem& system) {
+  const std::size_t size = system.orders.size();
   const auto rows = static_cast<Eigen::Index>(size);
+  require_size(size);
   require(system.matrix.rows() == rows && system.matrix.cols() == rows,
           "the matrix has to have a row and a column for each order");
   require(system.matrix.allFinite(), "coefficients have to be finite");
-  require(system.initial.size() == size, "a list of initial values is needed for each order");
-  if (system.loads.empty()) system.loads.resize(size);
-  require(system.loads.size() == size, "there have to be no loads, or a list of them for each order");
+  require_lists(system);
   for (std::size_t i = 0; i < size; ++i) {
     require(system.orders[i] >= 0.0 && std::isfinite(system.orders[i]), "orders have to be 0 or above");
-    const std::size_t count = system.orders[i] == 0.0 ? 0 : initial_count(system.orders[i]);
-    require(system.initial[i].size() >= count, "an initial value is missing");
-    system.initial[i].resize(count);
     require(std::ranges::all_of(system.initial[i], [](double value) { return std::isfinite(value); }),
             "initial values have to be finite");
-    for (const auto& load : system.loads[i])
+    for (const auto& load : system.loads.empty() ? std::vector<Load>{} : system.loads[i])
       require(!validation_error(load), validation_error(load).value_or(""));
+  }
+}
+
+ExactLinearSystem exact(const LinearSystem& system) {
+  const auto fractions = [](const auto& numbers) {
+    std::vector<Rational> same;
+    for (const double x : numbers) same.push_back(shortest_decimal(x));
+    return same;
+  };
+  ExactLinearSystem same{.orders = fractions(system.orders), .outputs = system.outputs};
+  for (const auto& initial : system.initial) same.initial.push_back(fractions(initial));
+  for (const auto& row : system.matrix.rowwise()) same.matrix.push_back(fractions(row));
+  for (const auto& loads : system.loads) {
+    auto& of_row = same.loads.emplace_back();
+    for (const Load& load : loads) of_row.push_back(exact(load));
+  }
+  return same;
+}
+
+ExactLinearSystem checked(ExactLinearSystem system) {
+  const std::size_t size = system.orders.size();
+  require_size(size);
+  require_lists(system);
+  if (system.loads.empty()) system.loads.resize(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto count = static_cast<std::size_t>(ceiling(system.orders[i]));
+    require(system.initial[i].size() >= count, "an initial value is missing");
+    system.initial[i].resize(count);
   }
   require_outputs(system.outputs, size);
   if (system.outputs.empty())
     for (std::size_t i = 0; i < size; ++i) system.outputs.push_back(i);
-  require(std::ranges::find(system.orders, 0.0) == system.orders.end() || is_regular(system),
+  require(std::ranges::find(system.orders, Rational(0)) == system.orders.end() || is_regular(system),
           "the rows of order 0 do not determine every unknown");
   return system;
 }
 
 // For each component the set of the components that it depends on, itself included, as bits.
-std::vector<unsigned> dependencies(const Matrix& matrix) {
-  const auto size = static_cast<std::size_t>(matrix.rows());
+std::vector<unsigned> dependencies(const std::vector<std::vector<Rational>>& matrix) {
+  const std::size_t size = matrix.size();
   std::vector<unsigned> on(size);
   for (std::size_t i = 0; i < size; ++i) {
     on[i] = 1U << i;
     for (std::size_t j = 0; j < size; ++j)
-      if (matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) != 0.0) on[i] |= 1U << j;
+      if (matrix[i][j] != 0) on[i] |= 1U << j;
   }
   for (std::size_t through = 0; through < size; ++through) {
     for (auto& set : on)
@@ -81,12 +114,14 @@ struct Subsystem {
 
 // The part of the outputs that depend on exactly the components of `set`, whose rows have no other unknowns.
 // The determinant of the system is the product of the determinants of the parts, so none of them is singular.
-Subsystem subsystem_for(const LinearSystem& system, unsigned set, const std::vector<unsigned>& on) {
+Subsystem subsystem_for(const ExactLinearSystem& system, unsigned set, const std::vector<unsigned>& on) {
   std::vector<std::size_t> kept, places;
   for (std::size_t i = 0; i < on.size(); ++i)
     if ((set >> i & 1U) != 0U) kept.push_back(i);
-  LinearSystem part{.orders = {}, .initial = {}, .matrix = system.matrix(kept, kept)};
+  ExactLinearSystem part;
   for (const std::size_t i : kept) {
+    auto& row = part.matrix.emplace_back();
+    for (const std::size_t j : kept) row.push_back(system.matrix[i][j]);
     part.orders.push_back(system.orders[i]);
     part.initial.push_back(system.initial[i]);
     part.loads.push_back(system.loads[i]);
@@ -102,7 +137,7 @@ Subsystem subsystem_for(const LinearSystem& system, unsigned set, const std::vec
 
 // Components that do not depend on others are solved without them; otherwise growing modes of the others
 // would have to cancel.
-std::vector<Subsystem> subsystems(const LinearSystem& system) {
+std::vector<Subsystem> subsystems(const ExactLinearSystem& system) {
   const auto on = dependencies(system.matrix);
   std::vector<unsigned> sets;
   for (const std::size_t i : system.outputs)
@@ -127,7 +162,12 @@ std::vector<Column> gathered(const std::vector<Subsystem>& parts, std::size_t si
 }  // namespace
 
 Reference linear_reference(const LinearSystem& system) {
-  const LinearSystem posed = checked(system);
+  require_finite(system);
+  return exact_linear_reference(exact(system));
+}
+
+Reference exact_linear_reference(const ExactLinearSystem& system) {
+  const ExactLinearSystem posed = checked(system);
   const auto parts = subsystems(posed);
   const std::size_t size = posed.outputs.size();
   const auto quick = [parts, size](double t) {

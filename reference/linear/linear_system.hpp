@@ -15,7 +15,7 @@ namespace fde::reference {
 // Order 0 is an algebraic row, D^0 x_i = x_i, without initial values: matrix(i, i) = 1 gives the constraint
 // 0 = sum of the other terms, which determines x_i as a multiplier in other rows. For initial values that are
 // inconsistent with the constraints, the solution is the one after the jump at 0.
-struct LinearSystem {
+struct LinearSystem {  // of doubles, which are taken as their shortest decimals
   std::vector<double> orders;
   std::vector<std::vector<double>> initial;
   Matrix matrix;
@@ -23,9 +23,19 @@ struct LinearSystem {
   std::vector<std::size_t> outputs{};  // the requested components, in this order; empty: all
 };
 
+// The same in fractions.
+struct ExactLinearSystem {
+  std::vector<Rational> orders{};
+  std::vector<std::vector<Rational>> initial{};
+  std::vector<std::vector<Rational>> matrix{};  // by rows
+  std::vector<std::vector<LoadOf<Rational>>> loads{};
+  std::vector<std::size_t> outputs{};
+};
+
 // The requested components; see linear_solution.hpp for their accuracy. A multiplier may be infinite
 // at t = 0, where velocities start like t^(1-order). Throws std::invalid_argument for a system not of this
 // form, and where the algebraic rows do not determine every unknown.
 Reference linear_reference(const LinearSystem& system);
+Reference exact_linear_reference(const ExactLinearSystem& system);
 
 }  // namespace fde::reference

@@ -9,15 +9,12 @@ namespace {
 // The matrix diag(s^g) - A of (diag(s^g) - A) X = R, R_j = sum_k s^(g_j-1-k) x_j^(k)(0) + sum of loads c
 // Gamma(power+1) s^(-power-1). By Cramer's rule X_i = N_i / P, where P is the determinant and N_i the
 // determinant with R in column i.
-PolynomialMatrix matrix_of(const LinearSystem& system) {
+PolynomialMatrix matrix_of(const ExactLinearSystem& system) {
   const std::size_t size = system.orders.size();
   PolynomialMatrix matrix(size, std::vector<GeneralizedPolynomial>(size));
   for (std::size_t i = 0; i < size; ++i) {
-    add_term(matrix[i][i], shortest_decimal(system.orders[i]), Rational(1));
-    for (std::size_t j = 0; j < size; ++j) {
-      const double entry = system.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      add_term(matrix[i][j], 0, Rational(-shortest_decimal(entry)));
-    }
+    add_term(matrix[i][i], system.orders[i], Rational(1));
+    for (std::size_t j = 0; j < size; ++j) add_term(matrix[i][j], 0, Rational(-system.matrix[i][j]));
   }
   return matrix;
 }
@@ -28,19 +25,18 @@ struct RightSide {
   std::vector<GeneralizedPolynomial> rows;
 };
 
-std::vector<RightSide> right_sides(const LinearSystem& system) {
+std::vector<RightSide> right_sides(const ExactLinearSystem& system) {
   const std::size_t size = system.orders.size();
   std::vector<RightSide> sides{{0, std::vector<GeneralizedPolynomial>(size)}};
   for (std::size_t j = 0; j < size; ++j) {
-    const Rational order = shortest_decimal(system.orders[j]);
     for (std::size_t k = 0; k < system.initial[j].size(); ++k)
-      add_term(sides.front().rows[j], Rational(order - 1 - k), shortest_decimal(system.initial[j][k]));
+      add_term(sides.front().rows[j], Rational(system.orders[j] - 1 - k), system.initial[j][k]);
     for (const auto& [coefficient, power, from, over_gamma] : system.loads[j]) {
-      const Rational time = shortest_decimal(from), next = shortest_decimal(power) + 1;
-      auto side = std::ranges::find(sides, time, &RightSide::from);
-      if (side == sides.end()) side = sides.insert(side, {time, std::vector<GeneralizedPolynomial>(size)});
+      const Rational next = power + 1;
+      auto side = std::ranges::find(sides, from, &RightSide::from);
+      if (side == sides.end()) side = sides.insert(side, {from, std::vector<GeneralizedPolynomial>(size)});
       add_term(side->rows[j], Rational(-next), coefficient_of_gamma(over_gamma ? Rational(1) : next),
-               shortest_decimal(coefficient));
+               coefficient);
     }
   }
   return sides;
@@ -48,10 +44,10 @@ std::vector<RightSide> right_sides(const LinearSystem& system) {
 
 }  // namespace
 
-LinearTransform transform_of(const LinearSystem& system) {
+LinearTransform transform_of(const ExactLinearSystem& system) {
   const PolynomialMatrix matrix = matrix_of(system);
   LinearTransform transform;
-  for (const double order : system.orders) transform.generators.push_back(shortest_decimal(order));
+  transform.generators = system.orders;
   transform.characteristic = determinant(matrix);
   for (const auto& [from, rows] : right_sides(system)) {
     auto& numerators = transform.group_at(from, system.outputs.size()).numerators;
@@ -64,6 +60,6 @@ LinearTransform transform_of(const LinearSystem& system) {
   return transform;
 }
 
-bool is_regular(const LinearSystem& system) { return !determinant(matrix_of(system)).empty(); }
+bool is_regular(const ExactLinearSystem& system) { return !determinant(matrix_of(system)).empty(); }
 
 }  // namespace fde::reference

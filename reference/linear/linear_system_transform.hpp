@@ -8,9 +8,9 @@ namespace fde::reference {
 
 // The Laplace transforms of the outputs, by Cramer's rule with exact determinants. Precondition: the system
 // has the form of linear_system.hpp, with one list of loads per row and explicit outputs.
-LinearTransform transform_of(const LinearSystem& system);
+LinearTransform transform_of(const ExactLinearSystem& system);
 
 // Whether the determinant of the transformed system is nonzero: whether the solution is unique.
-bool is_regular(const LinearSystem& system);
+bool is_regular(const ExactLinearSystem& system);
 
 }  // namespace fde::reference

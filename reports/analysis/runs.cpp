@@ -154,7 +154,7 @@ const SceneDescription* Runs::describe(const SceneSettings& scene) const {
   return found == scenes.end() ? nullptr : &found->second;
 }
 
-ReadRuns read_runs(const Results& results) { return {results.sessions, runs_of(results)}; }
+ReadRuns read_runs(const Results& results) { return {results.sessions, runs_of(results), results.warning}; }
 
 Runs runs_of(const Results& results) {
   Collector collector;
@@ -176,13 +176,15 @@ void count_first_runs(Runs& runs) {
 
 ReadRuns read_runs(const std::filesystem::path& file) {
   Collector collector;
-  scan_results(file, {.session = [&](const Session& session, auto) { collector.begin(session); },
-                      .scene = [&](const SceneDescription& scene, auto) { collector.take(scene); },
-                      .rows = [&](const std::vector<Record>& rows, auto) { collector.take(rows); }});
-  ReadRuns read{.sessions = collector.sessions()};
+  const auto summary =
+      scan_results(file, {.session = [&](const Session& session, auto) { collector.begin(session); },
+                          .scene = [&](const SceneDescription& scene, auto) { collector.take(scene); },
+                          .rows = [&](const std::vector<Record>& rows, auto) { collector.take(rows); }});
+  ReadRuns read{.sessions = collector.sessions(), .warning = summary.warning};
   read.runs = std::move(collector).runs();
   if (read.runs.finished.empty() && read.runs.failed.empty())
-    throw std::invalid_argument(fmt::format("{}: holds no run", file.string()));
+    throw std::invalid_argument(read.warning.empty() ? fmt::format("{}: holds no run", file.string())
+                                                     : fmt::format("{}: no run is left", read.warning));
   return read;
 }
 

@@ -59,6 +59,7 @@ void count_first_runs(Runs& runs);
 struct ReadRuns {
   std::vector<Session> sessions{};
   Runs runs{};
+  std::string warning{};  // of lines that are left out (ScanSummary)
 };
 ReadRuns read_runs(const std::filesystem::path& file);
 ReadRuns read_runs(const Results& results);

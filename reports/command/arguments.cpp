@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "fdebench/benchmarks/text/number_text.hpp"
 
@@ -137,9 +138,26 @@ bool requests_optimal_grading(const RunSettingsArguments& arguments) {
   return arguments.grid == "graded:auto";
 }
 
+namespace {
+
+// Parses a setting that files have too; the message names it as the option, and what the option takes
+// besides.
+template <class Parse>
+auto of_option(const std::string& text, const Parse& parse, std::string_view more = "") {
+  try {
+    return parse(text);
+  } catch (const std::invalid_argument& fault) {
+    throw std::invalid_argument(fmt::format("--{}{}", fault.what(), more));
+  }
+}
+
+}  // namespace
+
 RunSettings parse_run_settings(const RunSettingsArguments& arguments) {
-  const double grading = requests_optimal_grading(arguments) ? 1.0 : parse_grading(arguments.grid);
-  RunSettings setup{.grading = grading, .history = parse_history(arguments.history)};
+  const double grading = requests_optimal_grading(arguments)
+                             ? 1.0
+                             : of_option(arguments.grid, parse_grading, ", or graded:auto");
+  RunSettings setup{.grading = grading, .history = of_option(arguments.history, parse_history)};
   if (arguments.tolerance) setup.tolerance = parse_number("--tolerance", *arguments.tolerance, tolerances);
   setup.budget = parse_number("--budget", arguments.budget, positive);
   return setup;

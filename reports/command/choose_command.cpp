@@ -82,11 +82,13 @@ Recommendation searched(const SceneVariant& variant, Scene scene, const Accuracy
 
 // A recommendation from recorded runs: these have no errors of single columns and need no search time.
 Recommendation recorded(const ErrorKind& kind, double accuracy, bool first_run,
-                        const ChooseArguments& arguments, const SceneRegistry& known) {
+                        const ChooseArguments& arguments, const Streams& streams,
+                        const SceneRegistry& known) {
   if (arguments.columns)
     reject_text("--columns", *arguments.columns, "without --results, which has all columns");
   if (arguments.max_time) reject_text("--max-time", *arguments.max_time, "without --results");
-  Runs runs = read_runs(*arguments.results).runs;
+  auto [sessions, runs, warning] = read_runs(*arguments.results);
+  warn(streams, warning);
   const SceneArguments scene{arguments.scene.scene, settings_of(arguments)};
   if (first_run) count_first_runs(runs);
   return recommend(runs, recorded_scene(runs, *arguments.results, scene, known), kind, accuracy);
@@ -118,7 +120,7 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
   const bool first_run = requests_first_run(arguments.runs);
   Recommendation made;
   if (arguments.results) {
-    made = recorded(kind, accuracy, first_run, arguments, known);
+    made = recorded(kind, accuracy, first_run, arguments, streams, known);
   } else {
     const auto variant = chosen_scene(arguments, known);
     const Scene scene = make_scene(variant);

@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <mutex>
 #include <new>
 #include <ostream>
+#include <set>
 #include <sstream>
+#include <string>
 #include <system_error>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
@@ -55,6 +59,18 @@ int complain(const Streams& streams, int code, std::string_view message) {
   return code;
 }
 
+// Says each note once: a command makes a scene several times, also in several threads.
+NoteReceiver said_once(const Streams& streams) {
+  struct Notes {
+    std::mutex mutex{};
+    std::set<std::string> said{};
+  };
+  return [&streams, notes = std::make_shared<Notes>()](const std::string& note) {
+    const std::lock_guard lock(notes->mutex);
+    if (notes->said.insert(note).second) say(streams, Message::note, note);
+  };
+}
+
 // CLI11 takes an empty argument for the name of an option group and does not terminate. No argument of
 // fdebench may be empty.
 void check_none_empty(const std::vector<std::string>& arguments) {
@@ -99,11 +115,15 @@ void say(const Streams& streams, Message kind, std::string_view message) {
   streams.err.flush();
 }
 
+void warn(const Streams& streams, std::string_view text) {
+  if (!text.empty()) say(streams, Message::warning, fmt::format("warning: {}", text));
+}
+
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& given,
                  const SceneRegistry& known) {
   Streams streams = given;
   try {
-    const SceneRegistry named = with_equation_files(known);
+    const SceneRegistry named = with_equation_files(known, said_once(streams));
     CommandLine program(name_of_program, purpose, this_session().version, streams.quiet);
     add_subcommands(program, streams, named);
     if (!arguments.empty() && arguments.front() == completion_request) {

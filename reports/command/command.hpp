@@ -39,6 +39,9 @@ struct Streams {
 enum class Message { error, warning, note };
 void say(const Streams& streams, Message kind, std::string_view message);
 
+// Says "warning: TEXT"; nothing if the text is empty.
+void warn(const Streams& streams, std::string_view text);
+
 // Runs the command `fdebench` within this process, with the arguments after the program's name. Returns the
 // exit code: 0 done, 1 worse results, 2 bad input or output that cannot be written, 3 numerical failure; all
 // but 0 with one line on err. `known`: the scenes that arguments may name besides equation files.

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
@@ -52,11 +53,23 @@ std::string unknown_option(const CLI::App& command, const std::vector<std::strin
   return {};
 }
 
+// What other programs call our options.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 20> foreign_options{
+    {{"--h", "--steps"},        {"--dt", "--steps"},       {"--step", "--steps"},    {"--n", "--steps"},
+     {"--N", "--steps"},        {"--rtol", "--accuracy"},  {"--atol", "--accuracy"}, {"--tol", "--accuracy"},
+     {"--accuracy", "--error"}, {"--error", "--accuracy"}, {"--tspan", "--until"},   {"--t_end", "--until"},
+     {"--end", "--until"},      {"--T", "--until"},        {"--method", "--scheme"}, {"--solver", "--scheme"},
+     {"--output", "--out"},     {"--times", "--at"},       {"--parameter", "--set"}, {"--param", "--set"}}};
+
 std::string suggestion(const SubcommandText& subcommand, std::string_view name) {
+  for (const auto& [foreign, own] : foreign_options)
+    if (name == foreign && named(subcommand, own) != nullptr) return fmt::format("; here it is {}", own);
   std::vector<std::string_view> options{"--quiet", "--help"};
   for (const auto& argument : subcommand.arguments)
     if (!argument.is_positional()) options.emplace_back(argument.name);
-  return did_you_mean(name, options);
+  const auto meant = did_you_mean(name, options);
+  const bool has_parameters = meant.empty() && named(subcommand, "--set") != nullptr;
+  return has_parameters ? "; a parameter of the scene is set by --set NAME=VALUE" : meant;
 }
 
 // "--scheme is required: ID, the id of the scheme".
@@ -114,7 +127,10 @@ std::string mistake(const CLI::ParseError& error, const CLI::App& command, const
   std::string said = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const auto rest = command.remaining(true);
-    return fmt::format("{}: {} takes no such argument", rest.empty() ? said : rest.front(), subcommand.name);
+    const std::string word = rest.empty() ? said : rest.front();
+    const bool is_setting = word.find('=') != std::string::npos && named(subcommand, "--set") != nullptr;
+    return fmt::format("{}: {} takes no such argument{}", word, subcommand.name,
+                       is_setting ? fmt::format("; --set {} sets a parameter", word) : "");
   }
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return missing_argument(subcommand, said);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr ||

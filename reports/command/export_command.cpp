@@ -42,6 +42,7 @@ void export_file(const ExportArguments& arguments, const Streams& streams) {
     return write_tables(arguments.file, *writer);
   }();
   out.commit();
+  warn(streams, counts.warning);
   streams.out << fmt::format("{}\n{} sessions, {} scenes, {} runs, {} results\n",
                              std::filesystem::absolute(out.path()).string(), counts.sessions, counts.scenes,
                              counts.runs, counts.results);

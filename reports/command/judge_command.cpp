@@ -118,6 +118,7 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const SceneR
   rows.back().program = path.report.facts;
   std::optional<ResultsFile> file;
   if (arguments.out) file.emplace(*arguments.out, longest_wait);
+  if (file) warn(streams, file->warning());
   if (file && !file->describes(row.key.scene)) file->append(describe(variant, scene, reference));
   if (file) file->append(rows);
   if (!seconds.empty() && is_compared(judgement.ending.kind)) {

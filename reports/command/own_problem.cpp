@@ -82,6 +82,7 @@ void require_order(double order) {
 Scene own_scene(const Problem& problem, const std::vector<std::string>& names) {
   require_posed(problem, names);
   Scene scene{.problem = problem, .outputs = {.names = names}};
+  scene.reference.evidence = reference::Evidence::two_methods;
   scene.reference.at = [reference = std::make_shared<LazyReference>(problem)](double t) {
     return reference->at(t);
   };

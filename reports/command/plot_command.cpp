@@ -93,21 +93,23 @@ void check(const PlotArguments& arguments, const FigureKind& kind) {
   }
 }
 
-nlohmann::json data_of_results(const PlotArguments& arguments, const FigureKind& kind,
+nlohmann::json data_of_results(const PlotArguments& arguments, const FigureKind& kind, const Streams& streams,
                                const SceneRegistry& known) {
   const auto& results = *arguments.results;
   ReadRuns read = read_runs(results);
+  warn(streams, read.warning);
   const auto scene = recorded_scene(read.runs, results, arguments.scene, known);
   return kind.of == FigureData::runs ? data_of_runs(std::move(read), scene)
                                      : data_of_drifts(std::move(read), scene);
 }
 
-nlohmann::json data_of(const PlotArguments& arguments, const FigureKind& kind, const SceneRegistry& known) {
+nlohmann::json data_of(const PlotArguments& arguments, const FigureKind& kind, const Streams& streams,
+                       const SceneRegistry& known) {
   const auto& [scene, settings] = arguments.scene;
   switch (kind.of) {
     case FigureData::runs:
     case FigureData::drifts:
-      return data_of_results(arguments, kind, known);
+      return data_of_results(arguments, kind, streams, known);
     case FigureData::solution:
       return data_of_solutions(read_variants(scene, settings, known));
     case FigureData::regions:
@@ -175,8 +177,9 @@ void print_on_paper(const std::filesystem::path& svg, const std::string& out) {
 
 // Writes the figure and returns its absolute path.
 std::filesystem::path figure(const PlotArguments& arguments, const FigureKind& kind,
-                             const std::vector<std::string>& columns, const SceneRegistry& known) {
-  const auto data = data_of(arguments, kind, known);
+                             const std::vector<std::string>& columns, const Streams& streams,
+                             const SceneRegistry& known) {
+  const auto data = data_of(arguments, kind, streams, known);
   require_schemes(arguments.schemes, schemes_in(data));
   const bool several = data["sections"].front().contains("family");
   if (several && kind.family.empty())
@@ -206,7 +209,7 @@ void plot(const PlotArguments& arguments, const Streams& streams, const SceneReg
   const auto columns = columns_in(arguments, kind);
   const auto path = [&] {
     ProgressLine line(streams, fmt::format("draws {}", arguments.out));
-    return figure(arguments, kind, columns, known);
+    return figure(arguments, kind, columns, streams, known);
   }();
   streams.out << path.string() << '\n';
 }

@@ -77,8 +77,10 @@ void compare_files(const CompareArguments& arguments, const Streams& streams) {
     ProgressLine line(streams, "reads " + file);
     return read_runs(file);
   };
-  const auto [sessions_before, before] = read(first);
-  const auto [sessions_now, now] = read(second);
+  const auto [sessions_before, before, warning_before] = read(first);
+  const auto [sessions_now, now, warning_now] = read(second);
+  warn(streams, warning_before);
+  warn(streams, warning_now);
   const Comparison comparison = compare(before, now);
   if (comparison.common == 0)
     throw std::invalid_argument(fmt::format("{} and {}: have no run in common", first, second));
@@ -98,6 +100,7 @@ void merge_files(const std::vector<std::string>& files, const std::string& out, 
     ProgressLine line(streams, fmt::format("merges {} files", files.size()));
     return merge_results({files.begin(), files.end()}, out);
   }();
+  for (const auto& warning : merged.warnings) warn(streams, warning);
   streams.out << fmt::format("{}\n{} sessions, {} rows, {} repeated rows left out\n",
                              std::filesystem::absolute(out).string(), merged.sessions, merged.rows,
                              merged.repeated_rows);

@@ -36,18 +36,29 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams, Resu
   const auto recorded = [&](const RunKey& key) { return file.recorded(key); };
   const Forecast expected = forecast_of(sweeps, recorded);
   SweepProgress progress(streams, expected, count_is_exact(sweeps));
+  std::string unwritten;  // the first line that could not be read back; the sweep goes on without it
+  const auto append = [&](const auto& part) {
+    try {
+      file.append(part);
+    } catch (const UnreadableLines& reason) {
+      if (unwritten.empty()) unwritten = reason.what();
+    }
+  };
   const SweepCallbacks hooks{.recorded = recorded,
-                             .append = [&](const auto& rows) { file.append(rows); },
+                             .append = append,
                              .on_event = [&](const SweepEvent& event) { progress.on_event(event); },
                              .describes = [&](const SceneSettings& scene) { return file.describes(scene); },
-                             .append_scene = [&](const SceneDescription& scene) { file.append(scene); }};
+                             .append_scene = append};
   for (const auto& sweep : sweeps) run_sweep(sweep, hooks, expected);
+  if (!unwritten.empty()) throw NumericalFailure(unwritten);
 }
 
 // Prints the remaining runs with their expected seconds, and the total.
 void list_runs(const std::vector<Sweep>& sweeps, const SweepArguments& arguments, const Streams& streams) {
-  const auto recorded = arguments.out ? read_recorded(*arguments.out) : RecordedByKey();
-  const auto expected = forecast_of(sweeps, [&](const RunKey& key) { return recorded_of(recorded, key); });
+  const auto recorded = arguments.out ? read_recorded(*arguments.out) : ReadRecorded();
+  warn(streams, recorded.warning);
+  const auto expected =
+      forecast_of(sweeps, [&](const RunKey& key) { return recorded_of(recorded.runs, key); });
   for (const auto& [run, seconds] : expected) {
     streams.out << fmt::format("{} {} {}  {}\n", label_of(run.scene), run.scheme, resolution_text(run.setup),
                                time_text(seconds.total()));
@@ -61,6 +72,7 @@ void run(const SweepArguments& arguments, const Streams& streams, const SceneReg
   if (arguments.dry_run) return list_runs(sweeps, arguments, streams);
   if (!arguments.out) throw std::invalid_argument("--out is required");
   ResultsFile file(*arguments.out);
+  warn(streams, file.warning());
   const SignalCleanup words(
       streams.quiet
           ? ""
@@ -157,6 +169,7 @@ void add_sweep_commands(CommandLine& program, const Streams& streams, const Scen
     const bool first_runs = requests_first_run(*runs);
     const auto read = [&](const std::string& from) {
       auto of_file = read_runs(from);
+      warn(streams, of_file.warning);
       if (first_runs) count_first_runs(of_file.runs);
       return of_file;
     };

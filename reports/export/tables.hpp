@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -36,6 +37,7 @@ class TableWriter {
 
 struct ExportCounts {
   std::size_t sessions = 0, scenes = 0, runs = 0, results = 0;
+  std::string warning{};  // of lines that are left out (ScanSummary)
 };
 
 // Writes the contents of a results file as rows of the tables. The rows of `results` and `courses` are not

@@ -203,10 +203,13 @@ class TablesOfResults {
 ExportCounts write_tables(const std::filesystem::path& file, TableWriter& writer) {
   try {
     TablesOfResults made(writer);
-    scan_results(file, {.session = [&](const Session& session, auto) { made.add(session); },
-                        .scene = [&](const SceneDescription& scene, auto) { made.add(scene); },
-                        .rows = [&](const std::vector<Record>& rows, auto) { made.add(rows); }});
-    return std::move(made).finish();
+    const auto summary =
+        scan_results(file, {.session = [&](const Session& session, auto) { made.add(session); },
+                            .scene = [&](const SceneDescription& scene, auto) { made.add(scene); },
+                            .rows = [&](const std::vector<Record>& rows, auto) { made.add(rows); }});
+    auto counts = std::move(made).finish();
+    counts.warning = summary.warning;
+    return counts;
   } catch (const WriterFailure& failure) {
     std::rethrow_exception(failure.reason);
   }

@@ -25,6 +25,12 @@ Interval outward(double low, double high, double units = 1.0) {
   return {std::isnan(from) ? low : from, std::isnan(to) ? high : to};
 }
 
+// A sum or difference that is rounded to 0 is 0.
+Interval sum(double low, double high) {
+  const Interval value = outward(low, high);
+  return {low == 0.0 ? 0.0 : value.low, high == 0.0 ? 0.0 : value.high};
+}
+
 constexpr double library = 8.0;
 
 // Of a function that increases.
@@ -78,8 +84,8 @@ Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
-Interval operator+(const Interval& a, const Interval& b) { return outward(a.low + b.low, a.high + b.high); }
-Interval operator-(const Interval& a, const Interval& b) { return outward(a.low - b.high, a.high - b.low); }
+Interval operator+(const Interval& a, const Interval& b) { return sum(a.low + b.low, a.high + b.high); }
+Interval operator-(const Interval& a, const Interval& b) { return sum(a.low - b.high, a.high - b.low); }
 Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
 
 Interval operator*(const Interval& a, const Interval& b) {

@@ -17,7 +17,7 @@ Eigen::ArrayXd noise(const Eigen::ArrayXd& largest, In terms) {
 
 }  // namespace
 
-Vec ErrorTolerance::on_step(In least, In largest, In terms) const {
+Vec ErrorTolerance::on_step(In least, In largest, In terms, In unresolved) const {
   constexpr double of_row = 0.01;
   // The absolute tolerance decides above this share of the relative one; largest growth of a row that counts.
   constexpr double counts = 1e-3, growth = 16.0;
@@ -28,7 +28,9 @@ Vec ErrorTolerance::on_step(In least, In largest, In terms) const {
   if (by_least) rounded = rounded.min(growth / accuracy_.rtol * allowed);
   const Eigen::ArrayXd rounding = noise(rounded, terms);
   if (largest_.size() == 0) return allowed.max(rounding);
-  return allowed.min(of_row * largest.array().max(largest_.array())).max(rounding);
+  const auto starts_from_rest = largest_.array() <= (after_jump_ ? of_row : 0.0) * largest.array();
+  const auto by_size = of_row * largest.array().max(largest_.array());
+  return starts_from_rest.select(allowed, allowed.min(by_size.max(unresolved.array()))).max(rounding);
 }
 
 Vec ErrorTolerance::from_tolerance(In largest, In terms) const {
@@ -38,6 +40,7 @@ Vec ErrorTolerance::from_tolerance(In largest, In terms) const {
 void ErrorTolerance::accept_step(In largest) {
   if (largest_.size() == 0) largest_ = largest;
   largest_ = largest_.cwiseMax(largest);
+  after_jump_ = false;
 }
 
 }  // namespace fde

@@ -8,7 +8,10 @@
 namespace fde {
 
 // The largest error allowed in each row of a step: atol + rtol |y|, but at most 1/100 of the largest |y| that
-// the row has had since t = 0, and at least 50 eps times the terms of the row, and 1e-292.
+// the row has had since t = 0, and at least 50 eps times the terms of the row, and 1e-292. The bound by the
+// largest |y| does not hold on the first step of a row that starts from rest, where the error and |y| fall
+// with the same power of the step size: at t = 0, where the row was 0 up to now, and after a jump where |y|
+// grows a hundredfold.
 class ErrorTolerance {
  public:
   explicit ErrorTolerance(const Tolerance& accuracy) : accuracy_(accuracy) {}
@@ -19,7 +22,13 @@ class ErrorTolerance {
   // The error allowed at every time of a step on which least <= |y| <= largest. It is relative to `largest`
   // where atol is at most 1e-3 rtol, otherwise to `least`; then the rounding term counts `largest` only up to
   // 16 (atol / rtol + least).
-  [[nodiscard]] Vec on_step(In least, In largest, In terms) const;
+  [[nodiscard]] Vec on_step(In least, In largest, In terms) const {
+    return on_step(least, largest, terms, Vec::Zero(largest.size()));
+  }
+
+  // The same, where the bound by the largest |y| is at least `unresolved`: errors of the rows that no step
+  // size makes smaller (RhsError).
+  [[nodiscard]] Vec on_step(In least, In largest, In terms, In unresolved) const;
 
   // The allowed error without the bound by the largest |y| so far.
   [[nodiscard]] Vec from_tolerance(In largest, In terms) const;
@@ -27,11 +36,18 @@ class ErrorTolerance {
   // Records an accepted step with the largest |y| of each row on it.
   void accept_step(In largest);
 
-  void state(Archive& archive) { archive.resizable(largest_); }
+  // The next step is the first after a jump.
+  void restart() { after_jump_ = true; }
+
+  void state(Archive& archive) {
+    archive.resizable(largest_);
+    archive(after_jump_);
+  }
 
  private:
   Tolerance accuracy_;
   Vec largest_;  // over all accepted steps; empty before the first
+  bool after_jump_ = false;
 };
 
 }  // namespace fde

@@ -2,6 +2,7 @@
 """Solves from Python, held against formulas and against the command."""
 
 import csv
+import fractions
 import io
 import math
 import pathlib
@@ -43,6 +44,24 @@ def test_a_file_is_a_scene(tmp_path):
     with pytest.raises(ValueError, match=r"mine.toml: line 3, column 5: a: "):
         file.write_text(text.format('"b"'))
         fdebench.solve(str(file), "l1", 8)
+
+
+def test_initial_velocities_are_projected_onto_a_constraint(tmp_path):
+    """Of masses 1 and 3 under x' + 2 y' = 0: v - M^-1 a (a.v)/(a M^-1 a) with a = (1, 2), a M^-1 a = 7/3."""
+    file = tmp_path / "masses.toml"
+    file.write_text(
+        'end = 1\n[coordinate.x]\ninitial = [0, 0.333333]\n[coordinate.y]\ninitial = [0, -0.166667]\n[mechanics]\n'
+        'lagrangian = "(D(x,1)^2 + 3*D(y,1)^2)/2 - x^2"\nconstraints = ["D(x,1) + 2*D(y,1)"]\n'
+    )
+    with pytest.raises(ValueError, match="set initial_velocity=projected takes it"):
+        fdebench.solve(fdebench.Scene(file), "l1", 8)
+    scene = fdebench.Scene(file, initial_velocity="projected")
+    assert scene.note.endswith("D(x,1) by 4.29e-07, D(y,1) by 2.86e-07")
+    defect = (0.333333 - 2 * 0.166667) * 3 / 7
+    start = fdebench.solve(scene, "l1", 64, at=0)
+    assert start["D(x,1)"][0] == pytest.approx(0.333333 - defect, abs=1e-16)
+    assert start["D(y,1)"][0] == pytest.approx(-0.166667 - 2 / 3 * defect, abs=1e-16)
+    assert fdebench.Scene("pendulum").note == ""
 
 
 def test_a_problem_of_ones_own_has_its_solution():
@@ -160,6 +179,28 @@ def test_a_right_hand_side_returns_as_many_numbers_as_there_are_unknowns():
         fdebench.solve(problem, "l1", 8)
 
 
+@pytest.mark.parametrize(
+    "returned, called",
+    [(lambda y: None, "None"), (lambda y: [None, 1.0], "None"), (lambda y: [1j, 1.0], "complex numbers"), (lambda y: y * (1 + 0j), "complex numbers"),
+     (lambda y: ["1", "2"], "text"), (lambda y: "12", "text"), (lambda y: numpy.array([1.0, 2j], dtype=object), "complex numbers"),
+     (lambda y: numpy.array([1.0, "2"], dtype=object), "text")],
+)  # fmt: skip
+def test_a_right_hand_side_that_returns_no_real_numbers_is_named(returned, called):
+    """NumPy makes nan of None, drops imaginary parts with a warning, and reads numbers from text."""
+    problem = fdebench.Problem([0.5, 0.5], [1.0, 1.0], lambda t, y: returned(y), 1.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for solve in (lambda: fdebench.solve(problem, "l1", 8), lambda: fdebench.exact(problem, 1.0)):
+            with pytest.raises(ValueError, match=f"^rhs: returned {called} at t = .*, must be real numbers$"):
+                solve()
+
+
+@pytest.mark.parametrize("kind", [float, int, bool, numpy.float32, fractions.Fraction])
+def test_a_right_hand_side_may_return_any_real_numbers(kind):
+    problem = fdebench.Problem([1.0], [0.0], lambda t, y: [kind(1)], 1.0)
+    assert fdebench.solve(problem, "l1", 8).values[-1, 0] == pytest.approx(1.0)
+
+
 FALLING = pathlib.Path(__file__).parents[2] / "docs/examples/falling.toml"
 
 
@@ -209,6 +250,12 @@ def test_numbers_without_dimensions_are_numbers():
         (lambda: fdebench.mittag_leffler(1j, 1, 1), "^alpha = 1j: must be real numbers"),
         (lambda: fdebench.mittag_leffler(0.5, 1, None), "^z = None: must be numbers"),
         (lambda: fdebench.Problem([None], [1.0], lambda t, y: y, 1.0), "^orders = None: must be a real number"),
+        (lambda: fdebench.Problem(0.5, [1.0], lambda t, y: y, 1.0), "^orders = 0.5: must be a list"),
+        (lambda: fdebench.Problem([0.5], 1.0, lambda t, y: y, 1.0), "^initial = 1.0: must be a list"),
+        (lambda: fdebench.Problem([0.5], [1.0], lambda t, y: y, 1.0, names="y"), "^names = 'y': must be a list"),
+        (lambda: fdebench.Problem([0.5], [1.0], lambda t, y: y, 1.0, jumps=0.5), "^jumps = 0.5: must be a list"),
+        (lambda: fdebench.Scene("relaxation", "gamma=0.5"), "^parameters = 'gamma=0.5': must be a mapping"),
+        (lambda: fdebench.choose("relaxation", error=1e-3, norm=2.5j), "^norm = 2.5j: must be a real number"),
         (lambda: fdebench.Problem([0.5], [None], lambda t, y: y, 1.0), r"^initial\[0\] = None: must be real numbers"),
         (lambda: fdebench.Problem([0.5], [1j], lambda t, y: y, 1.0), r"^initial\[0\] = 1j: must be real numbers"),
         (lambda: fdebench.Problem([0.5], [1.0], lambda t, y: y, None), "^end = None: must be a real number"),
@@ -224,3 +271,10 @@ def test_integers_beyond_their_range_are_value_errors():
     for wrong, name in ((lambda: fdebench.solve("relaxation", "l1", 10**400), "steps"), (lambda: fdebench.choose("relaxation", error=10**400), "error")):
         with pytest.raises(ValueError, match=f"^{name} = "):
             wrong()
+
+
+def test_columns_may_be_one_name_and_runs_a_number():
+    answer = fdebench.choose("pendulum", error=1e-2, columns="phi", runs=1, seconds=10)
+    assert answer["error"] < 1e-2
+    with pytest.raises(KeyError, match="z: there are y"):
+        fdebench.exact("relaxation", 1.0)["z"]

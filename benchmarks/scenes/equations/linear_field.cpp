@@ -24,7 +24,8 @@ Scene scene_of_field(const std::shared_ptr<const LinearField>& field, double ord
                                  power_lattice({order}, {order}, order + 2.0));
   scene.outputs = field->outputs();
   if (field->has_exact_solution())
-    scene.reference.at = [field](double t) { return field->exact_columns_at(t); };
+    scene.reference = {.at = [field](double t) { return field->exact_columns_at(t); },
+                       .evidence = reference::Evidence::closed_form};
   return scene;
 }
 

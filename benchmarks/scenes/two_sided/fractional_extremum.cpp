@@ -23,11 +23,12 @@ double singular_part(double alpha, double t) {
 // The first component of extremum_reference; the second, D^alpha y, is infinite at t = 1.
 reference::Reference extremum(double alpha) {
   const reference::Reference both = reference::extremum_reference(alpha);
-  return {[both](double t) -> reference::ReferenceValue {
+  return {.at = [both](double t) -> reference::ReferenceValue {
             const auto [value, bound] = both.at(t);
             return {value.head(1), bound.head(1)};
           },
-          [both](double t, int digits) { return std::vector{both.digits(t, digits).front()}; }};
+          .digits = [both](double t, int digits) { return std::vector{both.digits(t, digits).front()}; },
+          .evidence = both.evidence};
 }
 
 // y starts like t^alpha and ends like (1 - t)^(2 alpha - 1); both rows have y in their right-hand sides.

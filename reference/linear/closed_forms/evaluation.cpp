@@ -57,8 +57,9 @@ std::vector<BoundedDouble> evaluate_in_double(const Evaluation& evaluation, doub
 }
 
 Reference as_reference(const Evaluation& evaluation) {
-  return {[evaluation](double t) { return value_at(evaluation, t); },
-          [evaluation](double t, int digits) { return digits_at(evaluation, t, digits); }};
+  return {.at = [evaluation](double t) { return value_at(evaluation, t); },
+          .digits = [evaluation](double t, int digits) { return digits_at(evaluation, t, digits); },
+          .evidence = Evidence::closed_form};
 }
 
 }  // namespace fde::reference

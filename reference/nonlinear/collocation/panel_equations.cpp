@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "fdebench/reference/nonlinear/march/continuation.hpp"
 #include "fdebench/reference/nonlinear/march/jumps.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_at.hpp"
 #include "fdebench/reference/nonlinear/march/unit_increment.hpp"
@@ -39,18 +40,34 @@ PanelEquations::PanelEquations(const Problem& problem, const PanelBasis& basis)
 std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& history, double from, double to,
                                                               In first_rhs,
                                                               const MagnitudeScales& before) const {
+  const double length = to - from;
+  const Vec times = node_times(problem_, from, length, basis_.nodes);
+  Matrix guess = history + integrate(first_rhs.transpose().replicate(basis_.points(), 1), length);
+  double part = 1.0;
+  if (jumps_at(problem_, from)) {
+    part = first_part(problem_, weights(length), jacobian_at(times[0], history.row(0).transpose()));
+    if (part < 1.0) guess = history;
+  }
+  for (; part < 1.0; part *= 2.0) {
+    const auto followed = newton({history, times, from, length, part}, guess, before);
+    if (!followed) return followed;
+    guess = followed->values;
+  }
+  return newton({history, times, from, length, 1.0}, guess, before);
+}
+
+std::optional<PanelEquations::Solution> PanelEquations::newton(const Step& step, const Matrix& guess,
+                                                               const MagnitudeScales& before) const {
   constexpr int most_iterations = 40;
   constexpr double nearly_converged = 1e-12;
   const Eigen::Index points = basis_.points();
-  const double length = to - from;
-  const Vec times = node_times(problem_, from, length, basis_.nodes);
   Solution found{};
-  found.values = history + integrate(first_rhs.transpose().replicate(points, 1), length);
+  found.values = guess;
   LinearisedStep newton;
   double size = std::numeric_limits<double>::infinity(), last_size = 0.0;  // of the corrections
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    found.rhs = rhs_at(problem_, times, found.values);
-    const Matrix next = right_hand_side(history, found, length);
+    found.rhs = rhs_at(problem_, step.times, found.values);
+    const Matrix next = right_hand_side(step, found);
     if (size < 2 * rounding || (size < nearly_converged && size > last_size / 2)) {
       found.values = next;
       return found;
@@ -59,7 +76,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& hist
       return std::nullopt;
     }
     if (size > last_size / 10) {  // the Jacobian is reused while each iteration gains a digit
-      newton = linearise(times, before, from, length, found);
+      newton = linearise(step, before, found);
     }
     const Matrix correction =
         newton.solve(residual_of(problem_, next.topRows(points), found.values.topRows(points), found.rhs));
@@ -73,31 +90,31 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& hist
   return std::nullopt;
 }
 
-LinearisedStep PanelEquations::linearise(const Vec& times, const MagnitudeScales& before, double from,
-                                         double length, Solution& at) const {
-  const Matrix y = at.values.topRows(times.size());
+LinearisedStep PanelEquations::linearise(const Step& step, const MagnitudeScales& before,
+                                         Solution& at) const {
+  const Matrix y = at.values.topRows(step.times.size());
   std::vector<Matrix> jacobians;
-  for (Eigen::Index k = 0; k < times.size(); ++k) {
-    jacobians.push_back(jacobian_at(times[k], y.row(k).transpose()));
+  for (Eigen::Index k = 0; k < step.times.size(); ++k) {
+    jacobians.push_back(jacobian_at(step.times[k], y.row(k).transpose()));
   }
   at.sizes = updated_scales(without_unbounded_scales(before, problem_), y, at.rhs, jacobians);
-  at.increment = unit_increment(problem_, length).cwiseProduct(at.sizes.rhs.cwiseMax(at.sizes.forcing));
-  LinearisedStep step(problem_, weights(length), std::move(jacobians));
+  at.increment = unit_increment(problem_, step.length).cwiseProduct(at.sizes.rhs.cwiseMax(at.sizes.forcing));
+  LinearisedStep linear(problem_, reduced(problem_, weights(step.length), step.part), std::move(jacobians));
   const auto integral = [&](const Matrix& rhs) -> Matrix {
-    return integrate(rhs, length).topRows(rhs.rows());
+    return integrate(rhs, step.length).topRows(rhs.rows());
   };
   const Vec further =
       at.sizes.forcing +
-      (at.sizes.noise + rounding_of_times(problem_, from, times, y, at.rhs.topRows(times.size()))) / rounding;
-  at.noise = propagated_noise(step, integral, y, at.rhs, further, with_signs);
+      (at.sizes.noise + rounding_of_times(problem_, step.from, step.times, y, at.rhs)) / rounding;
+  at.noise = propagated_noise(linear, integral, y, at.rhs, further, with_signs);
   at.left_unresolved =
-      propagated_noise(step, integral, y, at.rhs, roundings_of_forcing * at.sizes.forcing, with_signs);
-  return step;
+      propagated_noise(linear, integral, y, at.rhs, roundings_of_forcing * at.sizes.forcing, with_signs);
+  return linear;
 }
 
 // The unknowns of algebraic rows are kept, and extrapolated to the end of the panel.
-Matrix PanelEquations::right_hand_side(const Matrix& history, const Solution& from, double length) const {
-  Matrix next = history + integrate(from.rhs, length);
+Matrix PanelEquations::right_hand_side(const Step& step, const Solution& from) const {
+  Matrix next = step.history + step.part * integrate(from.rhs, step.length);
   for (Eigen::Index i = 0; i < problem_.size(); ++i) {
     if (is_algebraic(problem_.components[static_cast<std::size_t>(i)]))
       next.col(i) = basis_.at_targets * from.values.col(i).head(basis_.points());

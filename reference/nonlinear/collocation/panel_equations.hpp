@@ -27,18 +27,25 @@ class PanelEquations {
     Noise left_unresolved;  // what the part of f that counts as rounding of its forcing does to all rows
   };
 
-  // Newton's method down to rounding on the panel [from, to], with f = first_rhs as the initial guess.
-  // history: the history term at the targets, and an initial guess of the unknowns of algebraic rows. nullopt
-  // where it does not converge.
+  // Newton's method down to rounding on the panel [from, to], with f = first_rhs as the initial guess; after
+  // a jump the root is followed that continues the solution. history: the history term at the targets, and an
+  // initial guess of the unknowns of algebraic rows. nullopt where it does not converge.
   [[nodiscard]] std::optional<Solution> solve(const Matrix& history, double from, double to, In first_rhs,
                                               const MagnitudeScales& before) const;
 
  private:
+  // The equations of one panel, with a part of the integral over it.
+  struct Step {
+    const Matrix& history;
+    const Vec& times;
+    double from, length, part;
+  };
+  [[nodiscard]] std::optional<Solution> newton(const Step& step, const Matrix& guess,
+                                               const MagnitudeScales& before) const;
   // Linearises at at.values, and sets the sizes, the increment and the noise of `at`.
-  [[nodiscard]] LinearisedStep linearise(const Vec& times, const MagnitudeScales& before, double from,
-                                         double length, Solution& at) const;
+  [[nodiscard]] LinearisedStep linearise(const Step& step, const MagnitudeScales& before, Solution& at) const;
   // The right-hand sides of the equations for the values and f of `from`.
-  [[nodiscard]] Matrix right_hand_side(const Matrix& history, const Solution& from, double length) const;
+  [[nodiscard]] Matrix right_hand_side(const Step& step, const Solution& from) const;
   [[nodiscard]] Matrix jacobian_at(double t, In y) const;
   [[nodiscard]] Matrix integrate(const Matrix& rhs, double length) const;  // from the start to the targets
   [[nodiscard]] std::vector<Matrix> weights(double length) const;          // from the start to the nodes

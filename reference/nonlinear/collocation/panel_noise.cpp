@@ -16,11 +16,7 @@ constexpr double noises = 4.0;  // the sum of some rounding errors
 }  // namespace
 
 PanelNoise::PanelNoise(const Problem& problem, const PanelBasis& basis, double tolerance)
-    : problem_(problem),
-      basis_(basis),
-      tolerance_(tolerance),
-      rhs_noise_(problem),
-      of_values_(Vec::Zero(problem.size())) {}
+    : problem_(problem), basis_(basis), tolerance_(tolerance), rhs_noise_(problem) {}
 
 Vec PanelNoise::negligible_rhs(const Solution& panel) const {
   return tolerance_ * panel.sizes.rhs + some_roundings * panel.sizes.forcing + noises * panel.noise.rhs +
@@ -48,11 +44,21 @@ bool PanelNoise::detect(const Panel& last, const MagnitudeScales& sizes) {
 }
 
 Vec PanelNoise::record_panel(const Solution& panel, double from, double to, const Matrix& values) {
-  of_values_ = of_values_.cwiseMax(panel.noise.values);
-  panels_.push_back({from, to, panel.sizes.noise});
+  panels_.push_back({from, to, panel.sizes.noise, panel.noise.values});
   const Vec explained = noises * rounding * (panel.sizes.rhs + panel.sizes.forcing);
   rhs_noise_.update_after_step(from + (to - from) * basis_.dense_nodes.array(), values, explained);
-  return panel.sizes.values + panel.increment + (of_values_ + integrated(to)) / rounding;
+  return panel.sizes.values + panel.increment + (largest_of_values(to) + integrated(to)) / rounding;
+}
+
+// The noise of y on the panels since a tenth of the time. Multipliers, and what they drive, have noise on the
+// first panels that grows as these get shorter; later their integrals remain, which are noise of the present
+// size.
+Vec PanelNoise::largest_of_values(double to) const {
+  constexpr double window = 10.0;
+  Vec largest = panels_.back().values_noise;
+  for (std::size_t k = panels_.size(); k-- > 0 && window * panels_[k].to >= to;)
+    largest = largest.cwiseMax(panels_[k].values_noise);
+  return largest;
 }
 
 // An upper bound of the contribution of the noise of f to y, as if the noise had the same sign throughout.
@@ -62,7 +68,7 @@ Vec PanelNoise::integrated(double to) const {
   };
   Vec sum = added_since(panels_.back().from, panels_.back().rhs_noise);
   for (std::size_t k = 0; k + 1 < panels_.size(); ++k) {
-    const auto& [start, end, noise] = panels_[k];
+    const auto& [start, end, noise, of_values] = panels_[k];
     if (!noise.isZero(0.0)) {
       sum += (added_since(start, noise) - added_since(end, noise)).cwiseMax(0.0);
     }

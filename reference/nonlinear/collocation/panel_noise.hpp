@@ -36,18 +36,18 @@ class PanelNoise {
   [[nodiscard]] const Vec& known_rhs_noise() const { return rhs_noise_.allowance(); }
 
  private:
+  [[nodiscard]] Vec largest_of_values(double to) const;
   [[nodiscard]] Vec integrated(double to) const;
 
   struct PanelRecord {
     double from, to;
-    Vec rhs_noise;
+    Vec rhs_noise, values_noise;
   };
 
   const Problem& problem_;
   const PanelBasis& basis_;
   double tolerance_;
   RhsNoise rhs_noise_;
-  Vec of_values_;                    // the largest so far
   std::vector<PanelRecord> panels_;  // all panels so far
 };
 

@@ -151,12 +151,19 @@ class CollocationSolver {
   }
 
   void accept(const Solution& solution, double from, double to) {
+    constexpr double few_digits = 1e-3;
     Matrix values(basis_.dense_nodes.size(), problem_.size());
     values << last_value_.transpose(), solution.values;
     last_value_ = values.bottomRows<1>().transpose();
     last_rhs_ = rhs_at(problem_, to, last_value_);
     const Vec size = noise_.record_panel(solution, from, to, values);
-    sizes_ = solution.sizes;
+    // Values that are mostly noise, as those driven by a multiplier on the first panels, are no scale for
+    // later ones.
+    const auto has_digits = solution.noise.values.array() <
+                            few_digits * values.cwiseAbs().colwise().maxCoeff().transpose().array();
+    sizes_.values = has_digits.select(solution.sizes.values, sizes_.values);
+    sizes_.rhs = solution.sizes.rhs;
+    sizes_.forcing = solution.sizes.forcing;
     sizes_.noise = noise_.known_rhs_noise();
     panels_.push_back({from, to, solution.rhs, values, size, noise_.negligible_rhs(solution)});
     if (jumps_at(problem_, to)) length_ = options_.first_after_jump * to;

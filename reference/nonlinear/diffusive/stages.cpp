@@ -7,6 +7,7 @@
 #include <random>
 #include <utility>
 
+#include "fdebench/reference/nonlinear/march/continuation.hpp"
 #include "fdebench/reference/nonlinear/march/jumps.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_at.hpp"
 
@@ -44,38 +45,20 @@ StageEquations::StageEquations(const Problem& problem, Vec nodes)
 std::optional<StageSolution> StageEquations::solve(const Matrix& history, const std::vector<Matrix>& weights,
                                                    double from, double length, In last_value, In last_rhs,
                                                    In size) const {
-  constexpr double small = 0.1;
   const Vec times = node_times(problem_, from, length, nodes_);
-  const double change = relative_change(weights, from, last_value);
-  if (!(change > small) || !std::isfinite(change)) {
+  double part = first_part(problem_, weights, jacobian_at(from, last_value));
+  if (part == 1.0) {
     const Matrix predicted = history + weighted(weights, last_rhs.transpose().replicate(nodes_.size(), 1));
     return newton(history, weights, times, predicted, size);
   }
   Matrix guess = last_value.transpose().replicate(nodes_.size(), 1);
-  // The root that continues y(0) is found at a part of the weights so small that y hardly changes, and is
-  // followed while this part is doubled.
-  double part = from == 0.0 ? std::exp2(-std::ceil(std::log2(change / small))) : 1.0;
+  if (from > 0.0 && !jumps_at(problem_, from)) part = 1.0;
   for (; part < 1.0; part *= 2.0) {
-    auto reduced = weights;
-    for (std::size_t i = 0; i < reduced.size(); ++i)
-      if (!is_algebraic(problem_.components[i])) reduced[i] *= part;
-    const auto followed = newton(history, reduced, times, guess, size);
+    const auto followed = newton(history, reduced(problem_, weights, part), times, guess, size);
     if (!followed) return followed;
     guess = followed->y;
   }
   return newton(history, weights, times, guess, size);
-}
-
-// The change of y over the step that a change of y makes, through f, relative to it.
-double StageEquations::relative_change(const std::vector<Matrix>& weights, double t, In y) const {
-  const Vec rates = jacobian_at(t, y).cwiseAbs().rowwise().sum();
-  double change = 0.0;
-  for (Eigen::Index i = 0; i < rates.size(); ++i) {
-    if (is_algebraic(problem_.components[static_cast<std::size_t>(i)])) continue;
-    const Matrix& weight = weights[static_cast<std::size_t>(i)];
-    change = std::max(change, rates[i] * weight.cwiseAbs().rowwise().sum().maxCoeff());
-  }
-  return change;
 }
 
 std::optional<StageSolution> StageEquations::newton(const Matrix& history, const std::vector<Matrix>& weights,

@@ -20,9 +20,9 @@ class StageEquations {
  public:
   StageEquations(const Problem& problem, Vec nodes);
 
-  // Newton's method down to rounding. The initial guess has f = last_rhs at all stages, or, where f depends
-  // on y so strongly that this is far from y, the last value; the first step finds the root that continues
-  // y(0). size: the largest |y| so far. nullopt where it does not converge.
+  // Newton's method down to rounding. The initial guess has f = last_rhs at all stages or, where f depends on
+  // y so strongly that this is far from y, the last value. The first step, and one after a jump, follow the
+  // root that continues the solution. size: the largest |y| so far. nullopt where it does not converge.
   [[nodiscard]] std::optional<StageSolution> solve(const Matrix& history, const std::vector<Matrix>& weights,
                                                    double from, double length, In last_value, In last_rhs,
                                                    In size) const;

@@ -9,10 +9,13 @@ namespace fde::reference {
 
 Rational shortest_decimal(double x) {
   if (!std::isfinite(x)) throw std::invalid_argument(fmt::format("'{}' is not a finite decimal number", x));
-  const std::string shortest = fmt::format("{}", x);
-  const std::size_t e = shortest.find('e'), point = shortest.find('.');
-  std::string digits = shortest.substr(0, e);
-  int exponent = e == std::string::npos ? 0 : std::stoi(shortest.substr(e + 1));
+  return decimal_fraction(fmt::format("{}", x));
+}
+
+Rational decimal_fraction(const std::string& decimal) {
+  const std::size_t e = decimal.find_first_of("eE"), point = decimal.find('.');
+  std::string digits = decimal.substr(0, e);
+  int exponent = e == std::string::npos ? 0 : std::stoi(decimal.substr(e + 1));
   if (point != std::string::npos) {
     exponent -= static_cast<int>(digits.size() - point - 1);
     digits.erase(point, 1);
@@ -25,6 +28,12 @@ Rational shortest_decimal(double x) {
   const mpz_int scale = boost::multiprecision::pow(mpz_int(10), static_cast<unsigned>(std::abs(exponent)));
   const Rational size = exponent < 0 ? Rational(mantissa, scale) : Rational(mpz_int(mantissa * scale));
   return negative ? Rational(-size) : size;
+}
+
+Rational fraction_of(const BigReal& x) {
+  Rational fraction;
+  mpfr_get_q(fraction.backend().data(), x.backend().data());
+  return fraction;
 }
 
 template <>

@@ -14,6 +14,12 @@ using Rational =
 // The shortest decimal that rounds to x: 0.1 becomes 1/10. Throws std::invalid_argument unless x is finite.
 Rational shortest_decimal(double x);
 
+// The number that a decimal is, such as -1.5e-3. Precondition: the text is one.
+Rational decimal_fraction(const std::string& decimal);
+
+// The number that x is.
+Rational fraction_of(const BigReal& x);
+
 // x rounded to the nearest Real.
 template <class Real>
 Real rounded(const Rational& x);

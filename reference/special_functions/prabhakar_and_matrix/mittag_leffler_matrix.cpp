@@ -38,6 +38,20 @@ using Read = std::function<Arguments()>;
 
 Long to_long(const BigReal& x) { return x.convert_to<Long>(); }
 
+// The entries of |X| |M| |X| for X = M^-1: an entry of X whose terms cancel is small beside these, and 0
+// beside 0.
+std::vector<Long> sizes_of_summands(const BigMatrix& inverse, const BigMatrix& matrix) {
+  const auto sizes = [](const BigMatrix& of) {
+    Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(of.size, of.size);
+    for (int i = 0; i < of.size; ++i)
+      for (int j = 0; j < of.size; ++j) result(i, j) = to_long(norm1(of(i, j)));
+    return result;
+  };
+  const auto x = sizes(inverse);
+  const decltype(sizes(inverse)) product = x * sizes(matrix) * x;
+  return {product.data(), product.data() + product.size()};
+}
+
 // Adds weight s^(alpha-beta) (s^alpha - A)^-1 at a node.
 void add_node(const Arguments& x, const Node& node, std::vector<BoundedSum<BigReal>>& sums) {
   sums.resize(x.matrix.entries.size());
@@ -51,10 +65,14 @@ void add_node(const Arguments& x, const Node& node, std::vector<BoundedSum<BigRe
                 ulps = 8 + 4 * norm1(node.s) + (4 * x.alpha + 4 * abs(x.beta)) * (1 + norm1(node.log_s));
   // a bound of the error of s^alpha
   const BigReal shift = (4 + 4 * x.alpha * (1 + norm1(node.log_s))) * unit * norm1(s_alpha);
-  const BigReal off = norm1(weight) * (resolvent.bound + 2 * shift * resolvent.norm * resolvent.norm);
+  const BigReal size = norm1(weight),
+                off = size * (resolvent.bound + 2 * shift * resolvent.norm * resolvent.norm);
+  const auto summands = sizes_of_summands(resolvent.value, shifted);
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    sums[i].add(BigComplex(weight * resolvent.value.entries[i]), BigReal(ulps * unit));
+    const BigComplex term = weight * resolvent.value.entries[i];
+    sums[i].add(term, norm1(term), BigReal(ulps * unit), BigReal(0));
     sums[i].error += off;
+    sums[i].scale += size * summands[i];
   }
 }
 

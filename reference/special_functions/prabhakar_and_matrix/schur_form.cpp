@@ -2,7 +2,9 @@
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/schur_form.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <boost/multiprecision/eigen.hpp>
+#include <numeric>
 #include <stdexcept>
 
 namespace fde::reference {
@@ -15,6 +17,29 @@ constexpr Long infinity = std::numeric_limits<Long>::infinity();
 
 bool is_real(const BigMatrix& matrix) {
   return std::ranges::all_of(matrix.entries, [](const BigComplex& x) { return imag_part<BigReal>(x) == 0; });
+}
+
+// The rows and columns reordered so that a matrix which is block triangular in some order is block upper
+// triangular: those that row i reaches through nonzero entries, without being reached by them, come after it.
+// Then the eigenvalues of a triangular matrix are its diagonal, however often they are repeated.
+WideMatrix in_block_order(const WideMatrix& matrix) {
+  const Eigen::Index n = matrix.rows();
+  Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> reaches =
+      matrix.unaryExpr([](const BigReal& x) { return x != 0; });
+  for (Eigen::Index k = 0; k < n; ++k) reaches(k, k) = true;
+  for (Eigen::Index k = 0; k < n; ++k)
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (reaches(i, k)) reaches.row(i) = reaches.row(i).array() || reaches.row(k).array();
+  // Who reaches more comes first; rows that reach each other reach the same and stay together.
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::ranges::stable_sort(order, [&](Eigen::Index a, Eigen::Index b) {
+    const auto first = reaches.row(a).count(), second = reaches.row(b).count();
+    if (first != second) return first > second;
+    return std::lexicographical_compare(reaches.row(a).begin(), reaches.row(a).end(), reaches.row(b).begin(),
+                                        reaches.row(b).end());
+  });
+  return matrix(order, order);
 }
 
 // A + iB as the real matrix [A -B; B A], or A if B = 0.
@@ -49,7 +74,11 @@ SchurForm::Point long_point(const BigReal& re, const BigReal& im) {
 }  // namespace
 
 SchurForm::SchurForm(const BigMatrix& matrix) {
-  const Eigen::RealSchur<WideMatrix> schur(as_real(matrix), false);
+  // Next to a multiple eigenvalue the iteration gains few digits a step.
+  const Eigen::Index most_steps = 40 * matrix.size * static_cast<Eigen::Index>(BigReal::default_precision());
+  Eigen::RealSchur<WideMatrix> schur(2 * matrix.size);
+  schur.setMaxIterations(most_steps);
+  schur.compute(in_block_order(as_real(matrix)), false);
   if (schur.info() != Eigen::Success)
     throw std::runtime_error("the iteration for the eigenvalues did not converge");
   const WideMatrix& t = schur.matrixT();

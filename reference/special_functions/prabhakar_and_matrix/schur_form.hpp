@@ -9,8 +9,9 @@
 
 namespace fde::reference {
 
-// The real Schur form T = U^T A U of a square matrix, at the current precision; for a complex A + iB, the
-// Schur form of the real matrix [A -B; B A], which has the conjugate eigenvalues as well.
+// The real Schur form T = U^T A U of a square matrix, at the current precision, with U a permutation where T
+// is triangular then; for a complex A + iB, the Schur form of the real matrix [A -B; B A], which has the
+// conjugate eigenvalues as well.
 class SchurForm {
  public:
   using Point = std::complex<long double>;

@@ -83,6 +83,7 @@ RadauStepper::RadauStepper(const Problem& problem, const Tolerance& accuracy, co
       f_(known_),
       derivatives_(known_),
       previous_parabolas_(Values::Zero(problem.size(), stages)),
+      rhs_error_(problem.size()),
       derivatives_at_start_(run.rhs(0.0, run.start())),
       previous_(run.start()),
       result_(previous_) {
@@ -166,9 +167,47 @@ Vec RadauStepper::residual() const {
   return rest.reshaped();
 }
 
+// The effects at the stages of constant defects of the rows.
+RadauStepper::Values RadauStepper::effect_of(const Vec& defects) const {
+  Values effect = Values::Zero(y_.rows(), stages);
+  for (Eigen::Index r = 0; r < y_.rows(); ++r) {
+    const auto row = static_cast<std::size_t>(r);
+    if (rows_[row]) effect.row(r) = defects[r] * weights_[row].rowwise().sum().transpose();
+  }
+  return effect;
+}
+
+// What the equations of the step leave of these effects at its end.
+Vec RadauStepper::answer_to(const Values& effect) const {
+  Vec answered = effect.reshaped();
+  matrix_->solve(answered);
+  return answered.tail(y_.rows()).cwiseAbs();
+}
+
 Vec RadauStepper::limits() const {
-  return allowed_.on_step(y_.cwiseAbs().rowwise().maxCoeff().cwiseMax(previous_.cwiseAbs()),
-                          known_.cwiseAbs().rowwise().maxCoeff());
+  const Vec largest = y_.cwiseAbs().rowwise().maxCoeff().cwiseMax(previous_.cwiseAbs());
+  const Vec terms = known_.cwiseAbs().rowwise().maxCoeff();
+  if (!rhs_error_.is_measured()) return allowed_.on_step(largest, terms);
+  return allowed_.on_step(largest, largest, terms, answer_to(effect_of(rhs_error_.all())));
+}
+
+void RadauStepper::measure_rhs_error(Run& run) {
+  const Vec limit = limits();
+  rhs_error_.measure([&](In y) -> const Vec& { return run.rhs(next_, y); }, y_.col(stages - 1), limit);
+}
+
+// Whether each component of the newest increment is small enough or due to rounding in f.
+bool RadauStepper::is_rounding(Run& run, const Vec& increment) {
+  measure_rhs_error(run);
+  const Vec limit = limits();
+  const Values rounding = effect_of(rhs_error_.rounding()).cwiseAbs();
+  for (Eigen::Index k = 0; k < increment.size(); ++k) {
+    const auto r = k % y_.rows();
+    if (rows_[static_cast<std::size_t>(r)] &&
+        !(std::abs(increment[k]) <= std::max(converged * limit[r], rounding.row(r).maxCoeff())))
+      return false;
+  }
+  return true;
 }
 
 bool RadauStepper::solve(Run& run) {
@@ -196,7 +235,7 @@ bool RadauStepper::solve(Run& run) {
         size = std::max(size, std::abs(increment[k]) / limit[r]);
     }
     if (size <= converged) return true;
-    if (size > 0.5 * last) return false;
+    if (size > 0.5 * last) return is_rounding(run, increment);
     last = size;
   }
   return false;
@@ -219,32 +258,34 @@ double RadauStepper::attempt(Run& run, double t) {
   result_ = y_.col(stages - 1);
   if (!solved) return no_solution;
   compute_derivatives();
-  return error();
+  return error(run);
 }
 
-double RadauStepper::error() {
+double RadauStepper::error(Run& run) {
   const Vec from_parabola = derivatives_ * to_powers().row(0).transpose();
-  Values effect(y_.rows(), stages);
-  for (Eigen::Index r = 0; r < y_.rows(); ++r) {
-    const auto row = static_cast<std::size_t>(r);
-    if (!rows_[row]) {
-      effect.row(r).setZero();
-      continue;
+  Vec defects = derivatives_at_start_ - from_parabola;
+  for (Eigen::Index r = 0; r < y_.rows(); ++r)
+    if (!std::isfinite(defects[r])) defects[r] = derivatives_(r, 0) - derivatives_(r, stages - 1);
+  const Values effect = effect_of(part_of_defect * defects);
+  const Vec answered = answer_to(effect);
+  const auto largest = [&](const Vec& limit) {
+    double error = 0.0;
+    for (Eigen::Index r = 0; r < y_.rows(); ++r) {
+      if (rows_[static_cast<std::size_t>(r)] && answered[r] != 0.0)
+        error = std::max(error, answered[r] / limit[r]);
     }
-    double defect = derivatives_at_start_[r] - from_parabola[r];
-    if (!std::isfinite(defect)) defect = derivatives_(r, 0) - derivatives_(r, stages - 1);
-    effect.row(r) = part_of_defect * defect * weights_[row].rowwise().sum().transpose();
+    return error;
+  };
+  Vec limit = limits();
+  double result = largest(limit);
+  if (result > 1.0) {
+    measure_rhs_error(run);
+    limit = limits();
+    result = largest(limit);
   }
-  Vec answered = effect.reshaped();
-  matrix_->solve(answered);
-  const Vec limit = limits();
-  double result = 0.0;
   interpolated_.clear();
-  for (Eigen::Index r = 0; r < y_.rows(); ++r) {
-    const double of_row = std::abs(answered[(stages - 1) * y_.rows() + r]);
-    if (rows_[static_cast<std::size_t>(r)] && of_row != 0.0) result = std::max(result, of_row / limit[r]);
-    if (needs_interpolation(effect(r, stages - 1), of_row, limit[r])) interpolate(r);
-  }
+  for (Eigen::Index r = 0; r < y_.rows(); ++r)
+    if (needs_interpolation(effect(r, stages - 1), answered[r], limit[r])) interpolate(r);
   return result;
 }
 
@@ -319,6 +360,7 @@ void RadauStepper::extrapolate_over_jump(Run& /*run*/, double t) {
 void RadauStepper::restart(Run& run) {
   derivatives_at_start_ = run.rhs(time_, previous_);
   previous_length_.reset();
+  allowed_.restart();
 }
 
 void RadauStepper::accept() {
@@ -345,7 +387,8 @@ std::size_t RadauStepper::bytes() const {
 
 void RadauStepper::state(Archive& archive) {
   for (auto& kernel : kernels_) archive(kernel.integrals);
-  archive(allowed_, time_, previous_length_, previous_parabolas_, derivatives_at_start_, previous_, result_);
+  archive(allowed_, rhs_error_, time_, previous_length_, previous_parabolas_, derivatives_at_start_,
+          previous_, result_);
 }
 
 }  // namespace fde

@@ -7,6 +7,7 @@
 #include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
 #include "fdebench/schemes/rules/adaptive/stage_matrix.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
+#include "fdebench/schemes/stepping/rhs_error.hpp"
 
 namespace fde {
 
@@ -63,7 +64,11 @@ class RadauStepper final : public AdaptiveStepper {
   void compute_derivatives();
   [[nodiscard]] Values parabolas() const;
   Vec integrated(double t, const Values& polynomials);
-  [[nodiscard]] double error();
+  [[nodiscard]] double error(Run& run);
+  void measure_rhs_error(Run& run);
+  [[nodiscard]] bool is_rounding(Run& run, const Vec& increment);
+  [[nodiscard]] Values effect_of(const Vec& defects) const;
+  [[nodiscard]] Vec answer_to(const Values& effect) const;
   void interpolate(Eigen::Index row);
   [[nodiscard]] Vec limits() const;
 
@@ -80,6 +85,7 @@ class RadauStepper final : public AdaptiveStepper {
   Values known_, y_, f_, derivatives_;
   Values previous_parabolas_;      // coefficients of their parabolas on the last accepted step
   InterpolatedRows interpolated_;  // on the newest attempt
+  RhsError rhs_error_;             // measured where the error test or Newton's method failed last
   Vec derivatives_at_start_;       // f at the beginning of the step
   Vec previous_, result_;
 };

@@ -101,6 +101,7 @@ TrapezoidalStepper::TrapezoidalStepper(const Problem& problem, const Tolerance& 
       orders_(problem.size()),
       newest_{0.0, run.rhs(0.0, run.start())},
       next_(newest_),
+      rhs_error_(problem.size()),
       previous_(run.start()),
       y_(previous_),
       convolved_(previous_),
@@ -125,8 +126,9 @@ double TrapezoidalStepper::attempt(Run& run, double t) {
   next_.t = t;
   if (!solver_->solve(run, {t, kappa_, known_}, extrapolated_rhs(t), y_, next_.f)) return no_solution;
   const Vec iteration_error = solver_->iteration_error();
-  return error(defect().binaryExpr(
-      iteration_error, [](double line, double left) { return line + std::copysign(left, line); }));
+  return error(run, defect().binaryExpr(iteration_error, [](double line, double left) {
+    return line + std::copysign(left, line);
+  }));
 }
 
 // max |error_i| / limit_i, where 0 / 0 counts as 0.
@@ -161,7 +163,7 @@ double TrapezoidalStepper::error_of_jump() const {
   return is_one ? weighted_max_norm(effect_of_rhs_error().cwiseProduct(change), limit_) : no_solution;
 }
 
-double TrapezoidalStepper::error(const Vec& of_f) {
+double TrapezoidalStepper::error(Run& run, const Vec& of_f) {
   const Vec unit = effect_of_rhs_error();
   const Vec largest = y_.cwiseAbs().cwiseMax(previous_.cwiseAbs()), terms = known_.cwiseAbs();
   const Vec limit_of_all = allowed_.from_tolerance(largest, terms);
@@ -177,18 +179,34 @@ double TrapezoidalStepper::error(const Vec& of_f) {
   Vec again = answered;
   solver_->apply_inverse(again);
   const Vec left = undamped_fraction(answered, again);  // r
-  double result = 0.0;
-  for (Eigen::Index i = 0; i < limit_.size(); ++i) {
-    if (answered[i] == 0.0) continue;
-    // The error accumulated up to now is compared with the limit for the present size of y.
-    const auto sum = [&](double all) {
-      return std::abs(answered[i]) * all / (left[i] + all * (1.0 - left[i]));
-    };
-    const auto [by_now, by_end] = accumulation(orders_[i]);  // a
-    result = std::max({result, sum(by_now) / limit_[i], sum(by_end) / limit_of_all[i]});
-  }
   if (!answered.allFinite() || !left.allFinite()) return no_solution;
-  return result;
+  // The sum of `all` errors, of which each is `one`. That of the errors up to now is compared with the limit
+  // for the present size of y.
+  const auto sum = [&](double one, double all, Eigen::Index i) {
+    return std::abs(one) * all / (left[i] + all * (1.0 - left[i]));
+  };
+  const auto largest_error = [&] {
+    double result = 0.0;
+    for (Eigen::Index i = 0; i < limit_.size(); ++i) {
+      if (answered[i] == 0.0) continue;
+      const auto [by_now, by_end] = accumulation(orders_[i]);  // a
+      result = std::max(
+          {result, sum(answered[i], by_now, i) / limit_[i], sum(answered[i], by_end, i) / limit_of_all[i]});
+    }
+    return result;
+  };
+  const auto largest_resolved_error = [&] {
+    Vec unresolved = unit.cwiseProduct(rhs_error_.all());
+    solver_->apply_inverse(unresolved);
+    for (Eigen::Index i = 0; i < limit_.size(); ++i)
+      unresolved[i] = sum(unresolved[i], accumulation(orders_[i]).first, i);
+    limit_ = allowed_.on_step(largest, largest, terms, unresolved);
+    return largest_error();
+  };
+  const double result = rhs_error_.is_measured() ? largest_resolved_error() : largest_error();
+  if (result <= 1.0) return result;
+  rhs_error_.measure([&](In y) -> const Vec& { return run.rhs(next_.t, y); }, y_, limit_);
+  return largest_resolved_error();
 }
 
 // r of each component: the ratio of the root mean squares of `again` and `answered`, the larger of that over
@@ -264,6 +282,7 @@ void TrapezoidalStepper::accept() {
 
 void TrapezoidalStepper::restart(Run& /*run*/) {
   older_.reset();
+  allowed_.restart();
   last_jump_time_ = newest_.t;
 }
 
@@ -276,7 +295,7 @@ DerivativePolynomials TrapezoidalStepper::derivative_polynomials() const {
 
 void TrapezoidalStepper::state(Archive& archive) {
   bool has_older = older_.has_value();
-  archive(allowed_, history_, solver_, newest_, last_jump_time_, previous_, y_, has_older);
+  archive(allowed_, rhs_error_, history_, solver_, newest_, last_jump_time_, previous_, y_, has_older);
   if (archive.is_reading()) older_ = has_older ? std::optional(newest_) : std::nullopt;
   if (older_) archive(*older_);
 }

@@ -8,6 +8,7 @@
 #include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
 #include "fdebench/schemes/rules/implicit/step_equations.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
+#include "fdebench/schemes/stepping/rhs_error.hpp"
 
 namespace fde {
 
@@ -87,7 +88,7 @@ class TrapezoidalStepper final : public AdaptiveStepper {
   [[nodiscard]] Vec extrapolated_rhs(double t) const;
   [[nodiscard]] Vec defect() const;
   static double weighted_max_norm(const Vec& error, const Vec& limit);
-  [[nodiscard]] double error(const Vec& of_f);
+  [[nodiscard]] double error(Run& run, const Vec& of_f);
   [[nodiscard]] Vec undamped_fraction(const Vec& answered, const Vec& again) const;
   [[nodiscard]] Vec effect_of_rhs_error() const;
   [[nodiscard]] std::pair<double, double> accumulation(double order) const;
@@ -102,6 +103,7 @@ class TrapezoidalStepper final : public AdaptiveStepper {
   std::vector<Eigen::Index> first_of_same_order_{};  // for each component, the first of the same order
   Sample newest_, next_;
   std::optional<Sample> older_{};
+  RhsError rhs_error_;             // measured where the error test failed last
   double last_jump_time_ = 0.0;    // time of the last jump of f
   InterpolatedRows interpolated_;  // on the newest attempt
   Vec previous_, y_, kappa_, convolved_, known_, limit_;

@@ -112,13 +112,24 @@ std::unique_ptr<MemoryBlock> PanelCollocation::attempt_panel(const TimeBlock& bl
   PanelValues solved{guess_on(task), {}};
   if (!solver_.solve(run_, task, solved) || contains_switch(block, task, solved.rows)) {
     auto panel = step_over_switch(block, task);
-    if (!panel && phase_ == RunPhase::running) reject_panel(block, infinity);
+    if (!panel && phase_ == RunPhase::running) {
+      solver_.measure_rhs_error(run_, task, solved.rows);
+      reject_panel(block, infinity);
+    }
     return panel;
   }
   const Matrix coefficients = solution_->rule.to_coefficients * solved.unknowns;
-  const Vec allowed = solver_.error_limits(task, solved.rows);
-  const Vec effects = errors_by_degree(block, task, solved, coefficients, allowed);
-  double error = std::max(effects.tail(2).sum() / part, discontinuity_error(block, task, solved, allowed));
+  Vec effects;
+  const auto largest_error = [&] {
+    const Vec allowed = solver_.error_limits(task, solved.rows);
+    effects = errors_by_degree(block, task, solved, coefficients, allowed);
+    return std::max(effects.tail(2).sum() / part, discontinuity_error(block, task, solved, allowed));
+  };
+  double error = largest_error();
+  if (!(error <= 1.0)) {
+    solver_.measure_rhs_error(run_, task, solved.rows);
+    error = largest_error();
+  }
   // The points do not resolve a mode that grows by more than this.
   if (solver_.has_growing_mode(run_, task, solved.rows, static_cast<double>(effects.size())))
     error = infinity;

@@ -23,6 +23,7 @@ PanelSolver::PanelSolver(const Problem& problem, const IntegratedRows& integrate
       integrated_rows_(integrated_rows),
       kernels_(kernels),
       allowed_(accuracy),
+      rhs_error_(problem.size()),
       mass_(Vec::Ones(integrated_rows.unknown_count())),
       last_end_values_(taylor_part(problem, 0.0) - integrated_rows.origin),
       sensitivities_(Matrix::Zero(integrated_rows.unknown_count(), integrated_rows.row_count())),
@@ -59,10 +60,36 @@ Matrix PanelSolver::sizes_of(const Matrix& rows) const {
 }
 
 Vec PanelSolver::error_limits(const PanelSystem& task, const Matrix& rows) const {
+  return with_multiplier_limits(task, row_limits(task, rows, unresolved(task)));
+}
+
+Vec PanelSolver::row_limits(const PanelSystem& task, const Matrix& rows, const Vec& unresolved) const {
   const Matrix sizes = sizes_of(rows);
-  return with_multiplier_limits(
-      task, allowed_.on_step(sizes.colwise().minCoeff().transpose(), sizes.colwise().maxCoeff().transpose(),
-                             task.term_sizes));
+  return allowed_.on_step(sizes.colwise().minCoeff().transpose(), sizes.colwise().maxCoeff().transpose(),
+                          task.term_sizes, unresolved);
+}
+
+// The effects of rounding errors of f on the rows.
+Vec PanelSolver::unresolved(const PanelSystem& task) const {
+  Vec effects = Vec::Zero(integrated_rows_.row_count());
+  if (!rhs_error_.is_measured()) return effects;
+  for (Eigen::Index i = 0; i < effects.size(); ++i) {
+    const auto& row = integrated_rows_.rows[static_cast<std::size_t>(i)];
+    const auto rhs_index = integrated_rows_.rhs_indices[static_cast<std::size_t>(row.unknown)];
+    if (!row.is_algebraic()) effects[i] = integral_of_one(task, i) * rhs_error_.rounding()[rhs_index];
+  }
+  return effects;
+}
+
+void PanelSolver::measure_rhs_error(Run& run, const PanelSystem& task, const Matrix& rows) {
+  const Eigen::Index middle = rows.rows() / 2;
+  const Vec y = rows.row(middle);
+  if (!y.allFinite()) return;
+  const auto f = [&](In at) -> const Vec& {
+    y_ = at;
+    return rhs(run, task.times[middle]);
+  };
+  rhs_error_.measure(f, y, error_limits(task, rows));
 }
 
 void PanelSolver::accept_panel(const PanelValues& solved) {
@@ -71,12 +98,17 @@ void PanelSolver::accept_panel(const PanelValues& solved) {
 }
 
 // The error limit of Newton's method: a small part of the error limit of a row and of the row itself, as
-// other rows may be far more sensitive to it than its own limit allows for.
+// other rows may be far more sensitive to it than its own limit allows for; the error limit itself where
+// rounding errors of f determine it.
 Vec PanelSolver::newton_limits(const PanelSystem& task, const Matrix& rows) const {
   constexpr double of_allowed = 0.01, of_row = 1e-6;
-  const Vec largest = rows.cwiseAbs().colwise().maxCoeff();
-  return with_multiplier_limits(task, (of_allowed * error_limits(task, rows))
+  const Vec largest = rows.cwiseAbs().colwise().maxCoeff(), allowed = error_limits(task, rows);
+  const Vec without_noise = row_limits(task, rows, Vec::Zero(allowed.size()));
+  const Vec with_noise = row_limits(task, rows, unresolved(task));
+  const Vec noise = (with_noise.array() > without_noise.array()).select(with_noise, 0.0);
+  return with_multiplier_limits(task, (of_allowed * allowed)
                                           .cwiseMin(of_row * largest)
+                                          .cwiseMax(noise)
                                           .cwiseMax(2.0 * rounding * task.term_sizes));
 }
 

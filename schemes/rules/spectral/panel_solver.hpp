@@ -7,6 +7,7 @@
 #include "fdebench/schemes/problem/resolution.hpp"
 #include "fdebench/schemes/rules/spectral/panel_kernels.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
+#include "fdebench/schemes/stepping/rhs_error.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {
@@ -65,6 +66,10 @@ class PanelSolver {
   // more than its limit: at an early time t a multiplier can be found up to 1/t of that only.
   [[nodiscard]] Vec error_limits(const PanelSystem& task, const Matrix& rows) const;
 
+  // Measures the rounding errors of f on a panel, which error_limits() and solve() take into account from now
+  // on: to be called where a panel is rejected.
+  void measure_rhs_error(Run& run, const PanelSystem& task, const Matrix& rows);
+
   // y at a point of a panel.
   [[nodiscard]] Vec values_at(const Matrix& rows, Eigen::Index point) const {
     return integrated_rows_.origin + rows.row(point).transpose();
@@ -80,6 +85,8 @@ class PanelSolver {
   const Vec& rhs(Run& run, double t);  // at y_
   [[nodiscard]] Matrix sizes_of(const Matrix& rows) const;
   [[nodiscard]] Vec with_multiplier_limits(const PanelSystem& task, Vec limits) const;
+  [[nodiscard]] Vec row_limits(const PanelSystem& task, const Matrix& rows, const Vec& unresolved) const;
+  [[nodiscard]] Vec unresolved(const PanelSystem& task) const;
   [[nodiscard]] Vec newton_limits(const PanelSystem& task, const Matrix& rows) const;
   Vec unknowns_from_rhs(Run& run, double t);  // at y_
   void update_sensitivities();
@@ -95,6 +102,7 @@ class PanelSolver {
   const IntegratedRows& integrated_rows_;
   const PanelKernels& kernels_;
   ErrorTolerance allowed_;
+  RhsError rhs_error_;
   Vec mass_;              // 1, and 0 for an algebraic row
   Vec last_end_values_;   // the rows at the end of the last accepted panel
   Matrix sensitivities_;  // the largest |df_k/dy_i| on the panel, one row an unknown k, one column a row i

@@ -137,8 +137,11 @@ INSTANTIATE_TEST_SUITE_P(
         InvalidFile{"end = \"t\"\n" + x, "line 1, column 8", "t: no such name here"},
         InvalidFile{"end = inf\n" + x, "line 1, column 7", "end = inf: must be a finite number"},
         InvalidFile{unknown("order = 2.5", "1", "[1, 0, 0]"), "line 3, column 9",
-                    "order = 2.5: must be a number in [0, 2]"},
-        InvalidFile{unknown("order = -0.5", "1", "[1]"), "line 3, column 9", "order = -0.5: must be"},
+                    "order = 2.5: must be a number in [0, 2]; D^2.5 x is D^0.5 v of an unknown v of its own: "
+                    "D^2 x = v"},
+        InvalidFile{
+            unknown("order = -0.5", "1", "[1]"), "line 3, column 9",
+            "order = -0.5: must be a number in [0, 2]; the integral of order 0.5 of x is an unknown z"},
         InvalidFile{unknown("order = nan", "1", "[1]"), "line 3, column 9", "order = nan: must be"},
         InvalidFile{unknown("order = \"1/0\"", "1", "[1]"), "line 3, column 10", "order = inf: must be"},
         InvalidFile{unknown("order = 1.5", "1", "[1]"), "line 2, column 10",
@@ -164,10 +167,19 @@ INSTANTIATE_TEST_SUITE_P(
                     "D of D: must be of an unknown"},
         InvalidFile{unknown("order = 0.5", "'" + brackets(201) + "'", "[1]"), "line 4, column 209",
                     "brackets, signs and powers are nested more than 200 deep"},
-        InvalidFile{unknown("order = 0.5", "\"\\u002dx + yy\"", "[1]"), "line 4, column 7",
-                    "byte 6 of the text: yy: no such name here"},
-        InvalidFile{unknown("order = 0.5", "\"D(x, 0.3)\"", "[1]"), "line 4, column 8",
-                    "D(x, 0.3): must be of an order of its chain, 0"},
+        InvalidFile{unknown("order = 0.5", "\"\\u002dx + yy\"", "[1]"), "line 4, column 18",
+                    "yy: no such name here"},
+        InvalidFile{unknown("order = 0.5", "\"D(x, 0.7)\"", "[1]"), "line 4, column 8",
+                    "D(x, 0.7): must be of an order of its chain, 0; an order above those of the terms"},
+        InvalidFile{unknown("terms = [[\"2 + sin(t)\", 0.5]]", "1", "[1]"), "line 3, column 12",
+                    "2 + sin(t): must not vary; a coefficient that does is a factor, or on the right"},
+        InvalidFile{unknown("order = \"0.5 + 0.1*x\"", "1", "[1]"), "line 3, column 10",
+                    "0.5 + 0.1*x: must not vary; orders that do are not supported"},
+        InvalidFile{unknown("order = 0.5", "\"-x\n+ 1\"", "[1]"), "line 4, column 10", "between \"\"\" and"},
+        InvalidFile{unknown("order = 0.5", "-x", "[1]"), "line 4, column 7", "a formula stands in quotes"},
+        InvalidFile{"end = 1\nkappa0 = 2\n" + x, "line 2, column 1", "a parameter stands under [parameters]"},
+        InvalidFile{with("[parameters]\nk = \"2*pi\"\n" + x), "line 3, column 5",
+                    "k: is a text, must be a number, or k = { formula = ... }"},
         InvalidFile{unknown("order = 0.5", "\"D(y, 0.3)\"", "[1]"), "line 4, column 8",
                     "y: must be an unknown"},
         InvalidFile{unknown("order = 0.5", "\"D(x, t)\"", "[1]"), "line 4, column 8",
@@ -179,9 +191,36 @@ INSTANTIATE_TEST_SUITE_P(
         InvalidFile{with(x + "[exact]\nz = \"t\"\n"), "line 7, column 1",
                     "exact z: no such column; there are x"},
         InvalidFile{with(x + "[exact]\nx = \"x\"\n"), "line 7, column 6",
-                    "x: no such name here, did you mean 't'?; there are t, pi and functions"},
+                    "x: no such name here; there are t, pi and functions"},
         InvalidFile{with(x + "[energy]\nvalue = \"t*x\"\n"), "line 7, column 10", "t: no such name here"},
         InvalidFile{with(x + "[constraint]\nf = [\"x - \"]\n"), "line 7, column 11", "the formula ends"}));
+
+// Strings of several lines, with and without escapes; columns count characters.
+INSTANTIATE_TEST_SUITE_P(
+    FormulasOfSeveralLines, WrongEquationFile,
+    testing::Values(
+        InvalidFile{unknown("order = 0.5", "\"\"\"\n-x\n  + yy\"\"\"", "[1]"), "line 6, column 5",
+                    "yy: no such name"},
+        InvalidFile{unknown("order = 0.5", "'''-x\n\n  + yy'''", "[1]"), "line 6, column 5",
+                    "yy: no such name"},
+        InvalidFile{unknown("order = 0.5", "\"\"\"-x \\\n\n    + \\u0032*yy\"\"\"", "[1]"),
+                    "line 6, column 14", "yy: no such name"},
+        InvalidFile{unknown("order = 0.5", "\"\"\"\r\n-x\r\n + yy\"\"\"", "[1]"), "line 6, column 4",
+                    "yy: no such name"},
+        InvalidFile{unknown("order = 0.5", "\"-x \u2212 x\"", "[1]"), "line 4, column 11", "here it is -"},
+        InvalidFile{with("\"\u00e4\" = 1\n[unknown]\nx = { \"rhs\" = \"yy\" , order = 1, initial = [1] }"),
+                    "line 2, column 1", "no such key"}));
+
+// Keys that other programs have, and these files do not.
+INSTANTIATE_TEST_SUITE_P(
+    KeysOfOthers, WrongEquationFile,
+    testing::Values(InvalidFile{with(x + "before = \"60\"\n"), "line 6, column 1",
+                                "before: no such key of unknown x; delays are not supported"},
+                    InvalidFile{with(x + "final = [1]\n"), "line 6, column 1",
+                                "final: no such key of unknown x; values at the end are not supported"},
+                    InvalidFile{with(x + "[event.spike]\nzero = \"x\"\nset = { x = 1 }\n"),
+                                "line 8, column 1",
+                                "set: no such key of event spike; an event does not change unknowns"}));
 
 TEST(Formulas, HaveTwoHundredBracketsAtMost) {
   EXPECT_EQ(scene_of_text(relaxation_file("-" + brackets(199))).problem.size(), 1);

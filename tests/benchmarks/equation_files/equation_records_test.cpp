@@ -47,7 +47,7 @@ TEST_F(EquationFileCommand, TakesSettings) {
   // E_0.5(-2) = e^4 erfc(2)
   EXPECT_THAT(at(file() + ":k=2"), StartsWith("t,x,bound\n1,0.255395676310505"));
   EXPECT_EQ(fdebench("exact " + file() + ":q=2 --at 1").err,
-            "fdebench: q: scene " + file() + " has no such parameter, did you mean 'k'?; it has k\n");
+            "fdebench: q: scene " + file() + " has no such parameter; it has k\n");
 }
 
 TEST_F(EquationFileCommand, TakesAnEnd) {

@@ -48,6 +48,17 @@ TEST(StepLimits, AreFirstRunsOfOscillations) {
   EXPECT_GE(longest_step(problem, 3.7), 10.0);
 }
 
+// The slopes of triangles and ramps jump.
+TEST(StepLimits, FindTrianglesAndRamps) {
+  const Problem triangle = at_rest("3*max(0, 1 - abs(t - 4.26)/0.02) - x", 10.0);
+  EXPECT_LE(longest_step(triangle, 4.245), 0.02);
+  EXPECT_LE(1.0 + longest_step(triangle, 1.0), 4.26);
+  EXPECT_EQ(triangle.kink_times.size(), 3U);
+  const Problem ramp = at_rest("min(1, max(0, (t - 2.2)/0.1)) - x", 10.0);
+  EXPECT_LE(longest_step(ramp, 2.21), 0.1);
+  EXPECT_LE(1.0 + longest_step(ramp, 1.0), 2.3);
+}
+
 TEST(StepLimits, AreNoneOfSlowLoads) {
   for (const auto* rhs : {"1 - x", "t^2 - x", "exp(-t) - x", "-x^3 + t", "t*x"})
     EXPECT_GE(longest_step(at_rest(rhs, 1.0), 0.0), 1.0) << rhs;

@@ -94,28 +94,30 @@ TEST_F(DescribedScenes, LeaveOutValuesThatNoChartHasRoomFor) {
   EXPECT_EQ(read_results(file_).scenes, std::vector{scene});
 }
 
-TEST_F(DescribedScenes, AreRefusedIfTheyAreMalformed) {
+TEST_F(DescribedScenes, AreLeftOutIfTheyAreMalformed) {
   ResultsFile(file_).append(description());
   const auto whole = text();
   const auto changed = [&](const std::string& from, const std::string& to) {
     return message_of_change(whole, from, to);
   };
   EXPECT_EQ(changed(R"("title":"Relaxation")", R"("title":"a\u0007")"),
-            ": line 2: title = a\a: must be UTF-8 that prints");
-  EXPECT_EQ(changed(R"("title":"Relaxation")", R"("name":1)"), ": line 2 is not a row of fdebench results");
+            ": line 2: title = a\a: must be UTF-8 that prints (left out)");
+  EXPECT_EQ(changed(R"("title":"Relaxation")", R"("name":1)"),
+            ": line 2 is not a row of fdebench results (left out)");
   EXPECT_EQ(changed(R"("reference_seconds":0.5)", R"("reference_seconds":-1)"),
-            ": line 2: reference_seconds = -1: must be a finite number of at least 0");
-  EXPECT_EQ(changed(R"("t":[0.0,1.0])", R"("t":[0.0,0.0])"), ": line 2: solution: its times must increase");
+            ": line 2: reference_seconds = -1: must be a finite number of at least 0 (left out)");
+  EXPECT_EQ(changed(R"("t":[0.0,1.0])", R"("t":[0.0,0.0])"),
+            ": line 2: solution: its times must increase (left out)");
   EXPECT_EQ(changed(R"("t":[0.0,1.0])", R"("t":[0.0,1.0,2.0])"),
-            ": line 2: solution: has 2 values at 3 times");
+            ": line 2: solution: has 2 values at 3 times (left out)");
   EXPECT_EQ(changed(R"("steps":4096)", R"("steps":0)"),
-            ": line 2: trial = 0: must be a finite number of at least 1");
+            ": line 2: trial = 0: must be a finite number of at least 1 (left out)");
   EXPECT_EQ(changed(R"("motion":{"columns":["y","z"])", R"("motion":{"columns":["y"])"),
-            ": line 2: motion = 1 columns: must be 2 or 3 columns");
+            ": line 2: motion = 1 columns: must be 2 or 3 columns (left out)");
   EXPECT_EQ(changed(R"("motion":{"columns":["y","z"])", R"("motion":{"columns":["y","x"])"),
-            ": line 2: motion = x: must be a column of the solution, or have values");
+            ": line 2: motion = x: must be a column of the solution, or have values (left out)");
   EXPECT_EQ(changed(R"("columns":["y","z"],"energy")", R"("columns":["y"],"energy")"),
-            ": line 2: solution: has 2 values at 1 times");
+            ": line 2: solution: has 2 values at 1 times (left out)");
   write(whole.substr(whole.find('\n') + 1));
   EXPECT_EQ(message(file_), file_.string() + ": line 1: a scene before the first session");
 }

@@ -118,6 +118,25 @@ TEST_F(Merges, PassOverTheLastRowsOfAKilledSweep) {
   EXPECT_THAT(steps_of(read_results(out_), "one"), testing::ElementsAre(8));
 }
 
+// Odd lines and measurements without an ending are left out: what was merged is read without a warning.
+TEST_F(Merges, LeaveOutWhatNoReaderAccepts) {
+  const auto whole = to_text(file_of("a", "one", {8, 16, 32}));
+  auto changed = whole;
+  changed.replace(changed.rfind(R"("last":true)"), 11, R"("lest":true)");
+  folder_.write("odd", changed.insert(changed.find('\n') + 1, "garbage\n"));
+  for (const bool of_two : {false, true}) {
+    std::vector<std::filesystem::path> files{folder_.path() / "odd"};
+    if (of_two) files.push_back(file_of("b", "one", {64}));
+    const auto merged = merge_results(files, out_);
+    ASSERT_EQ(merged.warnings.size(), 1U);
+    EXPECT_THAT(merged.warnings[0], testing::HasSubstr("odd: line 2 is not a row of fdebench results"));
+    const auto results = read_results(out_);
+    EXPECT_EQ(results.warning, "");
+    EXPECT_EQ(steps_of(results, "one"), of_two ? (std::vector{8, 16, 64}) : (std::vector{8, 16}));
+    std::filesystem::remove(out_);
+  }
+}
+
 TEST_F(Merges, WriteNoFileThatIsThereAndNoneOfWhatIsNone) {
   const auto file = file_of("a", "one", {8});
   const auto before = to_text(file);

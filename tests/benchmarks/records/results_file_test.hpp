@@ -24,10 +24,11 @@ class ResultsFileTest : public testing::Test {
   }
   void write(const std::string& content) const { std::ofstream(file_) << content; }
 
-  // Why the file cannot be opened; "opened" if it can.
+  // Why the file cannot be opened, or what is left out of it; "opened" if it can, and nothing is.
   static std::string message(const std::filesystem::path& file) {
     try {
       const ResultsFile opened(file);
+      if (!opened.warning().empty()) return opened.warning();
     } catch (const std::invalid_argument& error) {
       return error.what();
     }

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -178,7 +179,7 @@ TEST_F(ResultsFiles, AreWaitedFor) {
   EXPECT_NO_THROW(ResultsFile(file_, std::chrono::seconds(20)));
 }
 
-TEST_F(ResultsFiles, WithImpossibleStepsAreRefused) {
+TEST_F(ResultsFiles, LeaveOutARowWithImpossibleSteps) {
   ResultsFile(file_).append(rows("l1", 64));
   for (const auto* steps : {"0", "-5", "64.5", "1000000000000"}) {
     auto changed = text();
@@ -186,48 +187,101 @@ TEST_F(ResultsFiles, WithImpossibleStepsAreRefused) {
     const auto other = folder_ / "changed.jsonl";
     std::ofstream(other) << changed;
     EXPECT_EQ(message(other), other.string() + ": line 2: steps = " + steps +
-                                  ": must be a whole number from 1 to 2147483647");
+                                  ": must be a whole number from 1 to 2147483647 (left out)");
   }
 }
 
-// A row that no run can have is refused with its line number, also in the middle of a file; so is an
-// incomplete row.
-TEST_F(ResultsFiles, WithImpossibleRowsAreRefused) {
+// A row that no run can have is left out and named with its line, also in the middle of a file; so is an
+// incomplete row. Where it is the last of a measurement, the whole measurement is left out.
+TEST_F(ResultsFiles, LeaveOutImpossibleRowsAndKeepTheOthers) {
   {
     ResultsFile file(file_);
     file.append(rows("l1", 64));
     file.append(rows("l1", 128));
   }
   const auto whole = text();
+  const std::string rest = " (left out, with 1 other line)";
   const auto changed = [&](const std::string& from, const std::string& to) {
-    return message_of_change(whole, from, to);
+    const auto text = message_of_change(whole, from, to);
+    EXPECT_EQ(read_results(file_).records.size(), text.ends_with(rest) ? 2U : 3U) << text;
+    EXPECT_EQ(ResultsFile(file_).recorded(key("l1", 128)).amount(), RecordedAmount::all_but_times);
+    return text;
   };
   EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":-1.0)"),
-            ": line 2: error_end = -1: must be a finite number of at least 0");
+            ": line 2: error_end = -1: must be a finite number of at least 0 (left out)");
   EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":null)"),
-            ": line 2: error_end = null: must be a number");
-  EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":1e999)"), ": line 2 is not a row of fdebench results");
+            ": line 2: error_end = null: must be a number (left out)");
+  EXPECT_EQ(changed(R"("value":0.0015625)", R"("value":1e999)"),
+            ": line 2 is not a row of fdebench results (left out)");
   const std::string name = ": must be 1 to 100 bytes of UTF-8 that print";
-  EXPECT_EQ(changed(R"("error_end")", R"("")"), ": line 2: quantity = " + name);
+  EXPECT_EQ(changed(R"("error_end")", R"("")"), ": line 2: quantity = " + name + " (left out)");
   EXPECT_EQ(changed(R"("scene":"relaxation")", R"("scene":"")"),
-            ": line 2: scene = : must be 1 to 4096 bytes of UTF-8 that print");
-  EXPECT_EQ(changed(R"("scheme":"l1")", R"("scheme":"")"), ": line 2: scheme = " + name);
+            ": line 2: scene = : must be 1 to 4096 bytes of UTF-8 that print (left out)");
+  EXPECT_EQ(changed(R"("scheme":"l1")", R"("scheme":"")"), ": line 2: scheme = " + name + " (left out)");
   EXPECT_EQ(changed(R"("settings":{})", R"("settings":{"until":-1})").substr(0, 33),
             ": line 2: until = -1: must be a n");
-  EXPECT_EQ(changed(R"("unit":"")", R"("unit":"s")"), R"(: line 2: unit = s: must be "", that of error_end)");
-  EXPECT_EQ(changed(R"("ending":"finished")", R"("ending":"")"), ": line 3: ending = " + name);
+  EXPECT_EQ(changed(R"("unit":"")", R"("unit":"s")"),
+            R"(: line 2: unit = s: must be "", that of error_end (left out))");
+  EXPECT_EQ(changed(R"("ending":"finished")", R"("ending":"")"), ": line 3: ending = " + name + rest);
   EXPECT_EQ(changed(R"("ending":"finished",)", ""),
-            ": line 3: ending: must be that of the quantity ending, and of no other");
+            ": line 3: ending: must be that of the quantity ending, and of no other" + rest);
   EXPECT_EQ(changed(R"("error_end")", R"("error_end","course":{"t":[1,1],"value":[0,0]})"),
-            ": line 2: course: its times must increase");
+            ": line 2: course: its times must increase (left out)");
   EXPECT_EQ(changed(R"("error_end")", R"("error_end","course":{"t":[1,2],"value":[0]})"),
-            ": line 2: course: has 1 values at 2 times");
+            ": line 2: course: has 1 values at 2 times (left out)");
   EXPECT_EQ(changed(R"("last":true)", R"("lest":true)"),
-            ": line 4: a row of another run before the last row of the measurement above");
+            ": line 2: a measurement without its last row (left out, with 1 other line)");
+  EXPECT_EQ(read_results(file_).records.size(), 2U);
   write(whole.substr(0, whole.find("error_end")) + whole.substr(whole.find('\n') + 1));
-  EXPECT_EQ(message(file_), file_.string() + ": line 2 is not a row of fdebench results");
+  EXPECT_EQ(message(file_), file_.string() + ": line 2 is not a row of fdebench results (left out)");
   write(whole.substr(whole.find('\n') + 1));
   EXPECT_EQ(message(file_), file_.string() + ": line 1: a row before the first session");
+}
+
+// A line that is no JSON, a description that is impossible and a lost session: what stands beside them is
+// read and stays in the file when it is continued.
+TEST_F(ResultsFiles, LoseAnOddLineAndNothingElse) {
+  ResultsFile(file_).append(rows("l1", 64));
+  const auto session = text().substr(0, text().find('\n') + 1);
+  const auto first = text();
+  for (const std::string odd : {"garbage\n", "\n", "{}\n",
+                                R"({"scene":{}})"
+                                "\n",
+                                R"({"scene":1})"
+                                "\n"}) {
+    write(first + odd);
+    const auto reason = message(file_);
+    EXPECT_EQ(reason, file_.string() + ": line 4 is not a row of fdebench results (left out)") << odd;
+    ResultsFile(file_).append(rows("l1", 128));
+    EXPECT_TRUE(text().starts_with(first + odd)) << "what is left out stays in the file";
+    const auto results = read_results(file_);
+    EXPECT_EQ(results.records.size(), 4U) << odd;
+    EXPECT_EQ(results.warning, reason);
+  }
+  auto lost = session;
+  lost.replace(lost.find(R"("machine")"), 9, R"("engine")");
+  write(first + lost + first.substr(session.size()) + first);
+  EXPECT_EQ(message(file_),
+            file_.string() + ": line 4 is not a row of fdebench results (left out, with 2 other lines)");
+  EXPECT_EQ(read_results(file_).records.size(), 4U);
+}
+
+// What the reader would leave out is not written.
+TEST_F(ResultsFiles, AreNotGivenWhatNoReaderAccepts) {
+  ResultsFile file(file_);
+  file.append(rows("l1", 64));
+  const auto before = text();
+  auto some = rows("l1", 128);
+  some.front().value = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(file.append(some), UnreadableLines);
+  some.front().value = -1.0;
+  EXPECT_THROW(file.append(some), UnreadableLines);
+  SceneDescription scene{.scene = {.id = "relaxation"}, .title = "Relaxation"};
+  scene.solution = SampledSolution{.t = {0.0, 1.0, 1.0}, .columns = {{"y"}, {{1.0, 0.5, 0.25}}}};
+  EXPECT_THROW(file.append(scene), UnreadableLines);
+  EXPECT_EQ(text(), before);
+  file.append(rows("l1", 256));
+  EXPECT_EQ(read_results(file_).records.size(), 4U);
 }
 
 // Results of another version may have what this build does not: it is read, and keeps its name.
@@ -268,8 +322,9 @@ TEST_F(ResultsFiles, KeepTheTrajectoriesOfOtherPrograms) {
   for (auto at = ours.find("numpy λ"); at != std::string::npos; at = ours.find("numpy λ"))
     ours.replace(at, std::string("numpy λ").size(), "l1");
   write(ours);
-  EXPECT_EQ(message(file_),
-            file_.string() + ": line 2: scheme = l1: must be another name than those of our schemes");
+  EXPECT_EQ(message(file_), file_.string() +
+                                ": line 2: scheme = l1: must be another name than those of our schemes (left "
+                                "out, with 1 other line)");
 }
 
 TEST_F(ResultsFiles, ThatCannotBeWrittenAreNamed) {

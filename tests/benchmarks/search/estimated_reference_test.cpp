@@ -45,6 +45,7 @@ TEST_P(EstimatedErrors, AreAgainstARunThatIsAsAccurateAsItSays) {
   ASSERT_TRUE(found_.estimate);
   const ErrorEstimate& estimate = *found_.estimate;
   EXPECT_EQ(estimate.no_reference_reason, "it is taken away");
+  EXPECT_EQ(found_.reference.evidence, reference::Evidence::estimate);
   EXPECT_NE(estimate.first.scheme, estimate.second.scheme);
   EXPECT_EQ(estimate.first_steps, 2 * estimate.second_steps);
   EXPECT_LE(estimate.error(), largest_estimate_fraction * GetParam().accuracy);

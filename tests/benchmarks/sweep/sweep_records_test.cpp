@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "fdebench/benchmarks/records/record_text.hpp"
+#include "fdebench/benchmarks/records/results_scan.hpp"
+#include "fdebench/benchmarks/sweep/described_scene.hpp"
 #include "fdebench/benchmarks/sweep/sweep.hpp"
 #include "support/testing.hpp"
 
@@ -22,6 +24,22 @@ RecordedRun complete(const RunKey& key) {
   run.add({.key = key, .quantity = "ending", .ending = RunOutcome{}});
   run.add({.key = key, .quantity = "time_minimum", .unit = "s"});
   return run;
+}
+
+// Near a jump the times of a solution are as dense as anywhere: rounded to the digits of the file they still
+// increase, wherever the jump is and however long the run.
+TEST(Sweeps, DescribeASolutionWithAJumpSoThatItIsReadBack) {
+  for (const double end : {30.0, 97.3, 0.013}) {
+    for (const double part : {0.031, 0.4, 0.7777, 0.999}) {
+      const SceneVariant variant{
+          .maker = &scene_maker("bagley_torvik"), .values = {{"load_until", part * end}}, .until = end};
+      const Scene scene = make_scene(variant);
+      MemoizedReference reference(scene);
+      const auto line = line_of(describe(variant, scene, reference, true));
+      EXPECT_NO_THROW(require_readable(line)) << end << " " << part;
+      EXPECT_TRUE(parse_line(line).scene->solution) << end << " " << part;
+    }
+  }
 }
 
 TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {

@@ -56,6 +56,42 @@ TEST(MittagLefflerOfAMatrix, OfASingularMatrixOfAnySize) {
   }
 }
 
+// f(A) by divided differences; in the corner f[-1, -2, -3] - f[-1, -2, -3] = 0.
+TEST(MittagLefflerOfAMatrix, MayHaveEntriesThatCancel) {
+  const auto f = [](double x) { return mittag_leffler(0.5, 1.0, Value(x)).value.real(); };
+  const double first = f(-1.0) - f(-2.0), second = f(-2.0) - f(-3.0);
+  MatrixXd a(4, 4), known(4, 4);
+  a << -1, 1, 1, 0, 0, -2, 0, 1, 0, 0, -2, -1, 0, 0, 0, -3;
+  known << f(-1.0), first, first, 0, 0, f(-2.0), 0, second, 0, 0, f(-2.0), -second, 0, 0, 0, f(-3.0);
+  const MatrixValue found = mittag_leffler(0.5, 1.0, a);
+  expect_near(found, known.cast<Value>(), 1e-15, "triangular");
+  EXPECT_EQ(mittag_leffler(0.5, 1.0, MatrixXd(a.transpose())).value, found.value.transpose());
+}
+
+// The entries of e^J for a Jordan block J of the eigenvalue 2 are e^2 / k!, in any basis.
+TEST(MittagLefflerOfAMatrix, OfJordanBlocksInAnyBasis) {
+  for (const int size : {4, 6}) {
+    MatrixXd block = MatrixXd(2.0 * MatrixXd::Identity(size, size)), known = MatrixXd::Zero(size, size);
+    MatrixXd basis = MatrixXd::Identity(size, size), inverse = basis;
+    for (int i = 0; i < size; ++i) {
+      for (int j = i; j < size; ++j) known(i, j) = std::exp(2.0) / std::tgamma(j - i + 1.0);
+      if (i + 1 == size) break;
+      block(i, i + 1) = 1.0;
+      basis.row(i) += basis.row(i + 1);  // and then downwards, so that no entry of the basis is 0
+      inverse.col(i + 1) -= inverse.col(i);
+    }
+    for (int i = 1; i < size; ++i) {
+      basis.row(i) += basis.row(i - 1);
+      inverse.col(i - 1) -= inverse.col(i);
+    }
+    ASSERT_EQ(basis * inverse, MatrixXd::Identity(size, size));
+    expect_near(mittag_leffler(1.0, 1.0, MatrixXd(block.transpose())), known.transpose().cast<Value>(), 1e-13,
+                "below the diagonal");
+    const MatrixXd dense = basis * block * inverse, expected = basis * known * inverse;
+    EXPECT_LE((mittag_leffler(1.0, 1.0, dense).value - expected).cwiseAbs().maxCoeff(), 1e-10) << dense;
+  }
+}
+
 // E_2(-2 s) = cos sqrt(2 s) has an argument of 1e50: an exception, not a neglected contribution.
 TEST(MittagLefflerOfAMatrix, RefusesEigenvaluesTooFarUp) {
   MatrixXd a(2, 2);

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/equation_files/singular_loads.hpp"
+
+#include <utility>
+
+#include "fdebench/benchmarks/expressions/expression_problem.hpp"
+#include "fdebench/benchmarks/expressions/program.hpp"
+#include "fdebench/benchmarks/expressions/time_terms.hpp"
+
+namespace fde::bench {
+namespace {
+
+// A right-hand side as a sum: the loads c t^-p, and the rest.
+struct SplitRow {
+  std::vector<TimeTerm> singular{};
+  Expression rest;
+};
+
+bool is_singular(const TimeTerm& term, const ExpressionPool& pool) {
+  return !term.from && pool.value(term.power).value_or(0.0L) < 0.0L;
+}
+
+// Divides sums, and sums divided or multiplied by constants, into summands.
+SplitRow split(Expression row, ExpressionPool& pool) {
+  const auto made = [&](Operation how, Expression a, Expression b) {
+    return pool.make_expression(how, a, b);
+  };
+  const auto is_constant = [&](Expression e) { return pool.value(e).has_value(); };
+  SplitRow parts{.rest = pool.number(0)};
+  std::vector<std::pair<Expression, Expression>> open{{row, pool.number(1)}};  // summands and their factors
+  while (!open.empty()) {
+    const auto [part, factor] = open.back();
+    open.pop_back();
+    const auto [operation, of] = std::pair(pool[part].operation, pool[part].arguments);
+    if (operation == Operation::add || operation == Operation::subtract) {
+      const auto second =
+          operation == Operation::add ? factor : pool.make_expression(Operation::negate, factor);
+      open.insert(open.end(), {{of[1], second}, {of[0], factor}});
+    } else if (operation == Operation::negate) {
+      open.emplace_back(of[0], pool.make_expression(Operation::negate, factor));
+    } else if (operation == Operation::divide && is_constant(of[1])) {
+      open.emplace_back(of[0], made(Operation::divide, factor, of[1]));
+    } else if (operation == Operation::multiply && (is_constant(of[0]) || is_constant(of[1]))) {
+      const bool first = is_constant(of[0]);
+      open.emplace_back(of[first ? 1 : 0], made(Operation::multiply, factor, of[first ? 0 : 1]));
+    } else {
+      const auto terms = pool.depends_on_unknowns(part) ? std::nullopt : time_terms(part, pool);
+      if (terms && terms->size() == 1 && is_singular(terms->front(), pool)) {
+        const auto& [coefficient, power, from] = terms->front();
+        parts.singular.push_back({made(Operation::multiply, factor, coefficient), power});
+      } else {
+        parts.rest = made(Operation::add, parts.rest, made(Operation::multiply, factor, part));
+      }
+    }
+  }
+  return parts;
+}
+
+// J^order of the sum of c t^-p; nullopt unless every power of it is above 0.
+std::optional<Expression> response(const std::vector<TimeTerm>& loads, double order, ExpressionPool& pool) {
+  const auto made = [&](Operation how, Expression a, Expression b) {
+    return pool.make_expression(how, a, b);
+  };
+  auto sum = pool.number(0);
+  for (const auto& [coefficient, power, from] : loads) {
+    const auto p = pool.value(power).value();
+    if (p <= -1.0L || p + order <= 0.0L) return std::nullopt;
+    const auto next = made(Operation::add, power, pool.number(1)), shift = pool.number(order);
+    const auto ratio = made(Operation::divide, pool.make_expression(Operation::gamma, next),
+                            pool.make_expression(Operation::gamma, made(Operation::add, next, shift)));
+    const auto grown = made(Operation::power, pool.variable(0), made(Operation::add, power, shift));
+    sum = made(Operation::add, sum,
+               made(Operation::multiply, made(Operation::multiply, coefficient, ratio), grown));
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::optional<PosedProblem> without_singular_loads(const EquationSystem& system, const Problem& problem,
+                                                   const std::vector<SystemColumn>& columns,
+                                                   ExpressionPool& pool) {
+  std::vector<Expression> rests, state;
+  bool any = false;
+  for (std::size_t i = 0; i < system.rows.size(); ++i) {
+    auto parts = split(system.rows[i], pool);
+    const auto moved = response(parts.singular, system.components[i].order, pool);
+    if (!moved) return std::nullopt;
+    any = any || !parts.singular.empty();
+    rests.push_back(parts.singular.empty() ? system.rows[i] : parts.rest);
+    state.push_back(pool.make_expression(Operation::add, pool.variable(static_cast<int>(i) + 1), *moved));
+  }
+  if (!any) return std::nullopt;
+  const auto in_state = [&](const std::vector<Expression>& of) {
+    return pool.substituted(of, [&](int variable) {
+      return variable == 0 ? pool.variable(0) : state[static_cast<std::size_t>(variable) - 1];
+    });
+  };
+  const auto size = system.size();
+  PosedProblem posed{.problem = expression_problem(system.components, in_state(rests), system.end, pool)};
+  if (problem.domain.margin) {
+    posed.problem.domain = {
+        .edge = problem.domain.edge,
+        .margin = [margin = problem.domain.margin, to_y = Program(pool, state, size)](double t, In z) {
+          Vec y(z.size());
+          to_y.evaluate(t, z, {y.data(), static_cast<std::size_t>(y.size())});
+          return margin(t, y);
+        }};
+  }
+  std::vector<Expression> values;
+  for (const auto& column : columns) {
+    posed.outputs.names.push_back(column.name);
+    values.push_back(column.value ? *column.value : pool.variable(static_cast<int>(column.row) + 1));
+  }
+  posed.outputs.evaluate = [program = Program(pool, in_state(values), size)](double t, In z, Out into) {
+    program.evaluate(t, z, {into.data(), static_cast<std::size_t>(into.size())});
+  };
+  return posed;
+}
+
+}  // namespace fde::bench

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/expressions/values_at_start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fdebench/benchmarks/expressions/apply.hpp"
+
+namespace fde::bench {
+namespace {
+
+using Series = std::vector<long double>;  // Taylor coefficients at t = 0
+
+std::optional<long double> value_at_start(Expression of, ExpressionPool& pool) {
+  const auto value = pool.value(pool.without_variables(of, 0));
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+// As many coefficients as derivatives of moderate length give, up to `most`.
+Series taylor_series(Expression of, std::size_t most, ExpressionPool& pool) {
+  constexpr Expression longest = 4000;  // expressions that the derivatives may add
+  Series series;
+  long double factorial = 1.0L;
+  const Expression first = of;
+  for (std::size_t k = 0; k < most && of - first < longest; ++k) {
+    if (k > 0) factorial *= static_cast<long double>(k);
+    const auto value = value_at_start(of, pool);
+    if (!value) break;
+    series.push_back(*value / factorial);
+    try {
+      of = pool.derivative(of, 0);
+    } catch (const std::invalid_argument&) {  // it has none
+      break;
+    }
+  }
+  return series;
+}
+
+// The series of a quotient with a removable singularity; empty for another one.
+Series quotient(const Series& a, const Series& b) {
+  const auto first_of = [](const Series& x) {
+    return static_cast<std::size_t>(std::ranges::find_if(x, [](auto c) { return c != 0.0L; }) - x.begin());
+  };
+  const std::size_t first = first_of(b), count = std::min(a.size(), b.size());
+  if (first >= count || first_of(a) < first) return {};
+  Series q;
+  for (std::size_t k = first; k < count; ++k) {
+    long double sum = a[k];
+    for (std::size_t j = 0; j < q.size(); ++j) sum -= q[j] * b[k - j];
+    q.push_back(sum / b[first]);
+  }
+  return q;
+}
+
+// Up to which time the polynomial equals the function to rounding, by the decay of its coefficients.
+double reach(const Series& q) {
+  constexpr long double rounding = 1e-17L;
+  const long double largest = std::ranges::max(q, {}, [](auto c) { return std::abs(c); });
+  long double rate = 0.0L;
+  for (std::size_t k = 1; k < q.size(); ++k)
+    rate = std::max(rate, std::pow(std::abs(q[k] / (largest == 0.0L ? 1.0L : std::abs(largest))),
+                                   1.0L / static_cast<long double>(k)));
+  const long double part = std::pow(rounding, 1.0L / static_cast<long double>(q.size()));
+  return static_cast<double>(rate == 0.0L ? part : part / rate);
+}
+
+// q(max(t, d)) + P(min(t, d)) - P(d): the quotient q for t > d, and its polynomial P before.
+Expression continued(Expression of, const Series& q, ExpressionPool& pool) {
+  const auto made = [&](Operation how, Expression a, Expression b) {
+    return pool.make_expression(how, a, b);
+  };
+  const auto number = [&](long double value) {
+    return pool.number(fmt::format("{}", static_cast<double>(value)));
+  };
+  const auto until = number(reach(q)), t = pool.variable(0);
+  const auto polynomial = [&](Expression x) {
+    auto sum = number(q.back());
+    for (std::size_t k = q.size() - 1; k-- > 0;)
+      sum = made(Operation::add, made(Operation::multiply, sum, x), number(q[k]));
+    return sum;
+  };
+  const auto late = made(Operation::max, t, until), early = made(Operation::min, t, until);
+  const auto later = pool.substituted({of}, [&](int) { return late; }).front();
+  return made(Operation::add, later, made(Operation::subtract, polynomial(early), polynomial(until)));
+}
+
+std::optional<Expression> with_limit(Expression of, ExpressionPool& pool) {
+  constexpr std::size_t most = 14;
+  const auto [operation, arguments] = std::pair(pool[of].operation, pool[of].arguments);
+  if (operation != Operation::divide || pool.depends_on_unknowns(of) || !pool.depends_on(of, 0))
+    return std::nullopt;
+  const auto [a, b, none] = arguments;
+  if (value_at_start(a, pool) != 0.0L || value_at_start(b, pool) != 0.0L) return std::nullopt;
+  const Series q = quotient(taylor_series(a, most, pool), taylor_series(b, most, pool));
+  return q.empty() ? std::nullopt : std::optional(continued(of, q, pool));
+}
+
+}  // namespace
+
+std::vector<Expression> with_limits_at_start(const std::vector<Expression>& of, ExpressionPool& pool) {
+  const auto used = pool.subexpressions(of);
+  std::vector<Expression> made(used.size(), ExpressionPool::none);
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    if (!used[e]) continue;
+    const ExpressionPool::Node node = pool[static_cast<Expression>(e)];
+    const bool is_leaf = node.operation == Operation::variable || node.arguments[0] == ExpressionPool::none;
+    std::array<Expression, 3> from = node.arguments;
+    bool is_same = true;
+    for (auto& part : from) {
+      if (is_leaf || part == ExpressionPool::none) continue;
+      const auto replaced = made[static_cast<std::size_t>(part)];
+      is_same = is_same && replaced == part;
+      part = replaced;
+    }
+    made[e] = is_leaf || is_same ? static_cast<Expression>(e)
+                                 : pool.make_expression(node.operation, from[0], from[1], from[2]);
+    if (const auto limit = with_limit(static_cast<Expression>(e), pool)) made[e] = *limit;
+  }
+  std::vector<Expression> results;
+  for (const auto e : of) results.push_back(made[static_cast<std::size_t>(e)]);
+  return results;
+}
+
+std::optional<Expression> not_a_number(Expression of, double t, In y, const ExpressionPool& pool) {
+  const auto used = pool.subexpressions(of);
+  std::vector<long double> values(used.size(), 0.0L);
+  std::optional<Expression> first;
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    if (!used[e]) continue;
+    const auto& node = pool[static_cast<Expression>(e)];
+    const auto at = [&](std::size_t i) {
+      return node.arguments[i] == ExpressionPool::none ? 0.0L
+                                                       : values[static_cast<std::size_t>(node.arguments[i])];
+    };
+    if (node.operation == Operation::variable) {
+      values[e] = node.variable == 0 ? static_cast<long double>(t) : y[node.variable - 1];
+    } else {
+      values[e] =
+          node.operation == Operation::number ? node.value : apply(node.operation, at(0), at(1), at(2));
+    }
+    if (std::isnan(values[e]) && !first) first = static_cast<Expression>(e);
+  }
+  return std::isnan(values.back()) ? first : std::nullopt;
+}
+
+}  // namespace fde::bench
