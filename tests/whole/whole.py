@@ -77,8 +77,11 @@ class Search:
         self.notes: Counter[tuple[str, str]] = Counter()
 
     def drawn(self, number: int) -> Case:
-        """Case `number`: depends on the seed and the number only, not on the number of jobs."""
+        """Case `number`: depends on the seed and the number only, not on the number of jobs. Of a count each property has its part."""
         random = Random(f"{self.options.seed}:{number}")
+        if self.options.count:
+            turns = [one for one in self.chosen for _ in range(max(1, round(one.weight)))]
+            return turns[number % len(turns)].draw(random, self.lists)
         return random.choices(self.chosen, [one.weight for one in self.chosen])[0].draw(random, self.lists)
 
     def goes_on(self, number: int) -> bool:
