@@ -56,8 +56,10 @@ class AdaptiveStepper {
   // no_solution: f does not jump, or attempt() returns the error of one step anyway.
   [[nodiscard]] virtual double error_of_jump() const { return no_solution; }
 
-  // y at the end of the last attempt, and at a time t within its step.
+  // y at the end of the last attempt, and at a time t within its step (dense_output).
   [[nodiscard]] virtual const Vec& result() const = 0;
+  // The error that each component may have in the last attempt.
+  [[nodiscard]] virtual Vec limits() const = 0;
   virtual Vec dense_output(double t) = 0;
 
   // y at a time t after the last accepted one, with f extrapolated from the accepted steps.

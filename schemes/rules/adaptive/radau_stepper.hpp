@@ -70,15 +70,19 @@ class RadauStepper final : public AdaptiveStepper {
   [[nodiscard]] Values effect_of(const Vec& defects) const;
   [[nodiscard]] Vec answer_to(const Values& effect) const;
   void interpolate(Eigen::Index row);
-  [[nodiscard]] Vec limits() const;
+  [[nodiscard]] Vec limits() const override;
+  [[nodiscard]] Vec limits_of_rows() const;
 
   TaylorPart taylor_;
   ErrorTolerance allowed_;
   std::vector<Kernel> kernels_;
   std::vector<std::optional<Row>> rows_;  // empty: an algebraic row
+  bool has_algebraic_rows_ = false;
   std::unique_ptr<StageMatrix> matrix_;
-  StageWeights weights_;              // of the attempt
-  double time_ = 0.0;                 // end of the last accepted step
+  StageWeights weights_;         // of the attempt
+  double time_ = 0.0;            // end of the last accepted step
+  double last_jump_time_ = 0.0;  // time of the last jump of f
+  std::int64_t steps_since_jump_ = 0;
   double next_ = 0.0, length_ = 0.0;  // end and size of the attempt
   std::optional<double> previous_length_{};
   // derivatives_: D^g y from the equations of the step, in place of f(t, y).

@@ -166,7 +166,7 @@ double TrapezoidalStepper::error_of_jump() const {
 double TrapezoidalStepper::error(Run& run, const Vec& of_f) {
   const Vec unit = effect_of_rhs_error();
   const Vec largest = y_.cwiseAbs().cwiseMax(previous_.cwiseAbs()), terms = known_.cwiseAbs();
-  const Vec limit_of_all = allowed_.from_tolerance(largest, terms);
+  Vec limit_of_all = allowed_.from_tolerance(largest, terms);
   limit_ = allowed_.on_step(largest, terms);
   Vec answered = unit.cwiseProduct(of_f);
   const Vec unanswered = answered;
@@ -195,12 +195,19 @@ double TrapezoidalStepper::error(Run& run, const Vec& of_f) {
     }
     return result;
   };
+  const auto effect_of = [&](const Vec& rhs_errors, bool at_end) {
+    Vec effect = unit.cwiseProduct(rhs_errors);
+    solver_->apply_inverse(effect);
+    for (Eigen::Index i = 0; i < effect.size(); ++i) {
+      const auto [by_now, by_end] = accumulation(orders_[i]);
+      effect[i] = sum(effect[i], at_end ? by_end : by_now, i);
+    }
+    return effect;
+  };
   const auto largest_resolved_error = [&] {
-    Vec unresolved = unit.cwiseProduct(rhs_error_.all());
-    solver_->apply_inverse(unresolved);
-    for (Eigen::Index i = 0; i < limit_.size(); ++i)
-      unresolved[i] = sum(unresolved[i], accumulation(orders_[i]).first, i);
-    limit_ = allowed_.on_step(largest, largest, terms, unresolved);
+    limit_ = allowed_.on_step(largest, largest, terms, effect_of(rhs_error_.all(), false))
+                 .cwiseMax(effect_of(rhs_error_.rounding(), false));
+    limit_of_all = limit_of_all.cwiseMax(effect_of(rhs_error_.rounding(), true));
     return largest_error();
   };
   const double result = rhs_error_.is_measured() ? largest_resolved_error() : largest_error();

@@ -65,6 +65,7 @@ class TrapezoidalStepper final : public AdaptiveStepper {
   double attempt(Run& run, double t) override;
   [[nodiscard]] double error_of_jump() const override;
   [[nodiscard]] const Vec& result() const override { return y_; }
+  [[nodiscard]] Vec limits() const override { return limit_; }
   Vec dense_output(double t) override;
   Vec extrapolate(double t) override;
   void extrapolate_over_jump(Run& run, double t) override;
