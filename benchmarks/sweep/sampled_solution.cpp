@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <queue>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,23 +18,24 @@
 namespace fde::bench {
 namespace {
 
-constexpr int first_times = 120, most_times = 400;
-constexpr double allowed = 0.004;         // distance of curve and polyline, as a fraction of a column's range
-constexpr Eigen::Index most_columns = 8;  // a diffusion has hundreds
-constexpr double least_width = 1e-5;      // of an interval that is bisected, as a fraction of the end
-constexpr int digits_of_times = 7;        // resolve half of least_width, so that rounded times increase
+constexpr int first_times = 120;
+constexpr double allowed = 0.004;     // distance of curve and polyline, as a fraction of a column's range
+constexpr double least_width = 1e-5;  // of an interval that is divided, as a fraction of the end
+constexpr int digits_of_times = 7;    // resolve a third of least_width, so that rounded times increase
 constexpr int digits_of_values = 4;
+constexpr double last_digit = 1e-4;
 
 // The first `kept` columns at adaptively chosen times, dense where one of the first `columns` is curved.
 class Samples {
  public:
-  Samples(const reference::Reference& reference, Eigen::Index columns, Eigen::Index kept, double end)
-      : reference_(reference), columns_(columns), kept_(kept), end_(end) {
+  Samples(const Scene& scene, const reference::Reference& reference, Eigen::Index columns, Eigen::Index kept,
+          std::ptrdiff_t most_times)
+      : reference_(reference), columns_(columns), kept_(kept), end_(scene.problem.end) {
     for (int i = 0; i <= first_times; ++i) add(end_ * i / first_times);
-    Vec low = values_.begin()->second, high = low;
-    for (const auto& [t, value] : values_) low = low.cwiseMin(value), high = high.cwiseMax(value);
-    range_ = (high - low).head(columns_);
-    for (auto left = values_.begin(); std::next(left) != values_.end();) left = refined(left);
+    for (const double jump : scene.problem.jump_times)
+      if (is_apart(jump)) add(jump);
+    for (auto left = values_.begin(); std::next(left) != values_.end(); ++left) wait(left, unknown);
+    while (!waiting_.empty() && std::ssize(values_) < most_times) divide_worst();
   }
 
   [[nodiscard]] const std::map<double, Vec>& values() const { return values_; }
@@ -40,31 +43,76 @@ class Samples {
 
  private:
   using Place = std::map<double, Vec>::iterator;
+  using Sample = std::map<double, Vec>::value_type;
+  static constexpr double unknown = std::numeric_limits<double>::infinity();
 
   Place add(double t) {
     const auto [value, bounds] = reference_.at(t);
     if (!value.allFinite() || !bounds.allFinite()) throw std::runtime_error("no value");
     if (bounds.size() > 0) bound_ = std::max(bound_, bounds.maxCoeff());
+    low_ = values_.empty() ? value : Vec(low_.cwiseMin(value));
+    high_ = values_.empty() ? value : Vec(high_.cwiseMax(value));
     return values_.insert_or_assign(t, value.head(kept_)).first;
   }
 
-  // Bisects the interval after `left` if its polyline is too coarse. Returns the left end of the next
-  // interval to check.
-  Place refined(Place left) {
-    const auto right = std::next(left);
-    const double width = right->first - left->first;
-    if (std::ssize(values_) >= most_times || width < least_width * end_) return right;
-    const Vec between = 0.5 * (left->second + right->second);
-    const auto middle = add(left->first + 0.5 * width);
-    const Vec away = (middle->second - between).head(columns_).cwiseAbs() - allowed * range_;
-    return away.maxCoeff() > 0.0 ? left : right;
+  // Whether the times before and after are different in the digits that are kept.
+  [[nodiscard]] bool is_apart(double t) const {
+    const auto next = values_.upper_bound(t);
+    return next != values_.end() && next->first - t > least_width * end_ &&
+           t - std::prev(next)->first > least_width * end_;
   }
+
+  // The interval after `left` is to be divided. `away`: how far its polyline is off as a part of what is
+  // allowed, by what is known of the interval that it is part of.
+  void wait(Place left, double away) {
+    if (std::next(left)->first - left->first >= least_width * end_) waiting_.emplace(away, left);
+  }
+
+  // Not in the middle, where an oscillation may be as at both ends; that one value is on the polyline may be
+  // chance, so a second one decides.
+  void divide_worst() {
+    constexpr double part = 0.382, other_part = 0.71;
+    const auto left = waiting_.top().second, right = std::next(left);
+    waiting_.pop();
+    const auto middle = add(std::lerp(left->first, right->first, part));
+    double away = distance(*left, *right, part, middle->second);
+    if (away <= 1.0) {
+      const auto other = reference_.at(std::lerp(left->first, right->first, other_part)).value;
+      away = distance(*left, *right, other_part, other.head(kept_));
+    }
+    if (away <= 1.0) return;
+    wait(left, away);
+    wait(middle, away);
+  }
+
+  // How far a value between two is off their polyline, as a part of what is allowed: at least the last digit
+  // that is kept, below which there is noise only.
+  [[nodiscard]] double distance(const Sample& left, const Sample& right, double part,
+                                const Vec& value) const {
+    const Vec off = (value - (1.0 - part) * left.second - part * right.second).head(columns_).cwiseAbs();
+    double worst = 0.0;
+    for (Eigen::Index i = 0; i < off.size(); ++i) {
+      const double size = std::max(std::abs(high_[i]), std::abs(low_[i]));
+      const double most = std::max(allowed * (high_[i] - low_[i]), last_digit * size);
+      if (off[i] > 0.0) worst = std::max(worst, off[i] / most);
+    }
+    return worst;
+  }
+
+  // By how far they are off, of equal ones the first.
+  struct IsLessUrgent {
+    bool operator()(const std::pair<double, Place>& a, const std::pair<double, Place>& b) const {
+      return a.first != b.first ? a.first < b.first : a.second->first > b.second->first;
+    }
+  };
 
   const reference::Reference& reference_;
   Eigen::Index columns_, kept_;
   double end_, bound_ = 0.0;
   std::map<double, Vec> values_{};
-  Vec range_{};
+  std::priority_queue<std::pair<double, Place>, std::vector<std::pair<double, Place>>, IsLessUrgent>
+      waiting_{};
+  Vec low_{}, high_{};  // of the values so far
 };
 
 using Path = std::map<double, Vec>;
@@ -116,11 +164,12 @@ SampledColumns motion_along(const Scene& scene, const Path& path, const std::vec
 
 }  // namespace
 
-SampledSolution sample_solution(const Scene& scene, const reference::Reference& reference) {
+SampledSolution sample_solution(const Scene& scene, const reference::Reference& reference,
+                                const SampleLimits& limits) {
   const auto& names = scene.outputs.names;
-  const auto shown = std::min<Eigen::Index>(std::ssize(names), most_columns);
+  const auto shown = std::min<Eigen::Index>(std::ssize(names), limits.columns);
   const bool needs_all = scene.energy || scene.reactions || !scene.display_path.names.empty();
-  const Samples samples(reference, shown, needs_all ? std::ssize(names) : shown, scene.problem.end);
+  const Samples samples(scene, reference, shown, needs_all ? std::ssize(names) : shown, limits.times);
   const Path& path = samples.values();
   SampledSolution solution{.columns = columns_along(path, {names.begin(), names.begin() + shown},
                                                     [](double, In columns) -> Vec { return columns; }),

@@ -20,8 +20,10 @@
 #include "fdebench/benchmarks/external/shell_command.hpp"
 #include "fdebench/benchmarks/external/temporary_file.hpp"
 #include "fdebench/benchmarks/files/atomic_file.hpp"
+#include "fdebench/benchmarks/measures/error_kind.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
+#include "fdebench/reports/analysis/compared_columns.hpp"
 #include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/command_line.hpp"
@@ -36,7 +38,7 @@ namespace {
 struct PlotArguments {
   SceneArguments scene;
   std::string kind, out;
-  std::optional<std::string> results, columns;
+  std::optional<std::string> results, columns, scale;
   std::vector<std::string> schemes;
 };
 
@@ -78,6 +80,7 @@ void check(const PlotArguments& arguments, const FigureKind& kind) {
   const auto& out = arguments.out;
   if (!out.ends_with(".svg") && !out.ends_with(".pdf") && !out.ends_with(".vl.json"))
     throw std::invalid_argument(fmt::format("--out = {}: must end in .svg, .pdf or .vl.json", out));
+  if (arguments.scale) parse_scale(*arguments.scale);
   const bool measured = kind.of == FigureData::runs || kind.of == FigureData::drifts;
   if (measured && !arguments.results) {
     throw std::invalid_argument(
@@ -86,6 +89,10 @@ void check(const PlotArguments& arguments, const FigureKind& kind) {
   if (!arguments.schemes.empty() && kind.of == FigureData::solution) {
     throw std::invalid_argument(fmt::format("--scheme = {}: --kind {} draws no schemes: must not be given",
                                             arguments.schemes.front(), kind.name));
+  }
+  if (arguments.scale && kind.of != FigureData::runs) {
+    throw std::invalid_argument(fmt::format("--scale = {}: --kind {} draws no errors: must not be given",
+                                            *arguments.scale, kind.name));
   }
   if (arguments.columns && !kind.depends_on_columns_only) {
     throw std::invalid_argument(
@@ -98,7 +105,10 @@ nlohmann::json data_of_results(const PlotArguments& arguments, const FigureKind&
   const auto& results = *arguments.results;
   ReadRuns read = read_runs(results);
   warn(streams, read.warning);
-  const auto scene = recorded_scene(read.runs, results, arguments.scene, known);
+  // A figure of drifts has all formulations of the scene.
+  const auto* any = kind.of == FigureData::drifts ? "formulation" : "";
+  const auto scene = recorded_scene(read.runs, results, arguments.scene, known, any);
+  if (kind.of == FigureData::runs) warn(streams, not_compared_text(read.runs, scene));
   return kind.of == FigureData::runs ? data_of_runs(std::move(read), scene)
                                      : data_of_drifts(std::move(read), scene);
 }
@@ -111,7 +121,7 @@ nlohmann::json data_of(const PlotArguments& arguments, const FigureKind& kind, c
     case FigureData::drifts:
       return data_of_results(arguments, kind, streams, known);
     case FigureData::solution:
-      return data_of_solutions(read_variants(scene, settings, known));
+      return data_of_solutions(read_variants(scene, settings, known), arguments.columns.has_value());
     case FigureData::regions:
       return data_of_regions(read_variant(arguments.scene, known));
   }
@@ -142,6 +152,22 @@ std::vector<std::string> columns_in(const PlotArguments& arguments, const Figure
   return names;
 }
 
+// Throws std::invalid_argument if a requested column is none of what is known of the solution over time.
+void require_columns(const std::vector<std::string>& requested, const nlohmann::json& section) {
+  const auto& solution = section.contains("family")     ? section["family"]["members"].front()["solution"]
+                         : section.contains("solution") ? section["solution"]
+                                                        : section;
+  std::vector<std::string> known = solution.value("columns", std::vector<std::string>());
+  for (const auto* part : {"energy", "reactions", "motion"}) {
+    if (!solution.contains(part) || !solution[part].contains("values")) continue;
+    for (const std::string name : solution[part]["columns"]) known.push_back(name);
+  }
+  for (const auto& name : requested) {
+    if (std::ranges::find(known, name) == known.end())
+      reject_text("--columns", name, fmt::format("of {}", fmt::join(known, ", ")));
+  }
+}
+
 // The first line that is not blank.
 std::string first_line_of(const std::filesystem::path& file) {
   std::ifstream stream(file);
@@ -159,6 +185,9 @@ void draw(const std::string& program, const std::string& command, const std::fil
   const auto end = run_command(command, argument.string(), said.descriptor(), complained.descriptor(),
                                {most_seconds, most_bytes});
   if (end.status == CommandResult::Status::exited && end.code == 0) return;
+  constexpr int not_found = 127;  // of a shell
+  if (end.code == not_found)
+    throw std::invalid_argument(fmt::format("{}: {} draws figures, and is not installed", out, program));
   const auto complaint = first_line_of(complained.path());
   throw std::invalid_argument(fmt::format(
       "{}: cannot be drawn by {}: {}", out, program,
@@ -181,6 +210,7 @@ std::filesystem::path figure(const PlotArguments& arguments, const FigureKind& k
                              const SceneRegistry& known) {
   const auto data = data_of(arguments, kind, streams, known);
   require_schemes(arguments.schemes, schemes_in(data));
+  require_columns(columns, data["sections"].front());
   const bool several = data["sections"].front().contains("family");
   if (several && kind.family.empty())
     throw std::invalid_argument(fmt::format("--kind = {}: one value of each parameter", kind.name));
@@ -188,17 +218,19 @@ std::filesystem::path figure(const PlotArguments& arguments, const FigureKind& k
   const bool on_paper = arguments.out.ends_with(".pdf");
   const TemporaryFile script(".cjs"), request(".json"), drawn(".svg");
   script.write(assets::plot());
-  request.write(nlohmann::json{{"data", data},
-                               {"charts", assets::charts()},
-                               {"chart", several ? kind.family : kind.chart},
-                               {"kind", "error_maximum_mixed"},
-                               {"columns", columns},
-                               {"schemes", arguments.schemes},
-                               {"vega", assets::vega()},
-                               {"out", on_paper ? drawn.path().string() : out.string()}}
-                    .dump());
+  request.write(
+      nlohmann::json{{"data", data},
+                     {"charts", assets::charts()},
+                     {"chart", several ? kind.family : kind.chart},
+                     {"kind", error_measure({.scale = parse_scale(arguments.scale.value_or("mixed"))})},
+                     {"columns", columns},
+                     {"schemes", arguments.schemes},
+                     {"vega", assets::vega()},
+                     {"out", on_paper ? drawn.path().string() : out.string()}}
+          .dump());
   const TemporaryFile said(".txt");
-  draw("node", fmt::format("node '{}'", script.path().string()), request.path(), arguments.out, said);
+  draw("node of Debian's nodejs", fmt::format("node '{}'", script.path().string()), request.path(),
+       arguments.out, said);
   if (on_paper) print_on_paper(drawn.path(), arguments.out);
   return out;
 }
@@ -226,6 +258,10 @@ void add_plot_command(CommandLine& program, const Streams& streams, const SceneR
   command.option("--results", arguments->results, "results file; kinds that draw no runs do not read it")
       .takes("FILE")
       .completed_by(Completion::results);
+  command
+      .option("--scale", arguments->scale, "what an error is divided by: 1, |y|, 1 + |y| or the largest |y|")
+      .takes("SCALE", scale_names())
+      .usual("mixed");
   command.list("--scheme", arguments->schemes, "id of a scheme to draw")
       .takes("ID")
       .usual("all")

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -21,17 +22,20 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_members = 24;  // of a family in one chart
-constexpr int points = 48;                // of a stability curve
+constexpr std::ptrdiff_t most_times = 8000;
+constexpr int points = 48;  // of a stability curve
 
 json page_of(json section) {
   return {{"lines", json::array()}, {"kinds", json::array()}, {"sections", {std::move(section)}}};
 }
 
-json solution(const SceneVariant& of) {
+json solution(const SceneVariant& of, bool with_all_columns) {
+  SampleLimits limits{.times = most_times};
+  if (with_all_columns) limits.columns = std::numeric_limits<Eigen::Index>::max();
   Scene scene = make_scene_unchecked(*of.maker, of.values);
   if (of.until) set_end(scene, *of.until);
   try {
-    return json_of(sample_solution(scene, reference_of(scene)));
+    return json_of(sample_solution(scene, reference_of(scene), limits));
   } catch (const std::runtime_error& none) {
     throw std::invalid_argument(fmt::format("{}: has no reference to draw: {}", of.label(), none.what()));
   }
@@ -52,8 +56,8 @@ std::string parameter_of(const std::vector<SceneVariant>& scenes) {
 }
 
 // Of a family over the parameter.
-json member(const SceneVariant& of, const std::string& parameter) {
-  json made{{"value", to_text(of.values.at(parameter))}, {"solution", solution(of)}};
+json member(const SceneVariant& of, const std::string& parameter, bool with_all_columns) {
+  json made{{"value", to_text(of.values.at(parameter))}, {"solution", solution(of, with_all_columns)}};
   for (const auto& [name, limit] : make_scene_unchecked(*of.maker, of.values).discontinuities)
     if (name == parameter) made["limits"].push_back(limit);
   return made;
@@ -73,8 +77,7 @@ json data_of_runs(ReadRuns read, const SceneSettings& scene) {
   return data;
 }
 
-json data_of_drifts(ReadRuns read, SceneSettings scene) {
-  scene.values.erase("formulation");
+json data_of_drifts(ReadRuns read, const SceneSettings& scene) {
   PageInput page{.sessions = std::move(read.sessions), .names = LineNames::of_several_scenes(read.runs)};
   page.runs = std::move(read.runs);
   for (const auto& constrained : constrained_scenes(page.runs)) {
@@ -88,11 +91,11 @@ json data_of_drifts(ReadRuns read, SceneSettings scene) {
       fmt::format("--results: has no run of {} with a drift from constraints", label_of(scene)));
 }
 
-json data_of_solutions(const std::vector<SceneVariant>& scenes) {
+json data_of_solutions(const std::vector<SceneVariant>& scenes, bool with_all_columns) {
   const auto& first = scenes.front();
   json section{{"id", section_of(first.key())}, {"title", with_settings(first.maker->title, first.key())}};
   if (scenes.size() == 1) {
-    section["solution"] = solution(first);
+    section["solution"] = solution(first, with_all_columns);
     return page_of(std::move(section));
   }
   if (scenes.size() > most_members) {
@@ -101,7 +104,7 @@ json data_of_solutions(const std::vector<SceneVariant>& scenes) {
   }
   const auto parameter = parameter_of(scenes);
   json members = json::array();
-  for (const auto& scene : scenes) members.push_back(member(scene, parameter));
+  for (const auto& scene : scenes) members.push_back(member(scene, parameter, with_all_columns));
   section["family"] = {{"parameter", parameter}, {"members", std::move(members)}};
   return page_of(std::move(section));
 }

@@ -16,10 +16,10 @@ namespace fde::bench {
 nlohmann::json data_of_runs(ReadRuns read, const SceneSettings& scene);
 
 // The drifts of a scene in all its formulations.
-nlohmann::json data_of_drifts(ReadRuns read, SceneSettings scene);
+nlohmann::json data_of_drifts(ReadRuns read, const SceneSettings& scene);
 
 // The reference solution; for several scenes a family over the one parameter in which they differ.
-nlohmann::json data_of_solutions(const std::vector<SceneVariant>& scenes);
+nlohmann::json data_of_solutions(const std::vector<SceneVariant>& scenes, bool with_all_columns);
 
 // The stability regions of all schemes for the order of the scene.
 nlohmann::json data_of_regions(const SceneVariant& of);

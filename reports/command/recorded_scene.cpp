@@ -14,10 +14,15 @@
 namespace fde::bench {
 namespace {
 
-std::set<SceneSettings> scenes_of(const Runs& runs) {
+SceneSettings without(const std::string& parameter, SceneSettings scene) {
+  scene.values.erase(parameter);
+  return scene;
+}
+
+std::set<SceneSettings> scenes_of(const Runs& runs, const std::string& any) {
   std::set<SceneSettings> scenes;
   for (const auto* some : {&runs.finished, &runs.failed})
-    for (const auto& run : *some) scenes.insert(run.key.scene);
+    for (const auto& run : *some) scenes.insert(without(any, run.key.scene));
   return scenes;
 }
 
@@ -46,11 +51,11 @@ std::optional<SceneSettings> known_scene(const std::set<SceneSettings>& scenes,
 }  // namespace
 
 SceneSettings recorded_scene(const Runs& runs, const std::string& results, const SceneArguments& arguments,
-                             const SceneRegistry& known) {
-  const auto scenes = scenes_of(runs);
-  const auto unread = read_settings(arguments.scene, arguments.settings);
+                             const SceneRegistry& known, const std::string& any) {
+  const auto scenes = scenes_of(runs, any);
+  const auto unread = without(any, read_settings(arguments.scene, arguments.settings));
   const auto found_scene = known_scene(scenes, arguments, unread, known);
-  const SceneSettings& requested = found_scene ? *found_scene : unread;
+  const SceneSettings requested = found_scene ? without(any, *found_scene) : unread;
   std::vector<SceneSettings> found;
   const SceneSettings* other = nullptr;
   for (const auto& scene : scenes) {

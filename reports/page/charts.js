@@ -49,8 +49,8 @@ function lineChannels(lines, points) {
 
 const picked = { name: "picked", select: { type: "point", fields: ["line"] }, bind: "legend" };
 
-// Lines through the points of each scheme, by default in the order of their steps; hovering shows a point's words.
-function lineLayers(encoding, lines, points, field = "steps") {
+// Lines through the points of each scheme, by default in the order of their resolution; hovering shows a point's words.
+function lineLayers(encoding, lines, points, field = "rank") {
   const channels = lineChannels(lines, points);
   const all = { ...encoding, ...channels.colour };
   return [

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// How far the formulations of a scene stray from its constraints: a colour for each formulation.
+// How far the formulations of a scene stray from its constraints: a colour for each formulation, and a shape and dashes for each scheme;
+// with one formulation a colour for each scheme.
 
-function formulationChannels(points) {
-  const names = [...new Set(points.map(({ formulation }) => formulation))];
-  const scale = (range) => ({ domain: names, range: names.map((_, i) => range[i % range.length]) });
-  const legend = names.length > 1 ? { orient: "bottom", title: null, symbolOpacity: 1 } : null;
-  return {
-    color: { field: "formulation", type: "nominal", scale: scale(colours), legend },
-    shape: { field: "formulation", type: "nominal", scale: scale(shapes), legend },
+function driftChannels(points) {
+  const channel = (field, values, ofLine) => {
+    const names = [...new Set(points.map((point) => point[field]))];
+    const range = ofLine && field === "line" ? names.map((line) => ofLine(names, line)) : values;
+    const legend = names.length > 1 ? { orient: "bottom", title: null, symbolOpacity: 1, labelLimit: 260, columns: { expr: "clamp(floor(containerSize()[0] / 200), 1, 3)" } } : null;
+    return { field, type: "nominal", scale: { domain: names, range: names.map((_, i) => range[i % range.length]) }, legend };
   };
+  const count = (field) => new Set(points.map((point) => point[field])).size;
+  if (count("formulation") < 2) return { color: channel("line", colours, colourOf), shape: channel("line", shapes, shapeOf), strokeDash: channel("line", dashes) };
+  const by = count("line") > 1 ? "line" : "formulation";
+  return { color: channel("formulation", colours), shape: channel(by, shapes, shapeOf), strokeDash: channel(by, dashes) };
 }
 
 const wordsOfDrift = ({ formulation, line, steps, h, t, drift }) => ({
@@ -18,12 +22,12 @@ const wordsOfDrift = ({ formulation, line, steps, h, t, drift }) => ({
 function driftChart(id, title, description, field, of, points) {
   const labelled = points.map((point) => ({ ...point, words: wordsOfDrift(point) }));
   if (labelled.length === 0) return null;
-  const { color, shape } = formulationChannels(labelled);
+  const { color, shape, strokeDash } = driftChannels(labelled);
   const encoding = { x: logAxis(labelled, field, of, labels.number), y: logAxis(labelled, "drift", "drift", labels.number), color, detail: [{ field: "line" }, { field: "formulation" }] };
   return {
     id, title, points: labelled, columns: ["formulation", "line", "steps", "h", "t", "drift"],
     spec: chart(description, labelled, { layer: [
-      { mark: { type: "line", strokeWidth: 1, opacity: 0.7 }, encoding: { ...encoding, order: { field } } },
+      { mark: { type: "line", strokeWidth: 1, opacity: 0.7 }, encoding: { ...encoding, strokeDash, order: { field } } },
       { mark: { type: "point", filled: true, size: 30, tooltip: { expr: "datum.words" } }, encoding: { ...encoding, shape } },
     ] }),
   };

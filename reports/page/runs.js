@@ -48,7 +48,7 @@ function wordsOf(row, coarser, kind, kinds, { parameter, made }) {
 function pointsOf(section, kind, kinds) {
   const rows = rowsOf(section.runs);
   return rows.map((row, i) => ({
-    ...row, error: row[kind.id], ratio: row[kind.id] / row.requested,
+    ...row, rank: row.requested ? -row.requested : row.steps, error: row[kind.id], ratio: row[kind.id] / row.requested,
     words: wordsOf(row, section.parameter ? undefined : rows[i - 1], kind, kinds, section),
   }));
 }

@@ -66,17 +66,34 @@ const widthOf = (svg) => Number(/width="([\d.]+)"/.exec(svg)[1]);
 const resized = (spec, width, keepsShape) => (spec.vconcat ? { ...spec, vconcat: spec.vconcat.map((panel) => ({ ...panel, width })) }
   : { ...spec, width, height: keepsShape ? (spec.height * width) / spec.width : spec.height });
 
-// The specification whose frame, axes and legend together are as wide as a column, and its drawing. Ticks may change with the width.
-async function fitted({ spec, keepsShape }) {
-  const draw = drawing();
+// The drawing at the width of a column; its content keeps its shape, because the viewBox stays.
+function shrunk(svg) {
+  const part = paper.width / widthOf(svg), height = Number(/height="([\d.]+)"/.exec(svg)[1]);
+  return svg.replace(/ width="[\d.]+"/, ` width="${paper.width.toFixed(1)}"`).replace(/ height="[\d.]+"/, ` height="${(height * part).toFixed(1)}"`);
+}
+
+// The specification whose frame, axes and legend together are as wide as `wanted`, and its drawing. Ticks may change with the width.
+async function drawnAs(wanted, { spec, keepsShape }, draw) {
   let svg = await draw(spec), fits = spec;
-  for (let turn = 0; turn < 4 && Math.abs(widthOf(svg) - paper.width) > 0.5; ++turn) {
-    const width = (fits.vconcat?.[0] ?? fits).width + paper.width - widthOf(svg);
+  for (let turn = 0; turn < 4 && Math.abs(widthOf(svg) - wanted) > 0.5; ++turn) {
+    const width = (fits.vconcat?.[0] ?? fits).width + wanted - widthOf(svg);
     fits = resized(fits, Math.max(width, paper.width / 3), keepsShape);
     svg = await draw(fits);
   }
+  return { spec: fits, svg };
+}
+
+// As wide as a column. What does not fit, as a long name in a legend, makes a wider drawing that is reduced as a whole.
+async function fitted(figure) {
+  const draw = drawing();
+  let drawn = await drawnAs(paper.width, figure, draw);
+  if (widthOf(drawn.svg) > paper.width + 0.5) {
+    const wanted = widthOf(drawn.svg);
+    drawn = await drawnAs(wanted, { ...figure, spec: resized(figure.spec, wanted, figure.keepsShape) }, draw);
+    return { spec: drawn.spec, svg: shrunk(drawn.svg) };
+  }
   // The last fraction of a pixel is white.
-  return { spec: fits, svg: svg.replace(/ width="[\d.]+"/, ` width="${paper.width.toFixed(1)}"`).replace(/ viewBox="0 0 [\d.]+ /, ` viewBox="0 0 ${paper.width.toFixed(1)} `) };
+  return { spec: drawn.spec, svg: drawn.svg.replace(/ width="[\d.]+"/, ` width="${paper.width.toFixed(1)}"`).replace(/ viewBox="0 0 [\d.]+ /, ` viewBox="0 0 ${paper.width.toFixed(1)} `) };
 }
 
 async function write() {

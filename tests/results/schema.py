@@ -203,6 +203,8 @@ class Page(unittest.TestCase):
                 [*each("--scene", *(f"power:gamma={gamma},p={p}" for gamma in (0.2, 0.4, 0.6, 0.8) for p in (1, 1.5, 2, 2.5, 3))),
                  *each("--scheme", "l1", "bdf2"), "--steps", "32,128"],
                 ["--scene", "relaxation", "--steps", 1, "--external", "end=echo '# language: GNU Octave 7.3.0\nt,y\n0,1\n1,0.43' #"],  # the whole process is timed
+                ["--scene", "relaxation_pair", "--scheme", "l1", "--steps", 64],
+                ["--scene", "relaxation_pair", "--steps", 1, "--external", "part=echo 't,x\n0,1\n5,0.01' #"],  # one column of two
             ]  # fmt: skip
             for words in sweeps:
                 run = fdebench("run", *words, "--repeat", 1, "--out", file)

@@ -29,8 +29,8 @@ RecordedRun complete(const RunKey& key) {
 // Near a jump the times of a solution are as dense as anywhere: rounded to the digits of the file they still
 // increase, wherever the jump is and however long the run.
 TEST(Sweeps, DescribeASolutionWithAJumpSoThatItIsReadBack) {
-  for (const double end : {30.0, 97.3, 0.013}) {
-    for (const double part : {0.031, 0.4, 0.7777, 0.999}) {
+  for (const double end : {30.0, 0.013}) {
+    for (const double part : {0.4, 0.999}) {
       const SceneVariant variant{
           .maker = &scene_maker("bagley_torvik"), .values = {{"load_until", part * end}}, .until = end};
       const Scene scene = make_scene(variant);

@@ -52,8 +52,11 @@ std::string command_with(const std::string& subcommand, const std::string& argum
       {"report", "report /dev/null --out /nonexistent"},
       {"study", "study plan /nonexistent.toml"},
       {"plot", "plot relaxation --out /nonexistent.svg"}};
-  static const std::map<std::string, std::string> needed{
-      {"solve", "--steps 8"}, {"exact", "--at 1"}, {"choose", "--error 1e-3"}, {"stability", "--gamma 0.5"}};
+  static const std::map<std::string, std::string> needed{{"solve", "--steps 8"},
+                                                         {"exact", "--at 1"},
+                                                         {"choose", "--error 1e-3"},
+                                                         {"stability", "--gamma 0.5"},
+                                                         {"plot", "--kind rate"}};
   auto text = starts.at(subcommand);
   const auto more = needed.find(subcommand);
   const bool replaces =
