@@ -178,6 +178,11 @@ Problem split_orders(const Problem& problem, const OrderSplitting& links) {
     for (Eigen::Index i = 0; i < rhs_values.size(); ++i) f[last_of(links, position, i)] = rhs_values[i];
   };
   result.jump_times = problem.jump_times;
+  if (problem.outputs) {
+    result.outputs = [outputs = problem.outputs, position](double t, In y) {
+      return outputs(t, Vec(y(position)));
+    };
+  }
   for (const auto& one : problem.switching_functions) {
     result.switching_functions.emplace_back(
         [one, position](double t, In y) { return one(t, Vec(y(position))); });
