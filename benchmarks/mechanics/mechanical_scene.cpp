@@ -49,6 +49,12 @@ PosedMotion motion_of(const Dynamics& dynamics, const PosedEquations& equations,
   motion.posed.problem = expression_problem(equations.components, equations.rhs, end, pool);
   motion.posed.problem.domain = regular_domain(dynamics, equations);
   motion.posed.outputs = outputs_of(equations, names, pool);
+  // Above order 1 the velocities and their memory follow from the state through 1 / (b.a^#).
+  if (std::ranges::find(equations.rows, RowKind::constrained, &StateRow::kind) != equations.rows.end()) {
+    motion.posed.problem.outputs = [outputs = motion.posed.outputs](double t, In y) {
+      return columns_at(outputs, t, y);
+    };
+  }
   motion.smoothness = motion_smoothness(dynamics, equations, motion.posed.problem);
   return motion;
 }

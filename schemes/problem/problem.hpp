@@ -85,6 +85,9 @@ struct Problem {
   double end = 1.0;
   // Boundary conditions residual(y(0), y(end)) = 0, as many as unknown initial values; empty: none.
   std::function<void(In at_start, In at_end, Out residual)> conditions{};
+  // Functions of the state that are wanted as accurately as y, where they may magnify its errors: schemes
+  // with adaptive step size test their errors too. Empty: none.
+  std::function<Vec(double t, In y)> outputs{};
   Domain domain{};                   // a step that leaves it has crossed a singularity
   std::vector<double> jump_times{};  // the times after 0, increasing, at which rhs jumps
   std::vector<double> kink_times{};  // those at which it is continuous, but not its derivative by t

@@ -37,6 +37,15 @@ Vec ErrorTolerance::from_tolerance(In largest, In terms) const {
   return (accuracy_.atol + accuracy_.rtol * largest.array()).max(noise(largest.array(), terms));
 }
 
+double ErrorTolerance::error_of_outputs(const Problem& problem, double t, In y, In errors, In terms) const {
+  if (!problem.outputs) return 0.0;
+  const Eigen::ArrayXd rounding = noise(y.array().abs(), terms);
+  const Vec counted = (errors.array().abs() > rounding).select(errors, 0.0);
+  const Vec outputs = problem.outputs(t, y), moved = problem.outputs(t, y + counted);
+  const Eigen::ArrayXd allowed = accuracy_.atol + accuracy_.rtol * outputs.array().abs();
+  return ((moved - outputs).array().abs() / allowed).maxCoeff();
+}
+
 void ErrorTolerance::accept_step(In largest) {
   if (largest_.size() == 0) largest_ = largest;
   largest_ = largest_.cwiseMax(largest);

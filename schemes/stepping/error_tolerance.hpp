@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fdebench/schemes/problem/archive.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/problem/resolution.hpp"
 #include "fdebench/schemes/problem/vectors.hpp"
 
@@ -32,6 +33,10 @@ class ErrorTolerance {
 
   // The allowed error without the bound by the largest |y| so far.
   [[nodiscard]] Vec from_tolerance(In largest, In terms) const;
+
+  // The largest error of Problem::outputs, in units of the tolerance, if y(t) has these errors. Those within
+  // the rounding errors of a row with these terms do not count.
+  [[nodiscard]] double error_of_outputs(const Problem& problem, double t, In y, In errors, In terms) const;
 
   // Records an accepted step with the largest |y| of each row on it.
   void accept_step(In largest);

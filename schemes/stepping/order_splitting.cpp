@@ -180,6 +180,11 @@ Problem split_orders(const Problem& problem, const OrderSplitting& links) {
   result.jump_times = problem.jump_times;
   result.kink_times = problem.kink_times;
   result.step_limits = problem.step_limits;
+  if (problem.outputs) {
+    result.outputs = [outputs = problem.outputs, position](double t, In y) {
+      return outputs(t, Vec(y(position)));
+    };
+  }
   for (const auto& one : problem.switching_functions) {
     result.switching_functions.emplace_back(
         [one, position](double t, In y) { return one(t, Vec(y(position))); });

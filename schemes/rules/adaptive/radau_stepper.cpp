@@ -77,7 +77,8 @@ Square integral_weights(double order) {
 
 RadauStepper::RadauStepper(const Problem& problem, const Tolerance& accuracy, const Options& options,
                            Run& run, double shortest)
-    : taylor_(problem),
+    : problem_(problem),
+      taylor_(problem),
       allowed_(accuracy),
       matrix_(make_stage_matrix(problem)),
       weights_(static_cast<std::size_t>(problem.size())),
@@ -185,7 +186,7 @@ RadauStepper::Values RadauStepper::effect_of(const Vec& defects) const {
 Vec RadauStepper::answer_to(const Values& effect) const {
   Vec answered = effect.reshaped();
   matrix_->solve(answered);
-  return answered.tail(y_.rows()).cwiseAbs();
+  return answered.tail(y_.rows());
 }
 
 // An algebraic unknown may have the error that changes no other row on the step by more than a part of its
@@ -215,8 +216,8 @@ Vec RadauStepper::limits_of_rows() const {
   const Vec largest = y_.cwiseAbs().rowwise().maxCoeff().cwiseMax(previous_.cwiseAbs());
   const Vec terms = known_.cwiseAbs().rowwise().maxCoeff();
   if (!rhs_error_.is_measured()) return allowed_.on_step(largest, terms);
-  return allowed_.on_step(largest, largest, terms, answer_to(effect_of(rhs_error_.all())))
-      .cwiseMax(answer_to(effect_of(rhs_error_.rounding())));
+  return allowed_.on_step(largest, largest, terms, answer_to(effect_of(rhs_error_.all())).cwiseAbs())
+      .cwiseMax(answer_to(effect_of(rhs_error_.rounding())).cwiseAbs());
 }
 
 void RadauStepper::measure_rhs_error(Run& run) {
@@ -293,7 +294,8 @@ double RadauStepper::error(Run& run) {
   for (Eigen::Index r = 0; r < y_.rows(); ++r)
     if (!std::isfinite(defects[r])) defects[r] = derivatives_(r, 0) - derivatives_(r, stages - 1);
   const Values effect = effect_of(part_of_defect * defects);
-  Vec answered = answer_to(effect);
+  const Vec signed_errors = answer_to(effect);
+  Vec answered = signed_errors.cwiseAbs();
   for (Eigen::Index r = 0; r < y_.rows(); ++r) {
     if (rows_[static_cast<std::size_t>(r)]) continue;
     const double defect = previous_[r] - y_.row(r).dot(to_powers().row(0));
@@ -301,8 +303,10 @@ double RadauStepper::error(Run& run) {
     answered[r] =
         steps_since_jump_ > 1 ? std::max(answered[r], part_of_algebraic_defect * std::abs(defect)) : 0.0;
   }
+  const double of_outputs = allowed_.error_of_outputs(problem_, next_, result_, signed_errors,
+                                                      known_.cwiseAbs().rowwise().maxCoeff());
   const auto largest = [&](const Vec& limit) {
-    double error = 0.0;
+    double error = of_outputs;
     for (Eigen::Index r = 0; r < y_.rows(); ++r)
       if (answered[r] != 0.0) error = std::max(error, answered[r] / limit[r]);
     return error;

@@ -73,6 +73,7 @@ class RadauStepper final : public AdaptiveStepper {
   [[nodiscard]] Vec limits() const override;
   [[nodiscard]] Vec limits_of_rows() const;
 
+  const Problem& problem_;
   TaylorPart taylor_;
   ErrorTolerance allowed_;
   std::vector<Kernel> kernels_;

@@ -187,13 +187,15 @@ double TrapezoidalStepper::error(Run& run, const Vec& of_f) {
   };
   const auto largest_error = [&] {
     double result = 0.0;
+    Vec sums = answered;
     for (Eigen::Index i = 0; i < limit_.size(); ++i) {
       if (answered[i] == 0.0) continue;
       const auto [by_now, by_end] = accumulation(orders_[i]);  // a
+      sums[i] = std::copysign(sum(answered[i], by_now, i), answered[i]);
       result = std::max(
           {result, sum(answered[i], by_now, i) / limit_[i], sum(answered[i], by_end, i) / limit_of_all[i]});
     }
-    return result;
+    return std::max(result, allowed_.error_of_outputs(problem_, next_.t, y_, sums, terms));
   };
   const auto effect_of = [&](const Vec& rhs_errors, bool at_end) {
     Vec effect = unit.cwiseProduct(rhs_errors);

@@ -244,7 +244,15 @@ Vec PanelCollocation::errors_by_degree(const TimeBlock& panel, const PanelSystem
     for (Eigen::Index i = 0; i < allowed.size(); ++i)
       effects.col(i) = effects.col(i).cwiseMin(of_rows.col(i).cwiseAbs() / allowed[i]);
   }
-  return effects.rowwise().maxCoeff();
+  Vec largest = effects.rowwise().maxCoeff();
+  for (Eigen::Index degree = largest.size() - 2; problem_.outputs && degree < largest.size(); ++degree) {
+    const Vec errors = Vec::NullaryExpr(allowed.size(), [&](Eigen::Index i) {
+      const auto unknown = integrated.rows[static_cast<std::size_t>(i)].unknown;
+      return std::copysign(effects(degree, i) * allowed[i], of_unknowns(degree, unknown));
+    });
+    largest[degree] = std::max(largest[degree], solver_.error_of_outputs(task, solved.rows, errors));
+  }
+  return largest;
 }
 
 // In a row of an order above 1 an error of x_k on the first panel acts as an error of the velocity, whose

@@ -66,6 +66,15 @@ class PanelSolver {
   // more than its limit: at an early time t a multiplier can be found up to 1/t of that only.
   [[nodiscard]] Vec error_limits(const PanelSystem& task, const Matrix& rows) const;
 
+  // The error of Problem::outputs at the end of a panel, in units of the tolerance, for these errors of the
+  // rows.
+  [[nodiscard]] double error_of_outputs(const PanelSystem& task, const Matrix& rows,
+                                        const Vec& errors) const {
+    const Eigen::Index last = rows.rows() - 1;
+    return allowed_.error_of_outputs(problem_, task.times[last], values_at(rows, last), errors,
+                                     task.term_sizes);
+  }
+
   // Measures the rounding errors of f on a panel, which error_limits() and solve() take into account from now
   // on: to be called where a panel is rejected.
   void measure_rhs_error(Run& run, const PanelSystem& task, const Matrix& rows);
