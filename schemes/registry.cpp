@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fdebench/schemes/stepping/grid_jumps.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
@@ -104,7 +105,9 @@ const Scheme* find_scheme(std::string_view id) {
 Solve on_grid(GridSolve solve) {
   return [solve = std::move(solve)](const Problem& problem, const Resolution& resolution,
                                     const Options& options) {
-    return solve(problem, std::get<Grid>(resolution), options);
+    const Grid& grid = std::get<Grid>(resolution);
+    const GridJumps jumps(problem, grid);
+    return jumps.empty() ? solve(problem, grid, options) : solve(jumps.with_means(problem), grid, options);
   };
 }
 

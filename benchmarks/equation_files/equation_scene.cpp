@@ -66,12 +66,13 @@ void set_domain(Scene& scene, const DomainText& text, const std::vector<SystemCo
                 FileFormulas& formulas) {
   const auto margin = formulas.read(text.positive, variables_of(columns, formulas, true));
   const Program program(formulas.pool(), {margin}, std::ssize(columns));
-  const auto of_outputs = [&](const Outputs& outputs) -> Domain {
-    return {text.edge, [program, outputs](double t, In y) { return program(t, columns_at(outputs, t, y)); }};
+  const auto restrict_to = [&](Domain& domain, const Outputs& outputs) {
+    domain.edge = domain.edge.empty() ? text.edge : text.edge + ", or " + domain.edge;
+    domain.margin = [program, outputs](double t, In y) { return program(t, columns_at(outputs, t, y)); };
   };
-  scene.problem.domain = of_outputs(scene.outputs);
+  restrict_to(scene.problem.domain, scene.outputs);
   if (scene.reference_problem)
-    scene.reference_problem->problem.domain = of_outputs(scene.reference_problem->outputs);
+    restrict_to(scene.reference_problem->problem.domain, scene.reference_problem->outputs);
 }
 
 // Marks rows as not measured that are not columns, if all columns are rows.

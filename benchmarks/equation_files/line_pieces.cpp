@@ -11,7 +11,10 @@ bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0U
 // The characters of a file, with their positions.
 class FileCursor {
  public:
-  FileCursor(std::string_view text, int line) : text_(text), position_{line, 1} {}
+  FileCursor(std::string_view text, int line) : text_(text), position_{line, 1} {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (is_at(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+  }
 
   [[nodiscard]] TextPosition position() const { return position_; }
   [[nodiscard]] bool is_at(std::string_view expected) const { return text_.starts_with(expected); }
@@ -56,7 +59,7 @@ std::size_t length_of_escape(const FileCursor& cursor) {
 
 std::vector<LinePiece> line_pieces(std::string_view lines, TextPosition opening, std::string_view value) {
   FileCursor cursor(lines, opening.line);
-  while (cursor.position().column < opening.column) cursor.advance();
+  for (int column = 1; column < opening.column; ++column) cursor.advance();
   const bool is_basic = cursor.is_at("\"");
   const bool has_lines = cursor.is_at("\"\"\"") || cursor.is_at("'''");
   cursor.advance(has_lines ? 3 : 1);

@@ -18,7 +18,8 @@ constexpr std::array norms{std::pair{Norm::end, std::string_view("end")},
                            std::pair{Norm::maximum, std::string_view("maximum")}};
 constexpr std::array scales{std::pair{Scale::absolute, std::string_view("absolute")},
                             std::pair{Scale::relative, std::string_view("relative")},
-                            std::pair{Scale::mixed, std::string_view("mixed")}};
+                            std::pair{Scale::mixed, std::string_view("mixed")},
+                            std::pair{Scale::peak, std::string_view("peak")}};
 
 template <class Names, class Value>
 std::string_view name_in(const Names& names, Value one) {
@@ -52,6 +53,12 @@ Rows relative_divisors(const std::vector<double>& times, const Rows& reference) 
   return (of.array() > 0.0).select(of, std::numeric_limits<double>::infinity());
 }
 
+Rows peak_divisors(const Rows& reference) {
+  const Vec peaks = reference.cwiseAbs().rowwise().maxCoeff();
+  const Vec of = (peaks.array() > 0.0).select(peaks, std::numeric_limits<double>::infinity());
+  return of.replicate(1, reference.cols());
+}
+
 }  // namespace
 
 std::string_view name(Norm norm) { return name_in(norms, norm); }
@@ -65,8 +72,14 @@ Norm parse_norm(std::string_view text) {
 
 Scale parse_scale(std::string_view text) {
   const auto* found = std::ranges::find(scales, text, &decltype(scales)::value_type::second);
-  if (found == scales.end()) reject_text("--scale", text, "absolute, relative or mixed");
+  if (found == scales.end()) reject_text("--scale", text, "absolute, relative, mixed or peak");
   return found->first;
+}
+
+std::vector<std::string> scale_names() {
+  std::vector<std::string> names;
+  for (const auto& [scale, name] : scales) names.emplace_back(name);
+  return names;
 }
 
 Rows divisors(Scale scale, const std::vector<double>& times, const Rows& reference) {
@@ -77,6 +90,8 @@ Rows divisors(Scale scale, const std::vector<double>& times, const Rows& referen
       return relative_divisors(times, reference);
     case Scale::mixed:
       return (1.0 + reference.array().abs()).matrix();
+    case Scale::peak:
+      return peak_divisors(reference);
   }
   throw std::logic_error("a scale without divisors");
 }

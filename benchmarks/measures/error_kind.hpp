@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,8 +15,11 @@ namespace fde::bench {
 // The divisor of the error e of a value with reference r. Relative: |r|, but at least a thousandth of its
 // maximum over [0.9 t, t], for a reference that passes through 0 at t; errors are left out if that maximum is
 // 0. Mixed: 1 + |r|, the scale of mescd, the significant digits of the IVP test set (Bari) and FDE-Testset
-// (Brugnano et al. 2025).
-enum class Scale { absolute, relative, mixed };
+// (Brugnano et al. 2025). Peak: the largest |r| of the column over all compared times, which does not depend
+// on the unit; errors of a column that is 0 at all times are left out.
+enum class Scale { absolute, relative, mixed, peak };
+
+inline constexpr std::array error_scales{Scale::absolute, Scale::relative, Scale::mixed, Scale::peak};
 
 // The norm in time, at the end or the maximum over all times, and the scale.
 struct ErrorKind {
@@ -28,35 +32,38 @@ struct ErrorKind {
 // All combinations of norm and scale.
 inline constexpr std::array error_kinds{
     ErrorKind{Norm::end, Scale::absolute},     ErrorKind{Norm::end, Scale::relative},
-    ErrorKind{Norm::end, Scale::mixed},        ErrorKind{Norm::maximum, Scale::absolute},
-    ErrorKind{Norm::maximum, Scale::relative}, ErrorKind{Norm::maximum, Scale::mixed}};
+    ErrorKind{Norm::end, Scale::mixed},        ErrorKind{Norm::end, Scale::peak},
+    ErrorKind{Norm::maximum, Scale::absolute}, ErrorKind{Norm::maximum, Scale::relative},
+    ErrorKind{Norm::maximum, Scale::mixed},    ErrorKind{Norm::maximum, Scale::peak}};
 
-// "end", "maximum"; "absolute", "relative", "mixed"; and the inverses, which throw std::invalid_argument
-// naming the command-line option and what is allowed.
+// "end", "maximum"; "absolute", "relative", "mixed", "peak"; and the inverses, which throw
+// std::invalid_argument naming the command-line option and what is allowed.
 std::string_view name(Norm norm);
 std::string_view name(Scale scale);
 Norm parse_norm(std::string_view text);
 Scale parse_scale(std::string_view text);
+std::vector<std::string> scale_names();
 
 // The id of the measure of this error, "error_end", "error_maximum_mixed", ..., and of its constant-solution
 // baseline, "baseline_end", ...
 constexpr std::string_view error_measure(const ErrorKind& kind) {
   constexpr std::array<std::string_view, error_kinds.size()> ids{
-      "error_end",     "error_end_relative",     "error_end_mixed",
-      "error_maximum", "error_maximum_relative", "error_maximum_mixed"};
+      "error_end",     "error_end_relative",     "error_end_mixed",     "error_end_peak",
+      "error_maximum", "error_maximum_relative", "error_maximum_mixed", "error_maximum_peak"};
   return ids[static_cast<std::size_t>(std::ranges::find(error_kinds, kind) - error_kinds.begin())];
 }
 constexpr std::string_view baseline_measure(const ErrorKind& kind) {
   constexpr std::array<std::string_view, error_kinds.size()> ids{
-      "baseline_end",     "baseline_end_relative",     "baseline_end_mixed",
-      "baseline_maximum", "baseline_maximum_relative", "baseline_maximum_mixed"};
+      "baseline_end",     "baseline_end_relative",     "baseline_end_mixed",     "baseline_end_peak",
+      "baseline_maximum", "baseline_maximum_relative", "baseline_maximum_mixed", "baseline_maximum_peak"};
   return ids[static_cast<std::size_t>(std::ranges::find(error_kinds, kind) - error_kinds.begin())];
 }
 
 // The id of the measure of the variation that a maximum over the steps of a grid misses (TotalVariation).
 constexpr std::string_view unresolved_measure(Scale scale) {
-  constexpr std::array<std::string_view, 3> ids{"unresolved_maximum", "unresolved_maximum_relative",
-                                                "unresolved_maximum_mixed"};
+  constexpr std::array<std::string_view, error_scales.size()> ids{
+      "unresolved_maximum", "unresolved_maximum_relative", "unresolved_maximum_mixed",
+      "unresolved_maximum_peak"};
   return ids.at(static_cast<std::size_t>(scale));
 }
 

@@ -40,9 +40,10 @@ template <Scale scale>
 Value unresolved(const FinishedRun& run) {
   constexpr std::size_t kind =
       std::ranges::find(error_kinds, ErrorKind{Norm::maximum, scale}) - error_kinds.begin();
-  const Value& variation = run.observed.unresolved.at(static_cast<std::size_t>(scale));
-  if (!has_reference(run) || !variation) return std::nullopt;
-  return *variation > *error<kind>(run) ? variation : std::nullopt;
+  const Vec& variation = run.observed.unresolved.at(static_cast<std::size_t>(scale));
+  if (!has_reference(run) || variation.size() == 0) return std::nullopt;
+  const double largest = variation.maxCoeff();
+  return largest > *error<kind>(run) ? Value(largest) : std::nullopt;
 }
 
 template <Scale scale>
@@ -53,7 +54,10 @@ constexpr auto rows_of_kinds(std::index_sequence<kind...> /*kinds*/) {
   return std::array{
       Measure{.id = error_measure(error_kinds[kind]), .value = error<kind>, .error = error_kinds[kind]}...,
       Measure{.id = baseline_measure(error_kinds[kind]), .value = baseline<kind>}...,
-      unresolved_row<Scale::absolute>, unresolved_row<Scale::relative>, unresolved_row<Scale::mixed>};
+      unresolved_row<Scale::absolute>,
+      unresolved_row<Scale::relative>,
+      unresolved_row<Scale::mixed>,
+      unresolved_row<Scale::peak>};
 }
 
 Value digits(const FinishedRun& run) {

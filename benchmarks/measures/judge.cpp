@@ -49,6 +49,12 @@ Assessment judge_finished(const Trajectory& path, const Rows& values, const Refe
   return {{overflows ? Verdict::overflow : Verdict::accuracy_lost, at_time(observed.grid, t)}, t};
 }
 
+// The errors of a scene with one column need no record of their own.
+void take_column_errors(const FinishedRun& run, const ComparedColumns& compared, Assessment& judgement) {
+  if (judgement.measured.empty() || (compared.names.size() < 2 && !compared.is_part)) return;
+  judgement.columns = column_errors(run, compared.names, compared.is_part);
+}
+
 void take_measures(const FinishedRun& run, Assessment& judgement) {
   for (const auto* measure : measures()) {
     const auto value = measure->value(run);
@@ -63,11 +69,13 @@ void take_measures(const FinishedRun& run, Assessment& judgement) {
 }
 
 Assessment judge_values(const Trajectory& path, const Rows& values, MemoizedReference& reference,
-                        const RunObservations& observed) {
+                        const RunObservations& observed, const ComparedColumns& compared) {
   const ReferenceAtTimes known = reference_at_times(path, reference);
   Assessment judgement = judge_finished(path, values, known, observed);
-  if (known.reference.allFinite())
-    take_measures({path, values, known.reference, known.bounds, observed}, judgement);
+  if (!known.reference.allFinite()) return judgement;
+  const FinishedRun run{path, values, known.reference, known.bounds, observed};
+  take_measures(run, judgement);
+  if (known.reference.cols() > 0) take_column_errors(run, compared, judgement);
   return judgement;
 }
 
@@ -81,12 +89,12 @@ Assessment judge(const Scene& scene, const Trajectory& path, MemoizedReference& 
 Assessment judge(const Scene& scene, const Trajectory& path, const Rows& columns,
                  MemoizedReference& reference, const RunObservations& observed) {
   if (path.status != SolveStatus::finished) return judge_stopped(scene, path, reference);
-  return judge_values(path, columns, reference, observed);
+  return judge_values(path, columns, reference, observed, {.names = scene.outputs.names});
 }
 
 Assessment judge_columns(const std::vector<double>& times, const Rows& columns, MemoizedReference& reference,
-                         const RunObservations& observed) {
-  return judge_values({.times = times, .y = columns}, columns, reference, observed);
+                         const RunObservations& observed, const ComparedColumns& compared) {
+  return judge_values({.times = times, .y = columns}, columns, reference, observed, compared);
 }
 
 }  // namespace fde::bench

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/measures/column_errors.hpp"
 #include "fdebench/benchmarks/measures/measures.hpp"
 #include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
@@ -15,6 +17,7 @@ struct Assessment {
   RunOutcome ending{};
   double end_time = 0.0;  // time at which it stopped or lost its accuracy; otherwise the end
   std::vector<MeasuredValue> measured{};
+  ColumnErrors columns{};
 };
 
 // Judges a trajectory of the scene, with at least one time, by the scene's reference. There are no measures
@@ -28,8 +31,13 @@ Assessment judge(const Scene& scene, const Trajectory& path, const Rows& columns
                  MemoizedReference& reference, const RunObservations& observed);
 
 // The same for the columns of the scene at given times, one column a time, such as the output of another
-// program. The run counts as finished.
+// program. The run counts as finished. `compared`: names of the columns, if their errors are wanted one by
+// one.
+struct ComparedColumns {
+  std::vector<std::string> names{};
+  bool is_part = false;  // the scene has other columns, too
+};
 Assessment judge_columns(const std::vector<double>& times, const Rows& columns, MemoizedReference& reference,
-                         const RunObservations& observed = {});
+                         const RunObservations& observed = {}, const ComparedColumns& compared = {});
 
 }  // namespace fde::bench

@@ -24,7 +24,7 @@ struct RunObservations {
   std::optional<double> energy_residual{};                             // from EnergyObserver
   std::optional<Drift> internal_drift{}, independent_drift{};          // from DriftObserver
   std::optional<double> expected_rate_end{}, expected_rate_maximum{};  // of the scheme
-  std::array<std::optional<double>, 3> unresolved{};                   // unresolved_variations(), by Scale
+  std::array<Vec, error_scales.size()> unresolved{};                   // unresolved_variations(), by Scale
 };
 
 // A finished run with the arguments of all measures. Rows have one row a column of the scene, one column a

@@ -62,6 +62,11 @@ Problem rescaled_problem(double unit, const Problem& problem) {
       return margin(t, unit * u);
     };
   }
+  if (problem.domain.constraints) {
+    other.domain.constraints = [unit, constraints = problem.domain.constraints](double t, In u) {
+      return constraints(t, unit * u);
+    };
+  }
   return other;
 }
 

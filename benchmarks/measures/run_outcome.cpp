@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 namespace fde::bench {
@@ -40,6 +42,17 @@ const OutcomeText& words_of(const OutcomeKind& kind) {
   return *std::ranges::find(all_words, kind, &OutcomeText::kind);
 }
 
+// The smallest order, if a row of this order changes by a part of itself up to t that is no rounding error,
+// although t is so early that rows of order 1/2 do not.
+std::optional<double> order_of_earliest_change(const Problem& problem, double t) {
+  constexpr double part = 1e-16;
+  double least = 1.0;
+  for (const auto& row : problem.components)
+    if (!is_algebraic(row)) least = std::min(least, row.order);
+  const bool is_early = std::sqrt(t / problem.end) < part && std::pow(t / problem.end, least) > part;
+  return is_early ? std::optional(least) : std::nullopt;
+}
+
 }  // namespace
 
 std::string_view name(const OutcomeKind& kind) {
@@ -66,7 +79,11 @@ RunOutcome outcome_of(const Problem& problem, const Trajectory& path) {
   if (path.status == SolveStatus::left_domain) detail.push_back(problem.domain.edge);
   if (path.status == SolveStatus::terminal_event)
     detail.push_back(fmt::format("at t = {:.17g}", path.last_time));
-  if (path.failure_time) detail.push_back(at_step(path.steps + 1, *path.failure_time));
+  if (path.failure_time) {
+    detail.push_back(at_step(path.steps + 1, *path.failure_time));
+    if (const auto order = order_of_earliest_change(problem, *path.failure_time))
+      detail.push_back(fmt::format("(a row of order {:.4g} changes as early as that)", *order));
+  }
   if (path.residual) {
     detail.push_back(
         fmt::format("for all times at once, from any of its starts: a residual of {:.2g} is left; "

@@ -20,9 +20,9 @@ TotalVariation::TotalVariation(std::vector<double> times, const Rows& values, co
   }
 }
 
-double TotalVariation::unresolved_variation(const Grid& grid, double smallest_order) const {
+Vec TotalVariation::unresolved_variation(const Grid& grid, double smallest_order) const {
   constexpr double nine_tenths = 0.9;
-  double hidden = 0.0;
+  Vec hidden = Vec::Zero(variation_.rows());
   for (Eigen::Index column = 0; column < variation_.rows(); ++column) {
     // Only the step that contains the median of the variation can have more than half of it.
     const double place = grid.steps * std::pow(median_time(column) / grid.end, 1.0 / grid.grading);
@@ -30,7 +30,7 @@ double TotalVariation::unresolved_variation(const Grid& grid, double smallest_or
     const double from = grid.time(step - 1), to = grid.time(step);
     const double within = variation_until(to, column) - variation_until(from, column);
     const double most = std::min(nine_tenths, 0.5 * (1.0 + std::pow((to - from) / grid.end, smallest_order)));
-    if (within > most * variation_(column, variation_.cols() - 1)) hidden = std::max(hidden, 0.5 * within);
+    if (within > most * variation_(column, variation_.cols() - 1)) hidden[column] = 0.5 * within;
   }
   return hidden;
 }
@@ -58,15 +58,15 @@ double smallest_order(const Problem& problem) {
   return order;
 }
 
-std::array<std::optional<double>, 3> unresolved_variations(const Problem& problem,
+std::array<Vec, error_scales.size()> unresolved_variations(const Problem& problem,
                                                            MemoizedReference& reference, const Grid& grid) {
   constexpr int evenly = 64;
   const auto times = comparison_times(problem, evenly);
-  std::array<std::optional<double>, 3> found;
+  std::array<Vec, error_scales.size()> found;
   try {
     const Rows values = reference.at(times);
     if (!values.allFinite()) return found;
-    for (const Scale scale : {Scale::absolute, Scale::relative, Scale::mixed}) {
+    for (const Scale scale : error_scales) {
       const TotalVariation variation(times, values, divisors(scale, times, values));
       found.at(static_cast<std::size_t>(scale)) =
           variation.unresolved_variation(grid, smallest_order(problem));

@@ -21,10 +21,10 @@ class TotalVariation {
   TotalVariation(std::vector<double> times, const Rows& values, const Rows& divisors);
 
   // Error that a maximum over the grid times misses: if one step of the grid contains most of a column's
-  // variation (a transient inside the step), half of that variation; otherwise 0. The largest over columns.
+  // variation (a transient inside the step), half of that variation; otherwise 0. One entry a column.
   // A solution ~ t^g, g the smallest order, has the fraction h^g of its variation in a first step h of an
   // interval 1, which is no transient; "most" is therefore more than min(0.9, (1 + h^g)/2).
-  [[nodiscard]] double unresolved_variation(const Grid& grid, double smallest_order) const;
+  [[nodiscard]] Vec unresolved_variation(const Grid& grid, double smallest_order) const;
 
  private:
   [[nodiscard]] double variation_until(double t, Eigen::Index column) const;
@@ -40,7 +40,7 @@ double smallest_order(const Problem& problem);
 // What the maximum error of a run over the grid misses, on each scale in the order of Scale, by the variation
 // of the reference at times that do not depend on the grid. Empty where the reference is not known or not
 // finite there.
-std::array<std::optional<double>, 3> unresolved_variations(const Problem& problem,
+std::array<Vec, error_scales.size()> unresolved_variations(const Problem& problem,
                                                            MemoizedReference& reference, const Grid& grid);
 
 }  // namespace fde::bench

@@ -18,11 +18,36 @@ struct PosedMotion {
   Smoothness smoothness{};
 };
 
+// Where the constraints keep their rank; everywhere if their matrices are constant.
+Domain regular_domain(const Dynamics& dynamics, const PosedEquations& equations) {
+  const auto& algebra = dynamics.algebra();
+  const auto& pool = algebra.pool();
+  const auto r = static_cast<Eigen::Index>(dynamics.constraint().size());
+  const auto n = static_cast<Eigen::Index>(dynamics.system().size());
+  const auto& gradients = dynamics.acceleration_jacobian();
+  // Where A = R the metric, which is positive, does not matter.
+  const bool is_symmetric = gradients.entries == dynamics.reaction_directions().entries;
+  const auto reactions = is_symmetric ? algebra.transposed(gradients) : dynamics.reaction_matrix();
+  Expressions entries = in_state(equations, gradients, algebra).entries;
+  for (const auto e : in_state(equations, reactions, algebra).entries) entries.push_back(e);
+  if (std::ranges::all_of(entries, [&](Expression e) { return pool.value(e).has_value(); })) return {};
+  return {
+      .edge = "where the constraints lose their rank",
+      .constraints = [r, n, program = Program(pool, entries, std::ssize(equations.rows))](double t, In y) {
+        using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+        Vec values(2 * r * n);
+        program.evaluate(t, y, {values.data(), static_cast<std::size_t>(values.size())});
+        return ConstraintMatrices{Eigen::Map<const ByRows>(values.data(), r, n),
+                                  Eigen::Map<const ByRows>(values.data() + r * n, n, r)};
+      }};
+}
+
 PosedMotion motion_of(const Dynamics& dynamics, const PosedEquations& equations,
                       const std::vector<std::string>& names, double end) {
   auto& pool = dynamics.algebra().pool();
   PosedMotion motion;
   motion.posed.problem = expression_problem(equations.components, equations.rhs, end, pool);
+  motion.posed.problem.domain = regular_domain(dynamics, equations);
   motion.posed.outputs = outputs_of(equations, names, pool);
   motion.smoothness = motion_smoothness(dynamics, equations, motion.posed.problem);
   return motion;

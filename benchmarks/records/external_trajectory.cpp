@@ -211,6 +211,13 @@ ExternalTrajectory read_lines(LineReader& line, const Scene& scene) {
   return path;
 }
 
+std::vector<std::string> names_of(const Scene& scene, const ExternalTrajectory& path) {
+  std::vector<std::string> names;
+  for (const auto column : path.columns)
+    names.push_back(scene.outputs.names[static_cast<std::size_t>(column)]);
+  return names;
+}
+
 // `reference` has all columns of the scene.
 Assessment judge_values(const Scene& scene, const ExternalTrajectory& path, MemoizedReference& reference) {
   for (Eigen::Index c = 0; c < path.values.cols(); ++c) {
@@ -219,12 +226,12 @@ Assessment judge_values(const Scene& scene, const ExternalTrajectory& path, Memo
   }
   if (std::ssize(path.columns) < std::ssize(scene.outputs.names)) {
     MemoizedReference some(scene, path.columns);
-    return judge_columns(path.times, path.values, some);
+    return judge_columns(path.times, path.values, some, {}, {names_of(scene, path), true});
   }
   Rows ordered(path.values.rows(), path.values.cols());
   for (std::size_t i = 0; i < path.columns.size(); ++i)
     ordered.row(path.columns[i]) = path.values.row(static_cast<Eigen::Index>(i));
-  return judge_columns(path.times, ordered, reference);
+  return judge_columns(path.times, ordered, reference, {}, {scene.outputs.names});
 }
 
 }  // namespace
@@ -266,11 +273,8 @@ Assessment judge_trajectory(const Scene& scene, const ExternalTrajectory& path,
                             MemoizedReference& reference) {
   Assessment judgement = judge_values(scene, path, reference);
   if (std::ssize(path.columns) == std::ssize(scene.outputs.names)) return judgement;
-  std::vector<std::string> names;
-  for (const auto column : path.columns)
-    names.push_back(scene.outputs.names[static_cast<std::size_t>(column)]);
   auto& detail = judgement.ending.detail;
-  detail += fmt::format("{}in {}", detail.empty() ? "" : " ", fmt::join(names, ", "));
+  detail += fmt::format("{}in {}", detail.empty() ? "" : " ", fmt::join(names_of(scene, path), ", "));
   return judgement;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/measures/column_errors.hpp"
 #include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/observers/running_maximum.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
@@ -45,6 +46,7 @@ struct Record {
   std::string unit{};
   std::optional<RunOutcome> ending{};  // for quantity "ending" only
   ProgramFacts program{};              // for the ending of another program only
+  ColumnErrors columns{};              // for the ending only
   Course course{};                     // the largest value up to t; empty: not recorded
   std::size_t session = 0;             // index into Results::sessions
   bool wall_clock = false;             // time of a whole process, for a program that reports none

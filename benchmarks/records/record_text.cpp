@@ -87,6 +87,19 @@ RunOutcome outcome_of(const Json& json) {
   return {outcome_named(present_name(json.at("ending"))), json.value("detail", "")};
 }
 
+Json json_of(const ColumnErrors& columns) {
+  Json json{{"names", columns.names}};
+  if (columns.is_part) json["part"] = true;
+  if (!columns.values.empty()) json["values"] = columns.values;
+  return json;
+}
+
+ColumnErrors column_errors_of(const Json& json) {
+  ColumnErrors columns{.names = json.at("names"), .is_part = json.value("part", false)};
+  if (json.contains("values")) json["values"].get_to(columns.values);
+  return columns;
+}
+
 // A run to a tolerance may have taken no step.
 int steps_of(const Json& json) {
   constexpr int most = std::numeric_limits<int>::max();
@@ -119,6 +132,7 @@ Record row_of(const Json& json) {
              .wall_clock = json.value("wall_clock", false)};
   if (json.contains("ending")) row.ending = outcome_of(json);
   if (json.contains("program")) row.program = json["program"].get<ProgramFacts>();
+  if (json.contains("columns")) row.columns = column_errors_of(json["columns"]);
   if (json.contains("course")) row.course = json["course"].get<Course>();
   return row;
 }
@@ -163,6 +177,7 @@ std::string line_of(const Record& row, bool last) {
   if (row.ending) json["ending"] = name(row.ending->kind);
   if (row.ending && !row.ending->detail.empty()) json["detail"] = row.ending->detail;
   if (row.program != ProgramFacts{}) json["program"] = row.program;
+  if (!row.columns.names.empty()) json["columns"] = json_of(row.columns);
   if (!row.course.empty()) json["course"] = row.course;
   if (row.wall_clock) json["wall_clock"] = true;
   if (last) json["last"] = true;

@@ -66,6 +66,18 @@ void require_quantity(const Record& row) {
   for (const double value : row.course.value) require_in(row.quantity, value, range);
 }
 
+void require_column_errors(const Record& row) {
+  const ColumnErrors& columns = row.columns;
+  if (columns != ColumnErrors{} && !row.ending)
+    throw std::invalid_argument("columns: are allowed in endings only");
+  for (const auto& name : columns.names) require_name("columns", name);
+  for (const auto& [quantity, values] : columns.values) {
+    require_name("columns", quantity);
+    require_length("columns", values.size(), columns.names.size());
+    for (const double value : values) require_in(quantity, value, not_negative);
+  }
+}
+
 void require_setup(const Record& row) {
   const RunSettings& setup = row.key.setup;
   if (const auto* accuracy = std::get_if<Tolerance>(&setup.resolution)) {
@@ -93,6 +105,7 @@ void require_valid(const Record& row) {
   }
   require_setup(row);
   require_quantity(row);
+  require_column_errors(row);
   if (row.wall_clock && (!row.key.external || !is_time(row)))
     throw std::invalid_argument("wall_clock: is allowed in times of other programs only");
 }

@@ -23,6 +23,7 @@ std::vector<Record> rows_of_examination(const Record& run, const Assessment& jud
   for (const auto& measured : judgement.measured) rows.push_back(with_value(run, measured));
   rows.push_back(with_value(run, {"ending", "t", judgement.end_time}));
   rows.back().ending = judgement.ending;
+  rows.back().columns = judgement.columns;
   return rows;
 }
 

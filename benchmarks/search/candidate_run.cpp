@@ -69,8 +69,8 @@ CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const St
     attempt.baseline_error = std::numeric_limits<double>::infinity();
   if (!at_end && !configuration.is_adaptive()) {
     const Grid grid{.end = scene_.problem.end, .steps = attempt.steps, .grading = configuration.grading};
-    attempt.error =
-        std::max(attempt.error, variation().unresolved_variation(grid, smallest_order(scene_.problem)));
+    attempt.error = std::max(
+        attempt.error, variation().unresolved_variation(grid, smallest_order(scene_.problem)).maxCoeff());
   }
   attempt.meets_accuracy = is_accurate(attempt);
   return attempt;
@@ -171,12 +171,17 @@ void RunEvaluator::measure_end_error(const Rows& values, CandidateRun& attempt) 
   if (difference.size() == 1) attempt.signed_error = difference[0];
 }
 
-// Times: t = 0 for the baseline y = y(0), and the last tenth of the interval for the relative scale.
+// Times: t = 0 for the baseline y = y(0), and the last tenth of the interval for the relative scale; the
+// whole interval for the peak.
 const RunEvaluator::EndComparison& RunEvaluator::at_end() {
   if (at_end_) return *at_end_;
   constexpr int nearby = 64;
   const double end = scene_.problem.end;
   std::vector<double> times{0.0};
+  if (question_.kind.scale == Scale::peak) {
+    for (const double t : comparison_times(scene_.problem, 9 * nearby))
+      if (t > 0.0 && t < 0.9 * end) times.push_back(t);
+  }
   for (int i = 0; i <= nearby; ++i) times.push_back(end * (9 * nearby + i) / (10 * nearby));
   Rows reference = finite_reference(times);
   Rows by = divisors(question_.kind.scale, times, reference);

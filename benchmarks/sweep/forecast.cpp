@@ -2,9 +2,10 @@
 #include "fdebench/benchmarks/sweep/forecast.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -25,43 +26,55 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Times and errors of two or three solves of one scheme on one scene, extrapolated to other resolutions.
+// Times and errors of two or three solves of one scheme on one scene, extrapolated to other resolutions: by
+// what a further step takes, not by the whole time, most of which may be the same for any number of steps.
 class Probe {
  public:
   Probe(const Scene& scene, const Scheme& scheme, const RunSettings& setup, const SweepPlan& plan)
-      : budget_(setup.budget) {
-    if (scheme.capabilities.is_adaptive()) {
-      probe_accuracy(scene, scheme, setup);
-      return;
-    }
-    std::array<Vec, 3> results;
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      steps_ = fewest_steps(plan) << i;
-      results[i] = solve(scene, scheme, setup, steps_);
-    }
-    if (failed_) return;
-    error_ = (results[2] - results[1]).cwiseAbs().maxCoeff();
-    const Grid grid{scene.problem.end, steps_, setup.grading};
-    end_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::end);
-    maximum_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::maximum);
+      : budget_(setup.budget), is_adaptive_(scheme.capabilities.is_adaptive()) {
+    take_refusals(scene, scheme, setup, plan);
+    is_adaptive_ ? probe_accuracy(scene, scheme, setup) : probe_steps(scene, scheme, setup, plan);
   }
 
   // The predicted run with this number of steps or tolerance.
   [[nodiscard]] RefinementRun forecast(const StepsOrTolerance& resolution) const {
-    if (const auto* requested = std::get_if<Tolerance>(&resolution)) return refinement_run(*requested);
-    const int steps = std::get<int>(resolution);
-    const bool takes_no_grid = steps_ == 0;
-    RefinementRun run{
-        .resolution = steps, .steps = steps, .fails_with_more_steps = refused_ || takes_no_grid};
-    if (failed_ || takes_no_grid) return run;
-    const double ratio = static_cast<double>(steps_) / steps;
-    run.seconds = std::min(seconds_ / ratio, budget_);
+    const auto* steps = std::get_if<int>(&resolution);
+    RefinementRun run{.resolution = resolution, .steps = steps != nullptr ? *steps : 0};
+    run.fails_with_more_steps = !refusal(resolution).empty();
+    if (fine_.failed || run.fails_with_more_steps) return run;
+    run.seconds = std::min(
+        steps != nullptr ? seconds_with(*steps) : seconds_to(std::get<Tolerance>(resolution)), budget_);
+    if (steps == nullptr) return run;
     for (const auto& rate : {end_rate_, maximum_rate_})
-      run.errors.push_back({.value = error_ * std::pow(ratio, rate.value_or(1.0))});
+      run.errors.push_back({.value = error_ * std::pow(fine_.steps / *steps, rate.value_or(1.0))});
     return run;
   }
 
+  // Why the scheme refuses a run; empty: it does not.
+  [[nodiscard]] std::string refusal(const StepsOrTolerance& resolution) const {
+    const auto found = refusals_.find(resolution);
+    return found == refusals_.end() ? refusal_ : found->second;
+  }
+
  private:
+  struct Solve {
+    double steps = 0.0, seconds = 0.0;
+    Vec at_end{};  // the columns
+    bool failed = true;
+  };
+
+  // Of each listed resolution; of others that of one of the kind that the scheme takes.
+  void take_refusals(const Scene& scene, const Scheme& scheme, const RunSettings& setup,
+                     const SweepPlan& plan) {
+    const auto reason = [&](const StepsOrTolerance& requested) {
+      RunSettings of = setup;
+      of.resolution = requested;
+      return unsupported_reason(scheme, scene.problem, resolution_of(of, scene.problem.end)).value_or("");
+    };
+    refusal_ = is_adaptive_ ? reason(Tolerance{finest, finest}) : reason(fewest_steps(plan));
+    for (const auto& resolution : plan.resolutions) refusals_[resolution] = reason(resolution);
+  }
+
   // The finest solve has four times these steps: at most 512, and a quarter of the largest number of the
   // plan.
   static int fewest_steps(const SweepPlan& plan) {
@@ -73,56 +86,86 @@ class Probe {
     return std::clamp(steps / part, 1, most);
   }
 
+  void probe_steps(const Scene& scene, const Scheme& scheme, const RunSettings& setup,
+                   const SweepPlan& plan) {
+    const int fewest = fewest_steps(plan);
+    coarse_ = solve(scene, scheme, setup, fewest);
+    const Solve between = coarse_.failed ? Solve{} : solve(scene, scheme, setup, 2 * fewest);
+    if (between.failed) return;
+    fine_ = solve(scene, scheme, setup, 4 * fewest);
+    if (fine_.failed) return;
+    error_ = (fine_.at_end - between.at_end).cwiseAbs().maxCoeff();
+    const Grid grid{scene.problem.end, 4 * fewest, setup.grading};
+    end_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::end);
+    maximum_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::maximum);
+  }
+
   void probe_accuracy(const Scene& scene, const Scheme& scheme, const RunSettings& setup) {
-    solve(scene, scheme, setup, Tolerance{coarse_, coarse_});
-    const double before = seconds_;
-    solve(scene, scheme, setup, Tolerance{fine_, fine_});
-    longer_ = std::max(1.0, std::pow(seconds_ / before, 1.0 / std::log10(coarse_ / fine_)));
+    coarse_ = solve(scene, scheme, setup, Tolerance{coarsest, coarsest});
+    if (!coarse_.failed) fine_ = solve(scene, scheme, setup, Tolerance{finest, finest});
   }
 
-  [[nodiscard]] RefinementRun refinement_run(const Tolerance& requested) const {
-    RefinementRun run{.resolution = requested, .fails_with_more_steps = refused_};
-    if (!failed_) {
-      const double decades = std::log10(fine_ / std::max(requested.rtol, requested.atol));
-      run.seconds = std::min(seconds_ * std::pow(longer_, decades), budget_);
-    }
-    return run;
+  [[nodiscard]] double seconds_with(double steps) const {
+    const double more = std::max(0.0, fine_.seconds - coarse_.seconds) / (fine_.steps - coarse_.steps);
+    return steps <= fine_.steps ? fine_.seconds * steps / fine_.steps
+                                : fine_.seconds + more * (steps - fine_.steps);
   }
 
-  // Solves and returns the columns at the end time.
-  Vec solve(const Scene& scene, const Scheme& scheme, RunSettings setup, const StepsOrTolerance& requested) {
-    constexpr double most_seconds = 2.0;
+  // A scheme of rate r takes 10^(1/r) times the steps for a tolerance ten times smaller.
+  [[nodiscard]] double seconds_to(const Tolerance& requested) const {
+    const double decades = std::log10(finest / std::max(requested.rtol, requested.atol));
+    const double growth = std::pow(fine_.steps / coarse_.steps, 1.0 / std::log10(coarsest / finest));
+    return fine_.seconds * std::pow(std::clamp(growth, 1.0, most_growth), decades);
+  }
+
+  // Short solves are timed a second time: the first one of a process also computes tables.
+  Solve solve(const Scene& scene, const Scheme& scheme, RunSettings setup,
+              const StepsOrTolerance& requested) const {
+    constexpr double most_seconds = 2.0, short_seconds = 0.2;
     setup.resolution = requested;
     setup.budget = std::min(setup.budget, most_seconds);
     const double end = scene.problem.end;
-    const auto resolution = resolution_of(setup, end);
-    if (unsupported_reason(scheme, scene.problem, resolution)) refused_ = failed_ = true;
-    if (failed_) return {};
+    if (!refusal_.empty()) return {};
     Options options = setup.options();
     options.output_times = {end};
     Trajectory path;
-    seconds_ = seconds_of([&] { path = scheme.solve(scene.problem, resolution, options); });
-    failed_ = path.status != SolveStatus::finished;
-    if (failed_) return {};
-    return columns_at(scene.outputs, end, path.y.rightCols(1));
+    const auto once = [&] {
+      return seconds_of([&] { path = scheme.solve(scene.problem, resolution_of(setup, end), options); });
+    };
+    double seconds = once();
+    if (path.status != SolveStatus::finished) return {};
+    if (seconds < short_seconds) seconds = std::min(seconds, once());
+    return {.steps = std::max(1.0, static_cast<double>(path.steps)),
+            .seconds = seconds,
+            .at_end = columns_at(scene.outputs, end, path.y.rightCols(1)),
+            .failed = false};
   }
 
-  static constexpr double coarse_ = 1e-3, fine_ = 1e-5;
+  static constexpr double coarsest = 1e-3, finest = 1e-5, most_growth = 10.0;
 
   double budget_;  // seconds, of a solve; two short solves may foretell more by far
-  int steps_ = 1;
-  double longer_ = 1.0;  // ratio of the times for a tolerance ten times smaller
-  bool refused_ = false, failed_ = false;
-  double seconds_ = 0.0, error_ = 0.0;  // with steps_
+  bool is_adaptive_;
+  std::map<StepsOrTolerance, std::string> refusals_{};
+  std::string refusal_{};
+  Solve coarse_{}, fine_{};
+  double error_ = 0.0;  // of fine_
   std::optional<double> end_rate_{}, maximum_rate_{};
 };
 
 // Seconds to evaluate the reference of a scene at one time.
 double seconds_of_reference(const Scene& scene) {
+  constexpr double enough_seconds = 0.05;
   if (!scene.reference.at) return 0.0;
   try {
     scene.reference.at(scene.problem.end);  // computes what later evaluations reuse
-    return seconds_of([&] { scene.reference.at(0.7 * scene.problem.end); });
+    double seconds = 0.0;
+    int times = 0;
+    for (const double part : {0.7, 0.1, 0.4, 0.9}) {
+      seconds += seconds_of([&] { scene.reference.at(part * scene.problem.end); });
+      ++times;
+      if (seconds > enough_seconds) break;
+    }
+    return seconds / times;
   } catch (const std::runtime_error&) {
     return 0.0;
   }
@@ -227,7 +270,8 @@ class RefinementSimulation {
     const RecordedRun recorded = recorded_(key);
     if (is_made(recorded)) return refinement_run(key.setup, recorded);
     RefinementRun run = line.probe->forecast(resolution);
-    expected_[key] = {seconds_of(run), sweep_.examines_only ? 0.0 : seconds_of_timing(run, sweep_.repeats)};
+    expected_[key] = {seconds_of(run), sweep_.examines_only ? 0.0 : seconds_of_timing(run, sweep_.repeats),
+                      line.probe->refusal(resolution)};
     return run;
   }
 
@@ -238,7 +282,7 @@ class RefinementSimulation {
     key.setup.resolution = resolution;
     const RecordedRun recorded = recorded_(key);
     if (is_made(recorded)) return refinement_run(key.setup, recorded);
-    expected_[key] = {guess, sweep_.examines_only ? 0.0 : guess * sweep_.repeats.most};
+    expected_[key] = {guess, sweep_.examines_only ? 0.0 : guess * sweep_.repeats.most, ""};
     return {.resolution = resolution, .steps = std::get<int>(resolution)};
   }
 

@@ -41,6 +41,7 @@ std::vector<RunSettings> setups_of(const Sweep& sweep, const Scheme& scheme, con
 // The expected seconds of a run: to examine it, and to time it.
 struct ExpectedSeconds {
   double examination = 0.0, timing = 0.0;
+  std::string refusal{};  // why the scheme refuses the run; empty: it does not
 
   [[nodiscard]] double total() const { return examination + timing; }
 };

@@ -117,8 +117,8 @@ def choose(
 ) -> dict[str, Any]:
     """The scheme, grid and number of steps to take for an accuracy, found by making runs.
 
-    ``norm``: "maximum" over all steps, or "end". ``scale``: "absolute", "relative" or "mixed", |e| / (1 + |y|). ``columns``: those
-    that count; default all. ``seconds``: for the search; default 60. ``runs``: "1" ranks by the first run of a process, which
+    ``norm``: "maximum" over all steps, or "end". ``scale``: "absolute", "relative", "mixed", |e| / (1 + |y|), or "peak",
+    |e| / max |y|. ``columns``: those that count; default all. ``seconds``: for the search; default 60. ``runs``: "1" ranks by the first run of a process, which
     computes start weights and tables, "many" by later runs. Returns the fields that ``fdebench choose --json`` has: scheme,
     grid, steps, error, seconds, runner_up, ...; of a problem of one's own ``command`` is None. Raises NumericalFailure where no
     run is within the accuracy. Solve what was found with ``solve(..., steps, grid=grid)``, or with ``accuracy=asked`` where

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "fdebench/reference/nonlinear/march/jumps.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_at.hpp"
 #include "fdebench/reference/nonlinear/march/supported_problem.hpp"
+#include "fdebench/schemes/problem/breaking_points.hpp"
 #include "fdebench/schemes/problem/multipliers.hpp"
 
 namespace fde::reference {
@@ -116,8 +116,7 @@ PanelTable reference_table(const Problem& given, const CollocationOptions& optio
   require_affordable(given);
   // Polynomials resolve a kink no better than a jump.
   Problem problem = given;
-  problem.jump_times.clear();
-  std::ranges::set_union(given.jump_times, given.kink_times, std::back_inserter(problem.jump_times));
+  problem.jump_times = breaking_points(given);
   const InitialLengths starts = initial_lengths(problem);
   const auto solve = [&](int points, double shortest) -> PiecewiseSolution {
     return {problem,

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "fdebench/benchmarks/measures/measures.hpp"
+#include "fdebench/reports/analysis/compared_columns.hpp"
 
 namespace fde::bench {
 namespace {
@@ -114,7 +115,8 @@ Comparison compare(const Runs& before, const Runs& now) {
     if (found == of_now.end()) continue;
     const CommonRun common{.before = run, .now = found->second};
     ++comparison.common;
-    compare_errors(common, comparison.errors);
+    const bool is_alike = compared_text(before, key.scene) == compared_text(now, key.scene);
+    is_alike ? compare_errors(common, comparison.errors) : void(++comparison.unlike);
     compare_times(common, comparison);
     compare_endings(common, comparison.endings);
   }

@@ -53,7 +53,8 @@ struct EndingChange {
 struct Comparison {
   std::size_t common = 0, only_before = 0, only_now = 0;  // runs
   std::size_t timed_before = 0;                           // common runs with a time in the first set only
-  std::vector<TimeRatio> times{};                         // of all runs with a time in both sets
+  std::size_t unlike = 0;  // common runs whose errors are over other columns in each set: not compared
+  std::vector<TimeRatio> times{};  // of all runs with a time in both sets
   std::vector<ErrorChange> errors{};
   std::vector<EndingChange> endings{};
 

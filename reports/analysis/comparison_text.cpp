@@ -81,7 +81,7 @@ std::string sum_of_times(const std::vector<TimeRatio>& times) {
 }  // namespace
 
 std::string comparison_text(const Comparison& comparison, const LineNames& names) {
-  const auto& [common, only_before, only_now, timed_before, times, errors, endings] = comparison;
+  const auto& [common, only_before, only_now, timed_before, unlike, times, errors, endings] = comparison;
   std::vector<TimeRatio> beyond_noise;
   std::ranges::copy_if(times, std::back_inserter(beyond_noise),
                        [](const TimeRatio& time) { return time.slower() || time.faster(); });
@@ -96,6 +96,9 @@ std::string comparison_text(const Comparison& comparison, const LineNames& names
                      only_now) +
          (timed_before == 0 ? ""
                             : fmt::format("{} runs in both are timed in the first only\n", timed_before)) +
+         (unlike == 0
+              ? ""
+              : fmt::format("{} runs have errors over other columns in each file: not compared\n", unlike)) +
          fmt::format("verdicts: {} worse, {} changed otherwise\n", worse, std::ssize(endings) - worse) +
          fmt::format("errors: {} grew, {} fell\n", grew, std::ssize(errors) - grew) +
          fmt::format("times: {} slower, {} faster, {} within the spread of their repeats\n", slower, faster,

@@ -30,6 +30,10 @@ void QuantityValues::set(std::string_view quantity, double value) {
   }
 }
 
+void QuantityValues::erase(std::string_view quantity) {
+  std::erase_if(values_, [&](const Value& value) { return value.first == quantity; });
+}
+
 std::optional<double> QuantityValues::operator[](std::string_view quantity) const {
   const auto found = std::ranges::find(values_, quantity, &Value::first);
   return found == values_.end() ? std::nullopt : std::optional(found->second);

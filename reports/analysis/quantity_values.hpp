@@ -15,6 +15,8 @@ class QuantityValues {
   // Adds or replaces the value of a quantity.
   void set(std::string_view quantity, double value);
 
+  void erase(std::string_view quantity);
+
   // The value of a quantity; nullopt: it has none.
   [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;
 

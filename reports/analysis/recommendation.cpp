@@ -24,6 +24,19 @@ std::string way_text(const Configuration& configuration, int steps) {
 
 }  // namespace
 
+std::vector<SmallColumn> small_columns(const ErrorKind& kind, double accuracy,
+                                       const std::vector<std::string>& names,
+                                       const std::vector<double>& largest) {
+  constexpr double part = 0.1;
+  std::vector<SmallColumn> small;
+  if (kind.scale == Scale::relative || kind.scale == Scale::peak) return small;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double allowed = accuracy * (kind.scale == Scale::mixed ? 1.0 + largest[i] : 1.0);
+    if (largest[i] > 0.0 && allowed > part * largest[i]) small.push_back({names[i], largest[i], allowed});
+  }
+  return small;
+}
+
 std::string_view error_word(const Recommendation& made) {
   return made.estimate ? "estimated error" : "error";
 }

@@ -20,12 +20,25 @@ struct RejectedScheme {
   bool refused = false;  // the scheme does not accept the problem
 };
 
+// A compared column for which the accuracy allows an error above a tenth of its largest value.
+struct SmallColumn {
+  std::string name{};
+  double largest = 0.0;  // over all compared times
+  double allowed = 0.0;  // the error
+};
+
+// Those of these columns, with their largest values. A scale that depends on the size of the values has none.
+std::vector<SmallColumn> small_columns(const ErrorKind& kind, double accuracy,
+                                       const std::vector<std::string>& names,
+                                       const std::vector<double>& largest);
+
 // Which scheme to use for a scene and an accuracy, and why.
 struct Recommendation {
   SceneSettings scene{};
   ErrorKind kind{};
   double accuracy = 0.0;
   std::vector<std::string> columns{};       // the compared columns; empty: all
+  std::vector<SmallColumn> small{};         // for which the accuracy is coarse
   std::vector<RecommendedRun> options{};    // within the accuracy, the quickest first
   std::vector<RecommendedRun> expected{};   // predictions for other schemes, which are slower
   std::vector<RejectedScheme> rejected{};   // the schemes without an option
@@ -73,7 +86,8 @@ std::string kind_text(const ErrorKind& kind);
 // "l1 = commensurate_l1, graded:2".
 std::string name_of(const RecommendedRun& option);
 
-// The recommendation as text: three lines (what to run, what it delivers, how sure that is), then a table of
+// The recommendation as text: three lines (what to run, what it delivers, how sure that is), a line where the
+// accuracy is coarse for a column, then a table of
 // the schemes. With `verbose` also why it is quickest, all grids, and the schemes that refuse the problem.
 // Precondition: there is an option.
 std::string to_text(const Recommendation& made, bool verbose = false);

@@ -84,6 +84,8 @@ std::string json_of(const Recommendation& made) {
   if (first.wall_clock) json["wall_clock"] = true;
   if (first.predicted_error) json["predicted_error"] = *first.predicted_error;
   if (!made.columns.empty()) json["columns"] = made.columns;
+  for (const auto& [name, largest, allowed] : made.small)
+    json["coarse"].push_back({{"column", name}, {"largest", largest}, {"allowed", allowed}});
   if (second != nullptr) {
     json["runner_up"] = second->schemes.front();
     json["factor"] = second->time.median / first.time.median;

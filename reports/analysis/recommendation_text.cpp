@@ -100,9 +100,10 @@ std::string table_of(const Recommendation& made, bool verbose) {
 // "error 8.7e-13 in 9.6 µs; the first run of a process takes 12.3 ms".
 std::string delivery(const Recommendation& made, const RecommendedRun& first) {
   const double once = first.first_run_seconds(), later = first.later_run_seconds();
-  auto text = fmt::format("{} {} ({}; {} wanted) in {}{}", error_word(made), error_text(first.error),
-                          kind_text(made.kind), error_text(made.accuracy), time_text(first.time.median),
-                          clock_note(first.wall_clock));
+  const auto columns = made.columns.empty() ? "" : fmt::format(", in {}", fmt::join(made.columns, ", "));
+  auto text = fmt::format("{} {} ({}{}; {} wanted) in {}{}", error_word(made), error_text(first.error),
+                          kind_text(made.kind), columns, error_text(made.accuracy),
+                          time_text(first.time.median), clock_note(first.wall_clock));
   if (first.wall_clock) return text;
   if (first.first_run) return text + fmt::format(", the first run of a process; {} later", time_text(later));
   return text + (first.setup_seconds > 0.0
@@ -128,6 +129,17 @@ std::string certainty(const Recommendation& made, const RecommendedRun& first) {
   return text;
 }
 
+// "coarse: the error allowed in x, 0.01, is 2.1 times its largest value, 0.0048; --scale peak ...".
+std::string coarseness(const Recommendation& made) {
+  std::vector<std::string> columns;
+  for (const auto& [name, largest, allowed] : made.small) {
+    columns.push_back(fmt::format("in {} {}, {:.2g} times its largest value {}", name, error_text(allowed),
+                                  allowed / largest, error_text(largest)));
+  }
+  return fmt::format("coarse: the error allowed is {}; --scale peak takes errors as parts of that value\n",
+                     fmt::join(columns, ", "));
+}
+
 }  // namespace
 
 std::string to_text(const Recommendation& made, bool verbose) {
@@ -136,6 +148,7 @@ std::string to_text(const Recommendation& made, bool verbose) {
                                  first.external ? fmt::format("{} with N = {}", name_of(first), first.steps)
                                                 : command_of(made.scene, first),
                                  delivery(made, first), certainty(made, first));
+  if (!made.small.empty()) text += coarseness(made);
   if (verbose) {
     if (first.predicted_error)
       text += fmt::format("predicted {} {}\n", error_word(made), error_text(*first.predicted_error));

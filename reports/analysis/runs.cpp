@@ -12,6 +12,7 @@
 
 #include "fdebench/benchmarks/records/results_scan.hpp"
 #include "fdebench/benchmarks/scenes/scene_ids.hpp"
+#include "fdebench/reports/analysis/compared_columns.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
@@ -57,6 +58,7 @@ void add(BuildRun& made, const Record& row) {
   if (row.ending) {
     run.ending = *row.ending;
     run.program = row.program;
+    run.columns = row.columns;
     made.ended = true;
   } else {
     run.values.set(row.quantity, row.value);
@@ -106,6 +108,7 @@ class Collector {
       auto& run = made.back().second.run;
       (run.ending.kind == SolveStatus::finished ? runs.finished : runs.failed).push_back(std::move(run));
     }
+    compare_over_common_columns(runs);
     return runs;
   }
 

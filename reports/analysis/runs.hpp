@@ -24,6 +24,7 @@ struct MeasuredRun {
       0;  // of the times, or of the examination of a run without; index into Results::sessions
   RunOutcome ending{};
   ProgramFacts program{};  // what another program says of itself
+  ColumnErrors columns{};  // what its errors are over, and those of single columns
   QuantityValues values{};
   std::map<std::string, Course, std::less<>> courses{};  // of the quantities that have one
   bool wall_clock = false;                               // the times are of whole processes
@@ -37,12 +38,15 @@ struct MeasuredRun {
 std::optional<MedianInterval> time_of(const MeasuredRun& run);
 
 // The runs of a results file, ordered by scene, scheme (as in the lists of this build, unknown ones last) and
-// setup, from coarse to fine. If a run was made in several sessions, the last one counts; its times may be
-// from a later session of the same build.
+// setup, from coarse to fine. Errors of a scene are over the same columns (compare_over_common_columns). If a
+// run was made in several sessions, the last one counts; its times may be from a later session of the same
+// build.
 struct Runs {
   std::vector<MeasuredRun> finished, failed;  // failed: any ending but `finished`, refusals included
   std::map<SceneSettings, SceneDescription>
       scenes{};  // what the file says of them, the last if it does twice
+  std::map<SceneSettings, std::vector<std::string>>
+      compared{};  // the columns that the errors of a scene are over; without entry: all its columns
 
   // The description of a scene; nullptr if the file has none.
   [[nodiscard]] const SceneDescription* describe(const SceneSettings& scene) const;

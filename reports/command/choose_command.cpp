@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
+#include "fdebench/reports/analysis/compared_columns.hpp"
 #include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/command/arguments.hpp"
@@ -59,6 +63,21 @@ std::vector<Eigen::Index> chosen_columns(const Scene& scene, const std::optional
   return columns;
 }
 
+// From the reference, at times that are independent of any grid.
+std::vector<SmallColumn> small_columns(const Scene& scene, const AccuracyTarget& question) {
+  constexpr int evenly = 128;
+  std::vector<std::string> names;
+  std::vector<double> largest(question.columns.size(), 0.0);
+  for (const auto column : question.columns)
+    names.push_back(scene.outputs.names[static_cast<std::size_t>(column)]);
+  for (const double t : comparison_times(scene.problem, evenly)) {
+    const Vec values = scene.reference.at(t).value;
+    for (std::size_t i = 0; i < largest.size(); ++i)
+      largest[i] = std::max(largest[i], std::abs(values[question.columns[i]]));
+  }
+  return small_columns(question.kind, question.accuracy, names, largest);
+}
+
 // Without a reference, an error estimate may take up to a third of the time.
 Recommendation searched(const SceneVariant& variant, Scene scene, const AccuracyTarget& question,
                         double seconds, const Streams& streams) {
@@ -74,24 +93,45 @@ Recommendation searched(const SceneVariant& variant, Scene scene, const Accuracy
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   const auto found = search(scene, question, std::max(0.0, seconds - taken.count()), tell);
   auto made = recommend(found, variant.key(), scene.outputs.names, question, known.estimate);
+  made.small = small_columns(scene, question);
   const Vec bounds = scene.reference.at(scene.problem.end).bound;
   if (bounds.size() > 0) made.reference_bound = bounds.maxCoeff();
   made.examined_at_points_only = at_points_only;
   return made;
 }
 
-// A recommendation from recorded runs: these have no errors of single columns and need no search time.
+// The errors of the recorded runs over the columns of --columns.
+void compare_over_requested(Runs& runs, const SceneSettings& scene, const ChooseArguments& arguments) {
+  const auto requested = split_names(*arguments.columns);
+  std::set<std::string> known;
+  for (const MeasuredRun& run : of_scene(runs.finished, scene)) {
+    if (!run.columns.values.empty()) known.insert(run.columns.names.begin(), run.columns.names.end());
+  }
+  for (const auto& name : requested) {
+    if (known.contains(name)) continue;
+    reject_text("--columns", name,
+                known.empty()
+                    ? fmt::format("without --results, or with errors of single columns, which {} does not "
+                                  "have: fdebench run measures them anew",
+                                  *arguments.results)
+                    : fmt::format("of {}", fmt::join(known, ", ")));
+  }
+  compare_over(runs, scene, requested);
+}
+
+// A recommendation from recorded runs, which need no search time.
 Recommendation recorded(const ErrorKind& kind, double accuracy, bool first_run,
                         const ChooseArguments& arguments, const Streams& streams,
                         const SceneRegistry& known) {
-  if (arguments.columns)
-    reject_text("--columns", *arguments.columns, "without --results, which has all columns");
   if (arguments.max_time) reject_text("--max-time", *arguments.max_time, "without --results");
   auto [sessions, runs, warning] = read_runs(*arguments.results);
   warn(streams, warning);
   const SceneArguments scene{arguments.scene.scene, settings_of(arguments)};
   if (first_run) count_first_runs(runs);
-  return recommend(runs, recorded_scene(runs, *arguments.results, scene, known), kind, accuracy);
+  const auto requested = recorded_scene(runs, *arguments.results, scene, known);
+  if (arguments.columns) compare_over_requested(runs, requested, arguments);
+  warn(streams, not_compared_text(runs, requested));
+  return recommend(runs, requested, kind, accuracy);
 }
 
 // The answer with what its first three lines begin with in bold, and the command in green.
@@ -130,8 +170,10 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
   }
   if (made.options.empty()) {
     if (made.estimate) made.missing.push_back(estimate_text(*made.estimate));
-    throw NumericalFailure(fmt::format("no run of {} is within {} ({}): {}", label_of(made.scene),
-                                       error_text(accuracy), kind_text(kind), fmt::join(made.missing, "; ")));
+    const auto columns = made.columns.empty() ? "" : fmt::format(", in {}", fmt::join(made.columns, ", "));
+    throw NumericalFailure(fmt::format("no run of {} is within {} ({}{}): {}", label_of(made.scene),
+                                       error_text(accuracy), kind_text(kind), columns,
+                                       fmt::join(made.missing, "; ")));
   }
   streams.out << (arguments.json ? json_of(made)
                                  : with_bold_labels(to_text(made, arguments.verbose),
@@ -149,9 +191,10 @@ void add_choose_command(CommandLine& program, const Streams& streams, const Scen
   command.option("--norm", arguments->norm, "where the error is measured: at the end, or at all steps")
       .takes("NORM", Words{std::string(name(Norm::end)), std::string(name(Norm::maximum))})
       .usual(arguments->norm);
-  command.option("--scale", arguments->scale, "what an error is divided by: 1, |y| or 1 + |y|")
-      .takes("SCALE", Words{std::string(name(Scale::absolute)), std::string(name(Scale::relative)),
-                            std::string(name(Scale::mixed))})
+  command
+      .option("--scale", arguments->scale,
+              "what an error is divided by: 1, |y|, 1 + |y| or the largest |y| of its column")
+      .takes("SCALE", scale_names())
       .usual(arguments->scale);
   command.option("--columns", arguments->columns, "columns that count").takes("A,B,...").usual("all");
   add_runs(command, arguments->runs);

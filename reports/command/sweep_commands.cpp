@@ -32,13 +32,41 @@ Forecast forecast_of(const std::vector<Sweep>& sweeps,
   return expected;
 }
 
+// The refused runs of a sweep.
+class Refusals {
+ public:
+  void add(const SceneDescription& /*scene*/) {}
+  void add(const std::vector<Record>& rows) {
+    const Record& last = rows.back();
+    if (!last.ending || last.ending->kind != SolveStatus::refused) return;
+    if (++count_ == 1) {
+      first_ = fmt::format("{} {} {}: {}", label_of(last.key.scene), last.key.scheme,
+                           resolution_text(last.key.setup), last.ending->detail);
+    }
+  }
+
+  [[nodiscard]] int count() const { return count_; }
+
+  // "3 runs are refused, the first: relaxation l1 N = 64: ...".
+  [[nodiscard]] std::string text() const {
+    return count_ == 1 ? fmt::format("1 run is refused: {}", first_)
+                       : fmt::format("{} runs are refused, the first: {}", count_, first_);
+  }
+
+ private:
+  int count_ = 0;
+  std::string first_{};
+};
+
 void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams, ResultsFile& file) {
   const auto recorded = [&](const RunKey& key) { return file.recorded(key); };
   const Forecast expected = forecast_of(sweeps, recorded);
   SweepProgress progress(streams, expected, count_is_exact(sweeps));
   std::string unwritten;  // the first line that could not be read back; the sweep goes on without it
+  Refusals refusals;
   const auto append = [&](const auto& part) {
     try {
+      refusals.add(part);
       file.append(part);
     } catch (const UnreadableLines& reason) {
       if (unwritten.empty()) unwritten = reason.what();
@@ -50,6 +78,7 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams, Resu
                              .describes = [&](const SceneSettings& scene) { return file.describes(scene); },
                              .append_scene = append};
   for (const auto& sweep : sweeps) run_sweep(sweep, hooks, expected);
+  if (refusals.count() > 0) say(streams, Message::note, refusals.text());
   if (!unwritten.empty()) throw NumericalFailure(unwritten);
 }
 
@@ -59,11 +88,16 @@ void list_runs(const std::vector<Sweep>& sweeps, const SweepArguments& arguments
   warn(streams, recorded.warning);
   const auto expected =
       forecast_of(sweeps, [&](const RunKey& key) { return recorded_of(recorded.runs, key); });
+  std::size_t refused = 0;
   for (const auto& [run, seconds] : expected) {
-    streams.out << fmt::format("{} {} {}  {}\n", label_of(run.scene), run.scheme, resolution_text(run.setup),
-                               time_text(seconds.total()));
+    refused += seconds.refusal.empty() ? 0 : 1;
+    streams.out << fmt::format(
+        "{} {} {}  {}\n", label_of(run.scene), run.scheme, resolution_text(run.setup),
+        seconds.refusal.empty() ? time_text(seconds.total()) : fmt::format("refused: {}", seconds.refusal));
   }
-  streams.out << fmt::format("{}{} runs, about {}\n", count_is_exact(sweeps) ? "" : "about ", expected.size(),
+  streams.out << fmt::format("{}{} runs, {}about {}\n", count_is_exact(sweeps) ? "" : "about ",
+                             expected.size(),
+                             refused == 0 ? "" : fmt::format("{} of them refused, ", refused),
                              duration_text(total_seconds(expected)));
 }
 

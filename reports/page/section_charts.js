@@ -95,7 +95,8 @@ const chartsOfCurves = [
 ];
 
 // The charts of a scene, or over a parameter, that have points, with errors of this kind and the lines that are wanted.
-function chartsOf(scene, lines, kind, kinds, wants) {
+function chartsOf(scene, lines, kindOfPage, kinds, wants) {
+  const kind = scene.compared_columns ? { ...kindOfPage, columns: scene.compared_columns } : kindOfPage;
   const drawn = { ...scene, points: pointsOf(scene, kind, kinds).filter(({ line, session }) => wants(line, session)) };
   return (scene.parameter ? chartsOfCurves : chartsOfScenes)
     .map((make) => make(drawn, lines, kind)).filter((made) => made.points.length > 0);

@@ -57,6 +57,7 @@ const sectionTexts = {
     paragraphs: [
       "{source}",
       "{discontinuities:discontinuity/ }",
+      "Errors are over {compared_columns}, which all runs of this scene have: some programs print no other columns.",
       "Not in the charts, because the error at the end is exactly 0: {not_drawn:at_steps}.",
       "Times of whole processes, by the wall clock and with their start: {on_wall_clock}.",
     ],

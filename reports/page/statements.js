@@ -4,7 +4,7 @@
 const statements = {
   norm: { end: "error at the end", maximum: "maximum error" },
   scale: { absolute: "" },
-  kind: "{scale:scale} {norm:norm}",
+  kind: "{scale:scale} {norm:norm}[ in {columns}]",
 
   // Runs, and why one is the cheapest.
   timed: "{seconds:time} ({low:time} ... {high:time})[{?wall_clock} of the wall clock]",

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "fdebench/schemes/history/symbols/argument_change.hpp"
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 
 namespace fde {
@@ -43,72 +43,6 @@ class Contour {
   double total_order_ = 0.0, radius_;
 };
 
-// log det, up to multiples of 2 pi i; the real part is -infinity where det is 0.
-ComplexValue log_determinant(const ComplexMatrix& matrix) {
-  if (!matrix.allFinite()) throw std::runtime_error("linear stability: the symbol is beyond double");
-  const Eigen::PartialPivLU<ComplexMatrix> lu(matrix);
-  const double sign = lu.permutationP().determinant() > 0 ? 0.0 : std::numbers::pi;
-  ComplexValue sum{0.0, sign};
-  for (const ComplexValue pivot : lu.matrixLU().diagonal()) sum += std::log(pivot);
-  return sum;
-}
-
-// The change of the argument of det S along the contour, summed over pieces on which det S changes by less
-// than half of its size; NaN where no such pieces are found, near a zero.
-class ArgumentChange {
- public:
-  ArgumentChange(const Symbol& symbol, const Contour& contour) : symbol_(symbol), contour_(contour) {}
-
-  [[nodiscard]] double total() const {
-    // The argument of the product of the powers (1-zeta)^g_i changes by at most the sum of the orders per
-    // unit of p; the pieces are so short that they cannot miss a full turn of it.
-    const double step = 0.25 / std::max(1.0, contour_.total_order());
-    const double length = contour_.end() - Contour::begin;
-    const int pieces = static_cast<int>(std::ceil(length / step));
-    double turn = 0.0;
-    Point last = at(Contour::begin);
-    for (int i = 1; i <= pieces; ++i) {
-      const Point next = at(Contour::begin + length * i / pieces);
-      turn += between(last, next, 0);
-      if (std::isnan(turn)) return turn;
-      last = next;
-    }
-    return turn;
-  }
-
- private:
-  struct Point {
-    double p;
-    ComplexValue log_determinant;
-  };
-
-  [[nodiscard]] Point at(double p) const { return {p, log_determinant(symbol_(contour_.at(p)))}; }
-
-  // det S at b divided by det S at a.
-  static ComplexValue ratio(const Point& a, const Point& b) {
-    return std::exp(b.log_determinant - a.log_determinant);
-  }
-
-  static bool close(const Point& a, const Point& b) {
-    const ComplexValue r = ratio(a, b);
-    return std::abs(r - 1.0) < 0.5 * std::min(1.0, std::abs(r));
-  }
-
-  // The midpoint detects a piece on which det S changes and returns.
-  [[nodiscard]] double between(const Point& a, const Point& b, int depth) const {
-    constexpr int deepest = 40;
-    if (depth == deepest || std::isinf(a.log_determinant.real()) || std::isinf(b.log_determinant.real()))
-      return NAN;
-    const Point middle = at(0.5 * (a.p + b.p));
-    if (close(a, b) && close(a, middle) && close(middle, b)) return std::arg(ratio(a, b));
-    const double first = between(a, middle, depth + 1);
-    return std::isnan(first) ? first : first + between(middle, b, depth + 1);
-  }
-
-  const Symbol& symbol_;
-  const Contour& contour_;
-};
-
 }  // namespace
 
 Problem test_problem(const Scheme& scheme, double order, ComplexValue rate, double end) {
@@ -131,8 +65,17 @@ Symbol symbol_of(const Scheme& scheme, const Problem& problem, double length) {
 std::optional<int> count_growing_modes(const Scheme& scheme, const Problem& problem, double length) {
   const Symbol symbol = symbol_of(scheme, problem, length);
   const Contour contour(problem);
+  const auto log_symbol = [&](double p) {
+    const ComplexMatrix matrix = symbol(contour.at(p));
+    if (!matrix.allFinite()) throw std::runtime_error("linear stability: the symbol is beyond double");
+    return log_determinant(matrix);
+  };
+  // The argument of the product of the powers (1-zeta)^g_i changes by at most the sum of the orders per unit
+  // of p.
+  const double step = 0.25 / std::max(1.0, contour.total_order());
+  const int pieces = static_cast<int>(std::ceil((contour.end() - Contour::begin) / step));
   // The lower half of the contour contributes the same change, because A is real.
-  const double zeros = ArgumentChange(symbol, contour).total() / std::numbers::pi;
+  const double zeros = argument_change(log_symbol, Contour::begin, contour.end(), pieces) / std::numbers::pi;
   if (!std::isfinite(zeros)) return std::nullopt;
   return static_cast<int>(std::lround(zeros));
 }

@@ -14,6 +14,7 @@
 
 #include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
 #include "fdebench/schemes/diagnostics/stored_path.hpp"
+#include "fdebench/schemes/history/symbols/argument_change.hpp"
 #include "fdebench/schemes/problem/jacobian.hpp"
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 
@@ -161,6 +162,45 @@ Spectrum oscillations(const SolvedRun& run) {
   return modes;
 }
 
+// Whether a mode e^(st) of D^orders y = jacobian y, order 0 an algebraic row, oscillates faster than `least`
+// and decays no faster than `decay`, |s| > least, pi/4 < arg s < 3 pi/4 and Re s > -decay. The change of the
+// argument of the determinant is counted along the boundary of this region in log s, up to |s| = e^30 least,
+// an oscillation that no grid can follow.
+bool has_oscillation(const Problem& problem, const Matrix& jacobian, double least, double decay) {
+  using namespace std::complex_literals;
+  constexpr double most = 30.0, turn_of_row = 0.3,
+                   turn_of_all = 3.0;  // change of log |s|; radians on a piece
+  constexpr double quarter = 0.25 * std::numbers::pi;
+  Vec orders(problem.size());
+  for (Eigen::Index i = 0; i < orders.size(); ++i)
+    orders[i] = problem.components[static_cast<std::size_t>(i)].order;
+  const double first = std::log(least), last = first + most;
+  const auto log_f = [&](double log_size, double angle) {
+    ComplexMatrix matrix = -jacobian.cast<ComplexValue>();
+    for (Eigen::Index i = 0; i < orders.size(); ++i) {
+      const ComplexValue power = orders[i] == 0.0 ? 0.0 : std::exp(orders[i] * (log_size + 1i * angle));
+      matrix(i, i) += power;
+      if (std::abs(power) > 1.0) matrix.row(i) /= std::abs(power);
+    }
+    return log_determinant(matrix);
+  };
+  const auto steepest = [&](double log_size) {
+    return 2.0 * quarter + std::asin(std::min(decay * std::exp(-log_size), std::sin(quarter)));
+  };
+  const auto turned = [&](double length, const std::function<ComplexValue(double)>& log_of) {
+    const double pieces = length * std::max(orders.maxCoeff() / turn_of_row, orders.sum() / turn_of_all);
+    return argument_change(log_of, 0.0, 1.0, static_cast<int>(std::ceil(pieces)));
+  };
+  const double angle_at_first = steepest(first), angle_at_last = steepest(last);
+  const double all =
+      turned(most, [&](double p) { return log_f(first + p * most, quarter); }) +
+      turned(quarter, [&](double p) { return log_f(last, quarter + p * (angle_at_last - quarter)); }) +
+      turned(most, [&](double p) { return log_f(last - p * most, steepest(last - p * most)); }) +
+      turned(quarter,
+             [&](double p) { return log_f(first, angle_at_first + p * (quarter - angle_at_first)); });
+  return !(std::abs(all) < std::numbers::pi);  // NaN: a zero is on the boundary
+}
+
 // Backward Euler's method damps a mode until the end by the exponential of half of this.
 double damping(const Grid& grid, ComplexValue mode) {
   return mode.imag() * mode.imag() * step_at(grid, grid.end) * grid.end;
@@ -192,17 +232,22 @@ std::optional<std::string> growth_of_its_own(const SolvedRun& run) {
   if (!has_modes(problem)) return std::nullopt;
   const Vec start = stored_at(run.path, 0.0);
   Vec load = Vec::Zero(start.size()), f(start.size());
-  for (const double t : spread_times(run.grid)) {
+  const double initial = taylor_part(problem, run.grid.end).lpNorm<Eigen::Infinity>();
+  const double reached = late_sizes(run).head(problem.size()).maxCoeff();
+  const auto is_expected_from_load_at = [&](double t) {
     problem.rhs(t, start, f);
     load = load.cwiseMax(f.cwiseAbs());
-  }
-  double expected = taylor_part(problem, run.grid.end).lpNorm<Eigen::Infinity>();
-  for (Eigen::Index i = 0; i < load.size(); ++i) {
-    const double order = problem.components[static_cast<std::size_t>(i)].order;
-    expected += std::pow(run.grid.end, order) / std::tgamma(order + 1.0) * load[i];
-  }
-  const double reached = late_sizes(run).head(problem.size()).maxCoeff();
-  if (!(reached > many_times * expected)) return std::nullopt;
+    double expected = initial;
+    for (Eigen::Index i = 0; i < load.size(); ++i) {
+      const double order = problem.components[static_cast<std::size_t>(i)].order;
+      expected += std::pow(run.grid.end, order) / std::tgamma(order + 1.0) * load[i];
+    }
+    return !(reached > many_times * expected);
+  };
+  if (std::ranges::any_of(spread_times(run.grid), is_expected_from_load_at)) return std::nullopt;
+  // The load may be a pulse that only the steps have met.
+  for (int n = 1; n <= run.grid.steps; ++n)
+    if (is_expected_from_load_at(run.grid.time(n))) return std::nullopt;
   for (const double t : spread_times(run.grid)) {
     if (equation_grows(problem, t, stored_at(run.path, t), step_at(run.grid, t))) return std::nullopt;
   }
@@ -210,11 +255,26 @@ std::optional<std::string> growth_of_its_own(const SolvedRun& run) {
                      reached);
 }
 
+bool has_eigenvalue_modes(const Problem& problem) {
+  return has_modes(problem) && common_order(problem).has_value();
+}
+
 bool may_damp_oscillation(const SolvedRun& run) {
   constexpr double slightly = 0.2;
-  return std::ranges::any_of(oscillations(run), [&](const ComplexValue mode) {
-    return mode.real() * run.grid.end > std::log(significant_part) && damping(run.grid, mode) > slightly;
-  });
+  const double end = run.grid.end, slowest = std::log(significant_part) / end;
+  if (has_eigenvalue_modes(run.problem)) {
+    return std::ranges::any_of(oscillations(run), [&](const ComplexValue mode) {
+      return mode.real() > slowest && damping(run.grid, mode) > slightly;
+    });
+  }
+  if (run.problem.size() > largest_dense) return true;
+  const double least = std::sqrt(slightly / damping(run.grid, {0.0, 1.0}));
+  for (const double t : spread_times(run.grid)) {
+    const Matrix jacobian = jacobian_at(run.problem, t, stored_at(run.path, t));
+    if (!jacobian.allFinite() || has_oscillation(run.problem, jacobian, least, -slowest)) return true;
+    if (is_linear(run.problem)) return false;
+  }
+  return false;
 }
 
 std::optional<std::string> lost_oscillation(const SolvedRun& run) {

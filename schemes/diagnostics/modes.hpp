@@ -8,8 +8,9 @@
 
 namespace fde {
 
-// What the linear part of a problem, its Jacobian frozen at a few states of a run, says of that run. Nothing
-// is said of problems with algebraic rows or at both ends.
+// What the linear part of a problem, its Jacobian frozen at a few states of a run, says of that run. Except
+// by may_damp_oscillation nothing is said of problems with algebraic rows, and nothing of problems at both
+// ends.
 
 // Whether the scheme has modes with this length of a step that grow where those of the equation do not, as
 // half a sentence. Where all orders are equal the eigenvalues are looked at, the largest of them; otherwise
@@ -20,8 +21,12 @@ std::optional<std::string> unstable_modes(const SolvedRun& run);
 // initial values and its load make: |Taylor part| + t^g / Gamma(g+1) |f(., y(0))|.
 std::optional<std::string> growth_of_its_own(const SolvedRun& run);
 
-// Whether the equation has an oscillation, at t = 0, of which a tenth is left at the end or more, and which
-// backward Euler's method with these steps damps by a tenth or more.
+// Whether the modes are eigenvalues: all orders are equal and no row is algebraic.
+bool has_eigenvalue_modes(const Problem& problem);
+
+// Whether the equation has an oscillation of which a tenth is left at the end or more, and which backward
+// Euler's method with these steps damps by a tenth or more. Where the modes are not eigenvalues they are
+// counted by the argument principle; true also where that cannot be decided.
 bool may_damp_oscillation(const SolvedRun& run);
 
 // Whether the equation has an oscillation, at t = 0, that leaves ten times more of the initial values than is

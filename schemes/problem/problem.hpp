@@ -28,10 +28,18 @@ struct Component {
 // Whether the row of this component is 0 = f_i(t, y), without a derivative and without a memory term.
 inline bool is_algebraic(const Component& component) { return component.order == 0.0; }
 
-// The domain of a right-hand side, {(t, y): margin(t, y) > 0}. `edge` names its boundary, as in "r = 0".
+// The derivatives of r constraints by the n velocities, r x n, and the accelerations that their reactions
+// cause for unit multipliers, n x r. The multipliers are determined where the product is regular.
+struct ConstraintMatrices {
+  Matrix gradients, reactions;
+};
+
+// The domain of a right-hand side, {(t, y): margin(t, y) > 0}, where constraints keep their rank. `edge`
+// names its boundary, as in "r = 0".
 struct Domain {
   std::string edge{};
-  std::function<double(double t, In y)> margin{};  // empty: everywhere
+  std::function<double(double t, In y)> margin{};                   // empty: everywhere
+  std::function<ConstraintMatrices(double t, In y)> constraints{};  // empty: none that could lose it
   [[nodiscard]] bool contains(double t, In y) const { return !margin || margin(t, y) > 0.0; }
 };
 

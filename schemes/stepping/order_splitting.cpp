@@ -190,6 +190,11 @@ Problem split_orders(const Problem& problem, const OrderSplitting& links) {
       return margin(t, Vec(y(position)));
     };
   }
+  if (problem.domain.constraints) {
+    result.domain.constraints = [constraints = problem.domain.constraints, position](double t, In y) {
+      return constraints(t, Vec(y(position)));
+    };
+  }
   result.derivatives = std::visit([&](const auto& given) { return split_orders(given, links, position); },
                                   problem.derivatives);
   return result;

@@ -5,6 +5,7 @@
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/stepping/grid_jumps.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {
@@ -23,7 +24,8 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
   StepFactors factors(of_both);
 
   const Eigen::Index size = problem.size();
-  Vec y = run.start(), f(y.size()), predicted(y.size()), corrected(y.size()), taylor(y.size());
+  const GridJumps jumps(problem, grid);
+  Vec y = run.start(), delivered, f(y.size()), predicted(y.size()), corrected(y.size()), taylor(y.size());
   const Eigen::Ref<const Vec> solution(y), sample(f);  // made once: a view takes as long as a component
   const bool moves =
       std::ranges::any_of(problem.components, [](const auto& component) { return component.order > 1.0; });
@@ -47,12 +49,16 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
     for_each_row(size, [=, part = taylor.data(), sum = predicted.data(), to = y.data()](Eigen::Index i) {
       to[i] = part[i] + kappa[i] * sum[i];
     });
-    for (int correction = 0; correction < options.corrections; ++correction) {
-      run.rhs(t, solution, f);
-      for_each_row(size, [=, part = taylor.data(), sum = corrected.data(), newest = f.data(), to = y.data()](
-                             Eigen::Index i) { to[i] = part[i] + kappa[size + i] * (sum[i] + newest[i]); });
-    }
-    if (!run.accept(t, solution)) break;
+    const auto correct = [&](double time) {
+      for (int correction = 0; correction < options.corrections; ++correction) {
+        run.rhs(time, solution, f);
+        for_each_row(size,
+                     [=, part = taylor.data(), sum = corrected.data(), newest = f.data(), to = y.data()](
+                         Eigen::Index i) { to[i] = part[i] + kappa[size + i] * (sum[i] + newest[i]); });
+      }
+    };
+    const bool jump = jumps.correct(t, y, delivered, correct);
+    if (!(jump ? run.accept(t, delivered) : run.accept(t, solution))) break;
   }
   return run.finish();
 }

@@ -22,6 +22,7 @@ bool all_finite(In y) {
 Run::Run(const Problem& problem, const Options& options, int steps)
     : problem_(problem), options_(options), start_(taylor_part(problem, 0.0)), f_(problem.size()) {
   if (!options.events.empty()) events_.emplace(options.events, start_);
+  if (problem.domain.constraints) rank_.emplace(problem, start_);
   path_.cost = {.rhs_calls = 0,
                 .newton_iterations = 0,
                 .history_bytes = 0,
@@ -81,7 +82,7 @@ bool Run::check_step(double t, In y) {
   const std::int64_t n = t > 0.0 ? path_.steps + 1 : 0;
   if (!all_finite(y)) {
     fail(SolveStatus::non_finite, t);
-  } else if (!problem_.domain.contains(t, y)) {
+  } else if (!problem_.domain.contains(t, y) || (rank_ && !rank_->is_kept_until(t, y))) {
     fail(SolveStatus::left_domain, t);
   } else if (n >= next_look_ && is_out_of_budget_at(n)) {
     fail(SolveStatus::out_of_budget, t);
@@ -128,7 +129,7 @@ void Run::state(Archive& archive) {
   archive.resizable(path_.times);
   archive.first_columns(path_.y, std::ssize(path_.times));
   archive.resizable(path_.events);
-  archive(events_);
+  archive(events_, rank_);
 }
 
 void Run::fail(SolveStatus ending, double t) {

@@ -5,14 +5,15 @@
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/stepping/checkpoints.hpp"
+#include "fdebench/schemes/stepping/constraint_rank.hpp"
 #include "fdebench/schemes/stepping/event_locator.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 
 // The bookkeeping of a time-stepping run that does not depend on the scheme: counts rhs calls, records the
-// output times, and stops at a value that is not finite, outside the domain of the problem and at the end of
-// the budget. One object a run; `problem` and `options` must outlive it.
+// output times, and stops at a value that is not finite, outside the domain of the problem, where constraints
+// lose their rank and at the end of the budget. One object a run; `problem` and `options` must outlive it.
 class Run {
  public:
   // Reserves storage for the results of `steps` steps; more are possible.
@@ -84,6 +85,7 @@ class Run {
   std::int64_t next_look_ = 0, steps_between_looks_ = 1;  // at the clock
   std::chrono::steady_clock::time_point last_look_ = begin_;
   std::optional<EventLocator> events_{};
+  std::optional<ConstraintRank> rank_{};
   Trajectory path_;
 };
 

@@ -97,7 +97,8 @@ struct Scheme {
   std::string_view alias{};  // an alias that find_scheme accepts; empty: none
 };
 
-// Scheme::solve from a function that takes a grid. Precondition of the result: the resolution is a Grid.
+// Scheme::solve from a function that takes a grid. Where the right-hand side jumps at a grid time, the
+// function is given the mean of both sides (GridJumps). Precondition of the result: the resolution is a Grid.
 Solve on_grid(GridSolve solve);
 
 // Why the scheme cannot solve the problem with this resolution, as part of a sentence; nullopt: it can.

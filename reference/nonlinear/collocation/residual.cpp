@@ -162,6 +162,24 @@ class ResidualTest {
     }
   }
 
+  // What rounding alone adds to the ranges of f on a panel: terms may cancel for every y.
+  [[nodiscard]] Vec rounding_of_ranges(const Panel& panel, const Polynomials& y) const {
+    constexpr double several = 4.0;
+    const auto size = static_cast<std::size_t>(problem_.size());
+    std::vector<Interval> values(size), rhs(size);
+    Vec widths = Vec::Zero(problem_.size());
+    for (const double x : {0.5, 1.0}) {
+      y.ranges(x, x, values);
+      const double t = node_times(problem_, panel.from, panel.length(), Vec::Constant(1, x))[0];
+      problem_.range(t, values, rhs);
+      for (std::size_t i = 0; i < size; ++i) {
+        double& widest = widths[static_cast<Eigen::Index>(i)];
+        widest = std::max(widest, several * rhs[i].width());
+      }
+    }
+    return widths;
+  }
+
   // A bound of the residual of each row on a piece of a panel.
   [[nodiscard]] Vec bound_on(const Panel& panel, const Polynomials& y, const Polynomials& f, double from,
                              double to) const {
@@ -180,7 +198,8 @@ class ResidualTest {
   // Divides the panel, the longest piece first. The pieces that remain cover a time so short that what they
   // may change is small, or the residual is not.
   void examine_everywhere(const Panel& panel, const Polynomials& y, const Polynomials& f,
-                          const Scales& scales) const {
+                          Scales scales) const {
+    scales.rounding = scales.rounding.cwiseMax(rounding_of_ranges(panel, y));
     constexpr int most_pieces = 4000;
     constexpr double shortest = 0x1p-50;
     std::deque<std::pair<double, double>> open{{0.0, 1.0}};
@@ -206,7 +225,8 @@ class ResidualTest {
       time += (to - from) * panel.length();
     }
     for (Eigen::Index i = 0; i < bound.size(); ++i) {
-      if (time > 0.0 && is_examined(i) && !(bound[i] * effect(i, time, panel.to) <= coarse * scales.sizes[i]))
+      if (time > 0.0 && is_examined(i) && !(bound[i] <= scales.rounding[i]) &&
+          !(bound[i] * effect(i, time, panel.to) <= coarse * scales.sizes[i]))
         reject(i, panel.from + open.front().first * panel.length(), bound[i]);
     }
   }

@@ -38,8 +38,8 @@ using Read = std::function<Arguments()>;
 
 Long to_long(const BigReal& x) { return x.convert_to<Long>(); }
 
-// The entries of |X| |M| |X| for X = M^-1: an entry of X whose terms cancel is small beside these, and 0
-// beside 0.
+// Sizes beside which an entry of X = M^-1 whose terms cancel is small: the entries of |X| |M| |X|, which are
+// 0 where an entry of X is 0 in every term, but at most the norm of X.
 std::vector<Long> sizes_of_summands(const BigMatrix& inverse, const BigMatrix& matrix) {
   const auto sizes = [](const BigMatrix& of) {
     Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(of.size, of.size);
@@ -48,7 +48,8 @@ std::vector<Long> sizes_of_summands(const BigMatrix& inverse, const BigMatrix& m
     return result;
   };
   const auto x = sizes(inverse);
-  const decltype(sizes(inverse)) product = x * sizes(matrix) * x;
+  const Long norm = x.rowwise().sum().maxCoeff();
+  const decltype(sizes(inverse)) product = (x * sizes(matrix) * x).cwiseMin(norm);
   return {product.data(), product.data() + product.size()};
 }
 

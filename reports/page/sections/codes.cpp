@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "fdebench/reports/analysis/compared_columns.hpp"
 #include "fdebench/reports/page/accuracies.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
@@ -132,7 +135,10 @@ json codes_section(const PageInput& page) {
     for (const auto& [scene, codes] : scenes) {
       json rows = json::array();
       for (const auto& code : codes.all()) rows.push_back(row_of(page, code, codes.all().front(), kind));
-      of_kind.push_back({{"title", name_of_scene(page, scene).title}, {"rows", rows}});
+      const auto columns = compared_text(page.runs, scene);
+      of_kind.push_back({{"title", fmt::format("{}{}", name_of_scene(page, scene).title,
+                                               columns.empty() ? "" : ": errors over " + columns)},
+                         {"rows", rows}});
     }
   }
   return {{"id", "codes"}, {"accuracies", accuracies}, {"octave", is_octave}, {"groups", groups}};

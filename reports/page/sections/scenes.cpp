@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fdebench/benchmarks/records/description_text.hpp"
+#include "fdebench/reports/analysis/compared_columns.hpp"
 #include "fdebench/reports/page/facts.hpp"
 #include "fdebench/reports/page/run_columns.hpp"
 
@@ -94,6 +95,7 @@ json scene_sections(const PageInput& page) {
                             {"title", title},
                             {"name", label_of(solved)},
                             {"source", source},
+                            {"compared_columns", compared_text(page.runs, solved)},
                             {"not_drawn", not_drawn(page, scene)},
                             {"on_wall_clock", on_wall_clock(page, scene)},
                             {"answers", answers},

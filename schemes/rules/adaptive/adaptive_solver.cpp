@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "fdebench/schemes/problem/breaking_points.hpp"
 #include "fdebench/schemes/problem/switches.hpp"
 #include "fdebench/schemes/rules/adaptive/blow_up_detector.hpp"
 #include "fdebench/schemes/rules/adaptive/dense_output.hpp"
@@ -24,10 +25,10 @@ double time_after(double t, double length) {
 }
 
 // The ends of the intervals on which the right-hand side is smooth; the last is the end. An interval ends one
-// floating-point number before its jump.
+// floating-point number before its breaking point.
 std::vector<double> stretches(const Problem& problem) {
   std::vector<double> ends;
-  for (const double jump : problem.jump_times) {
+  for (const double jump : breaking_points(problem)) {
     if (jump < problem.end) ends.push_back(std::nextafter(jump, 0.0));
   }
   ends.push_back(problem.end);

@@ -13,7 +13,7 @@ namespace fde {
 using StepperFactory = std::function<std::unique_ptr<AdaptiveStepper>(Run& run, double shortest)>;
 
 // Solves a problem with adaptive step size. The right-hand side hardly changes on the first step (see
-// initial_step_size). A step ends at each time in Problem::jump_times, and the rule restarts there.
+// initial_step_size). A step ends at each of the breaking_points, and the rule restarts there.
 Trajectory solve_adaptively(const Problem& problem, const Tolerance& accuracy, const Options& options,
                             const StepperFactory& make);
 

@@ -3,6 +3,7 @@
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/stepping/grid_jumps.hpp"
 
 namespace fde {
 namespace {
@@ -65,6 +66,7 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
   Run run(problem, options, grid.steps);
   NewtonSolver newton(problem, options.tolerance);
   StepFactors factors(rule.tables);
+  const GridJumps jumps(problem, grid);
   HistoryOfRows history(problem, rule.tables, grid, options);
   run.cost().history_bytes = history.bytes();
   run.cost().history = name(history.kind());
@@ -93,15 +95,16 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
     history.convolve(t, convolved);
     const Vec& kappa = factors.at(grid.step(before, t));
     rule.known(t, sums, before_step, kappa, known);
-    if (const SolveStatus ending = newton.solve(run, {t, kappa, known}, y); ending != SolveStatus::finished) {
+    if (const SolveStatus ending = newton.solve(run, {t, kappa, known, jumps.before(t)}, y);
+        ending != SolveStatus::finished) {
       run.fail(ending, t);
       break;
     }
-    if (rule.recorded_result) {
-      recorded = y;
-      rule.recorded_result(y, recorded);
-    }
-    if (!(rule.recorded_result ? run.accept(t, recorded) : run.accept(t, solution))) break;
+    const Vec& delivered = newton.delivered(y);
+    const bool is_solution = &delivered == &y && !rule.recorded_result;
+    if (!is_solution) recorded = delivered;
+    if (rule.recorded_result) rule.recorded_result(delivered, recorded);
+    if (!(is_solution ? run.accept(t, solution) : run.accept(t, recorded))) break;
     if (n < grid.steps && rule.sample) {
       rule.sample(t, solution, before_step, sample);
     } else if (n < grid.steps) {

@@ -48,11 +48,21 @@ NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
 }
 
 SolveStatus NewtonSolver::solve(Run& run, const StepEquations& step, Out y) {
+  before_jump_.reset();
+  bool solved = !step.before_jump || solve_before_jump(run, step, y);
   f_is_at_solution_ = false;
-  const bool solved = growth_check_ ? solve_linear(run, step, y) : solve_nonlinear(run, step, y);
+  if (solved) solved = growth_check_ ? solve_linear(run, step, y) : solve_nonlinear(run, step, y);
   if (step_too_large_) return SolveStatus::step_too_large;
   if (solved) return SolveStatus::finished;
   return y.allFinite() ? SolveStatus::not_converged : SolveStatus::non_finite;
+}
+
+bool NewtonSolver::solve_before_jump(Run& run, const StepEquations& step, In y) {
+  const StepEquations before{*step.before_jump, step.kappa, step.known};
+  Eigen::Ref<Vec> solution = before_jump_.emplace(y);
+  if (growth_check_) return solve_linear(run, before, solution);
+  jacobian_reuse_.reset();
+  return iterate_from_previous(run, before, solution);
 }
 
 bool NewtonSolver::solve_nonlinear(Run& run, const StepEquations& step, Out& y) {

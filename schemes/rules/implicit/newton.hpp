@@ -57,8 +57,13 @@ class NewtonSolver {
 
   // Replaces y, the solution at the step before, by the solution. The result is not SolveStatus::finished if
   // 350 iterations do not suffice, a value is not finite, the constraints of a linear problem are dependent,
-  // or the step is too large for a growing mode.
+  // or the step is too large for a growing mode. Where f jumps at the end of the step, the equations are
+  // solved with f before the jump as well.
   SolveStatus solve(Run& run, const StepEquations& step, Out y);
+
+  // The value that the last step delivers: its solution y or, where f jumps at its end, the solution with f
+  // before the jump.
+  [[nodiscard]] const Vec& delivered(const Vec& y) const { return before_jump_ ? *before_jump_ : y; }
 
   // f(t, y) at the solution y of the last solve(); evaluated only where solve() has not. The reference is
   // valid until the next call.
@@ -76,6 +81,8 @@ class NewtonSolver {
   [[nodiscard]] std::string_view linear_solver() const { return matrix_->solver(); }
 
  private:
+  // Sets before_jump_, from y, the solution at the step before.
+  bool solve_before_jump(Run& run, const StepEquations& step, In y);
   bool solve_nonlinear(Run& run, const StepEquations& step, Out& y);
   bool solve_linear(Run& run, const StepEquations& step, Out& y);
   // Iterates from iterate_, the guess, with the kept factors; f_ is f there. Returns false, with y unchanged,
@@ -125,6 +132,7 @@ class NewtonSolver {
   Extrapolation extrapolation_;
   int determinant_sign_ = 0;  // sign of the determinant at the last solution; 0: there was none
   Vec f_, increment_, residual_, iterate_;
+  std::optional<Vec> before_jump_{};  // the solution of the last step with f before the jump at its end
   int missed_guesses_ = 0;         // extrapolated guesses that were not the solution, since the last choice
   bool f_is_at_solution_ = false;  // f_ is f(t, y) at the result of the last solve()
   // Of a linear problem: the kappa for which the matrix is factorised, and whether the equations can be

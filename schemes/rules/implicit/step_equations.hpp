@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "fdebench/schemes/problem/archive.hpp"
@@ -11,11 +12,12 @@ namespace fde {
 
 // The equations of one step of an implicit rule: y_i = known_i + kappa_i f_i(t, y), and 0 = f_i(t, y) in
 // algebraic rows. known is the part that does not depend on y: the Taylor part and the memory term. kappa is
-// the weight of f(t, y).
+// the weight of f(t, y). Where f jumps at t, before_jump is a time just before t (GridJumps).
 struct StepEquations {
   double t;
   const Vec& kappa;
   const Vec& known;
+  std::optional<double> before_jump{};
 };
 
 // Scales of the rows of these equations in Newton's method: row i reads

@@ -3,6 +3,7 @@
 
 #include "fdebench/schemes/rules/implicit/newton.hpp"
 #include "fdebench/schemes/rules/interpolants/off_step_problem.hpp"
+#include "fdebench/schemes/stepping/grid_jumps.hpp"
 
 namespace fde {
 
@@ -11,6 +12,7 @@ Trajectory solve_with_interpolant(Interpolant& interpolant, const Problem& probl
   OffStepProblem stepped(problem, interpolant.offsets());
   Run run(stepped.problem(), options, grid.steps);
   NewtonSolver newton(stepped.problem(), options.tolerance);
+  const GridJumps jumps(problem, grid);
   run.cost().history_bytes = interpolant.bytes();
   run.cost().history = name(interpolant.history_kind());
 
@@ -29,11 +31,12 @@ Trajectory solve_with_interpolant(Interpolant& interpolant, const Problem& probl
     interpolant.derivative(n, known_derivative, newest);
     kappa = newest.cwiseInverse();
     known = before - kappa.cwiseProduct(known_derivative);
-    if (const SolveStatus ending = newton.solve(run, {t, kappa, known}, y); ending != SolveStatus::finished) {
+    if (const SolveStatus ending = newton.solve(run, {t, kappa, known, jumps.before(t)}, y);
+        ending != SolveStatus::finished) {
       run.fail(ending, t);
       break;
     }
-    if (!run.accept(t, y)) break;
+    if (!run.accept(t, newton.delivered(y))) break;
     if (n < grid.steps) interpolant.push(n, y - before);
   }
   *run.cost().rhs_calls *= stepped.evaluations();

@@ -5,6 +5,7 @@
 
 #include "fdebench/schemes/rules/implicit/newton.hpp"
 #include "fdebench/schemes/rules/multi_term/integrated_equations.hpp"
+#include "fdebench/schemes/stepping/grid_jumps.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {
@@ -34,6 +35,7 @@ Trajectory solve_integrated_equations(const Problem& problem, const Grid& grid, 
   const Problem stepped = integrated_problem(problem);
   Run run(stepped, options, grid.steps);
   NewtonSolver newton(stepped, options.tolerance);
+  const GridJumps jumps(problem, grid);
   IntegratedEquations equations(problem, family, grid, options, powers);
   run.cost().history_bytes = equations.bytes();
   run.cost().history = name(equations.history_kind());
@@ -59,9 +61,10 @@ Trajectory solve_integrated_equations(const Problem& problem, const Grid& grid, 
       y = first.col(n - 1);
     } else {
       ending = SolveStatus::step_too_large;
-      if (equations.prepare_step(n)) ending = newton.solve(run, {t, equations.kappa(), equations.known()}, y);
+      if (equations.prepare_step(n))
+        ending = newton.solve(run, {t, equations.kappa(), equations.known(), jumps.before(t)}, y);
     }
-    if (ending == SolveStatus::finished && !run.accept(t, y)) return run.finish();
+    if (ending == SolveStatus::finished && !run.accept(t, newton.delivered(y))) return run.finish();
   }
   if (ending != SolveStatus::finished) run.fail(ending, t > 0.0 ? t : grid.time(1));
   return run.finish();
@@ -74,7 +77,8 @@ Trajectory predict_and_correct_equations(const Problem& problem, const Grid& gri
   run.cost().history_bytes = equations.bytes();
   run.cost().history = name(equations.history_kind());
 
-  Vec y = run.start(), f = Vec::Zero(y.size()), before = f;
+  const GridJumps jumps(problem, grid);
+  Vec y = run.start(), delivered, f = Vec::Zero(y.size()), before = f;
   double t = 0.0;
   int n = 1;
   const StateArchiver state = [&](Archive& archive) {
@@ -94,9 +98,12 @@ Trajectory predict_and_correct_equations(const Problem& problem, const Grid& gri
     const double ratio = n == 1 ? 0.0 : grid.step(n) / grid.step(n - 1);
     if (n == 1) before = f;
     y = equations.known() + equations.kappa().cwiseProduct(f + ratio * (f - before));
-    for (int correction = 0; correction < options.corrections; ++correction)
-      y = equations.known() + equations.kappa().cwiseProduct(run.rhs(t, y));
-    if (!run.accept(t, y)) break;
+    const auto correct = [&](double time) {
+      for (int correction = 0; correction < options.corrections; ++correction)
+        y = equations.known() + equations.kappa().cwiseProduct(run.rhs(time, y));
+    };
+    const bool jump = jumps.correct(t, y, delivered, correct);
+    if (!run.accept(t, jump ? delivered : y)) break;
   }
   return run.finish();
 }

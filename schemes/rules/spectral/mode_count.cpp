@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/mode_count.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <vector>
+
+#include "fdebench/schemes/history/symbols/argument_change.hpp"
 
 namespace fde {
 namespace {
 
-// det(1 - diag(s^-orders) jacobian), without the 1 in algebraic rows; s = e^log_s. For large |s| it tends to
-// 1, or to a power of s where there are algebraic rows.
-std::complex<double> determinant(const Matrix& jacobian, const Vec& orders, std::complex<double> log_s) {
+// log det(1 - diag(s^-orders) jacobian), without the 1 in algebraic rows; s = e^log_s. For large |s| the
+// determinant tends to 1, or to a power of s where there are algebraic rows.
+ComplexValue log_characteristic(const Matrix& jacobian, const Vec& orders, ComplexValue log_s) {
   ComplexMatrix matrix = ComplexMatrix::Identity(orders.size(), orders.size());
   for (Eigen::Index i = 0; i < orders.size(); ++i)
     matrix.row(i) -= std::exp(-orders[i] * log_s) * jacobian.row(i);
   for (Eigen::Index i = 0; i < orders.size(); ++i) {
     if (orders[i] == 0.0) matrix(i, i) -= 1.0;
   }
-  return matrix.determinant();
+  return log_determinant(matrix);
 }
 
 // The log |s| from which on the determinant is a power of s, judged by its slopes at two distances; NaN:
@@ -28,7 +30,7 @@ std::complex<double> determinant(const Matrix& jacobian, const Vec& orders, std:
 double power_from(const Matrix& jacobian, const Vec& orders, double log_s) {
   constexpr double straight = 0.02, most = 300.0;  // change of d log |det| / d log s; largest log s
   const auto slope = [&](double at) {
-    return std::log(std::abs(determinant(jacobian, orders, at + 1.0) / determinant(jacobian, orders, at)));
+    return (log_characteristic(jacobian, orders, at + 1.0) - log_characteristic(jacobian, orders, at)).real();
   };
   for (; log_s < most; log_s += 1.0) {
     if (std::abs(slope(log_s + 2.0) - slope(log_s)) < straight) return log_s;
@@ -36,16 +38,16 @@ double power_from(const Matrix& jacobian, const Vec& orders, double log_s) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace
-
-// The path is a quarter circle round 0 from the real axis, a part of the imaginary axis up to where the
-// identity dominates the other entries of each row, or the determinant is a power of s, and a quarter circle
-// back to the real axis: at both ends the determinant is real. With its mirror image the path encloses the
-// modes. Each of them adds a full turn to the argument of the determinant, half of it on this path.
-bool grows_faster(const Matrix& jacobian, const Vec& orders, double rate) {
+// The path is an arc round 0 from the real axis, a ray next to the imaginary axis up to where the identity
+// dominates the other entries of each row, or the determinant is a power of s, and an arc back to the real
+// axis: at both ends the determinant is real. With its mirror image the path encloses the modes. Each of them
+// adds a full turn to the argument of the determinant, half of it on this path. Undamped oscillations, on the
+// imaginary axis, are outside. A step turns the powers of s of all rows by less than half a turn together.
+bool block_grows_faster(const Matrix& jacobian, const Vec& orders, double rate) {
   using namespace std::complex_literals;
-  constexpr double turn = 0.3, clear = 1.01;  // of log(s^order) a step; times the other entries of a row
-  constexpr double most_steps = 1e4;
+  // In a step, in radians: what a row turns, what all rows turn; times the other entries of a row.
+  constexpr double turn = 0.3, turn_of_all = 2.5, clear = 1.01;
+  constexpr double most_steps = 1e4, beside_axis = 1e-3;
   const double first = std::log(rate), largest = orders.maxCoeff();
   double last = first;
   for (Eigen::Index i = 0; i < orders.size(); ++i) {
@@ -54,22 +56,55 @@ bool grows_faster(const Matrix& jacobian, const Vec& orders, double rate) {
   }
   if (orders.minCoeff() == 0.0) last = power_from(jacobian, orders, last);
   if (last <= first) return false;
-  if (!((last - first) * largest < turn * most_steps)) return true;
-  auto before = determinant(jacobian, orders, first);
+  const double per_length = std::max(largest / turn, orders.sum() / turn_of_all);
+  if (!((last - first) * per_length < most_steps)) return true;
+  auto before = log_characteristic(jacobian, orders, first);
   double turned = 0.0;
-  const auto go = [&](std::complex<double> from, std::complex<double> to) {
-    const auto steps = static_cast<int>(std::ceil(std::abs(to - from) * largest / turn));
+  const auto go = [&](ComplexValue from, ComplexValue to) {
+    const auto steps = static_cast<int>(std::ceil(std::abs(to - from) * per_length));
     for (int k = 1; k <= steps; ++k) {
-      const auto now = determinant(jacobian, orders, from + (to - from) * (static_cast<double>(k) / steps));
-      turned += std::arg(now / before);
+      const auto now =
+          log_characteristic(jacobian, orders, from + (to - from) * (static_cast<double>(k) / steps));
+      turned += std::arg(std::exp(now - before));
       before = now;
     }
   };
-  const auto quarter = 0.5i * std::numbers::pi;
-  go(first, first + quarter);
-  go(first + quarter, last + quarter);
-  go(last + quarter, last);
+  const auto ray = 1i * (0.5 * std::numbers::pi - beside_axis);
+  go(first, first + ray);
+  go(first + ray, last + ray);
+  go(last + ray, last);
   return std::abs(turned) > 0.5 * std::numbers::pi;
+}
+
+// The unknowns of each irreducible block: those that depend on each other. The determinant is the product of
+// those of the blocks.
+std::vector<std::vector<Eigen::Index>> irreducible_blocks(const Matrix& jacobian) {
+  const Eigen::Index size = jacobian.rows();
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> reaches = jacobian.array() != 0.0;
+  for (Eigen::Index k = 0; k < size; ++k) {
+    for (Eigen::Index i = 0; i < size; ++i)
+      if (reaches(i, k)) reaches.row(i) = reaches.row(i) || reaches.row(k);
+  }
+  std::vector<std::vector<Eigen::Index>> blocks;
+  std::vector<bool> taken(static_cast<std::size_t>(size));
+  for (Eigen::Index i = 0; i < size; ++i) {
+    if (taken[static_cast<std::size_t>(i)]) continue;
+    auto& block = blocks.emplace_back();
+    for (Eigen::Index j = i; j < size; ++j) {
+      if (j != i && !(reaches(i, j) && reaches(j, i))) continue;
+      block.push_back(j);
+      taken[static_cast<std::size_t>(j)] = true;
+    }
+  }
+  return blocks;
+}
+
+}  // namespace
+
+bool grows_faster(const Matrix& jacobian, const Vec& orders, double rate) {
+  return std::ranges::any_of(irreducible_blocks(jacobian), [&](const auto& block) {
+    return block_grows_faster(jacobian(block, block), orders(block), rate);
+  });
 }
 
 }  // namespace fde

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "fdebench/schemes/problem/breaking_points.hpp"
 #include "fdebench/schemes/problem/switches.hpp"
 
 namespace fde {
@@ -33,7 +34,7 @@ PanelCollocation::PanelCollocation(const Problem& problem, const Tolerance& accu
 Trajectory PanelCollocation::solve() {
   sides_ = switch_signs(problem_, 0.0, run_.start());
   double start = 0.0;
-  for (const double jump : problem_.jump_times) {
+  for (const double jump : breaking_points(problem_)) {
     if (jump < problem_.end) solve_between(std::exchange(start, jump), jump);
   }
   solve_between(start, problem_.end);

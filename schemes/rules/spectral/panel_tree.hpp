@@ -9,7 +9,7 @@
 
 namespace fde {
 
-// A time interval between two jumps of a right-hand side. Its panels grow from its start.
+// A time interval between two breaking points of a right-hand side. Its panels grow from its start.
 struct Segment {
   double start, length;
   double first = 0.0;                                     // first time after the jump at its start

@@ -11,6 +11,7 @@
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/rules/start_weights/start_correction.hpp"
 #include "fdebench/schemes/rules/start_weights/starting_procedure.hpp"
+#include "fdebench/schemes/stepping/grid_jumps.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
@@ -39,6 +40,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   StartingCorrection correction(of_rows, powers, grid.steps);
   const TaylorPart taylor(problem);
   NewtonSolver newton(problem, options.tolerance);
+  const GridJumps jumps(problem, grid);
   Run run(problem, options, grid.steps);
   run.cost().starting_weights = first_steps + 1;
 
@@ -87,13 +89,13 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
       correction.add(n, convolved);
       taylor.at(t, known);
       for_each_row(known.size(), [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
-      if (const SolveStatus ending = newton.solve(run, {t, kappa, known}, y);
+      if (const SolveStatus ending = newton.solve(run, {t, kappa, known, jumps.before(t)}, y);
           ending != SolveStatus::finished) {
         run.fail(ending, t);
         break;
       }
     }
-    if (!run.accept(t, y)) break;
+    if (!run.accept(t, newton.delivered(y))) break;
   }
   run.cost().linear_solver = newton.linear_solver();
   return run.finish();

@@ -211,6 +211,12 @@ INSTANTIATE_TEST_SUITE_P(
         InvalidFile{with("\"\u00e4\" = 1\n[unknown]\nx = { \"rhs\" = \"yy\" , order = 1, initial = [1] }"),
                     "line 2, column 1", "no such key"}));
 
+INSTANTIATE_TEST_SUITE_P(FormulasBehindAByteOrderMark, WrongEquationFile,
+                         testing::Values(InvalidFile{"\xEF\xBB\xBF"
+                                                     "end = \"\\u0031 + q\"\n" +
+                                                         x,
+                                                     "line 1, column 17", "q: no such name here"}));
+
 // Keys that other programs have, and these files do not.
 INSTANTIATE_TEST_SUITE_P(
     KeysOfOthers, WrongEquationFile,

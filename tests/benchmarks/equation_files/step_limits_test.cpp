@@ -78,5 +78,22 @@ TEST(StepLimits, LetAdaptiveSchemesSeePulses) {
   }
 }
 
+// J^g of a triangle of height 1 is ((t-a)^(1+g) - 2 (t-b)^(1+g) + (t-c)^(1+g)) / (w Gamma(2+g)) behind its
+// kinks a < b < c, w apart.
+TEST(StepLimits, LetAdaptiveSchemesStopAtKinks) {
+  const double g = 0.9, w = 0.02, place = 4.26, end = 10.0, tolerance = 1e-8;
+  const Problem problem = at_rest("max(0, 1 - abs(t - 4.26)/0.02)", end);
+  const auto power = [&](double kink) { return std::pow(end - kink, 1.0 + g); };
+  const double exact =
+      (power(place - w) - 2.0 * power(place) + power(place + w)) / (w * std::tgamma(2.0 + g));
+  for (const auto* id :
+       {"adaptive_pc", "adaptive_trapezoidal", "radau_exponentials", "spectral_collocation"}) {
+    const auto path =
+        find_scheme(id)->solve(problem, Tolerance{tolerance, tolerance}, {.output_times = {end}});
+    ASSERT_EQ(path.status, SolveStatus::finished) << id;
+    EXPECT_NEAR(path.y(0, path.y.cols() - 1), exact, 10.0 * tolerance * (1.0 + exact)) << id;
+  }
+}
+
 }  // namespace
 }  // namespace fde::bench

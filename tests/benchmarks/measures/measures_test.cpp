@@ -49,6 +49,18 @@ TEST(Measures, OfValuesBesideAReference) {
   EXPECT_DOUBLE_EQ(error(Norm::maximum, Scale::mixed), 2.5 / 5.5);
 }
 
+// Errors as parts of the largest value do not depend on the unit; a column that is 0 has none.
+TEST(PeakErrors, DoNotDependOnTheUnit) {
+  const std::vector<double> times{0.0, 1.0, 2.0};
+  const Rows reference = (Rows(2, 3) << 0.0, -4.8e-3, 1e-3, 0.0, 0.0, 0.0).finished();
+  const Rows values = reference + (Rows(2, 3) << 0.0, 4.8e-4, 1e-4, 0.0, 1.0, 1.0).finished();
+  for (const double unit : {1.0, 1e3, 1e-9}) {
+    const Rows by = divisors(Scale::peak, times, unit * reference);
+    EXPECT_NEAR(error_of(Norm::maximum, unit * values, unit * reference, by), 0.1, 1e-12) << unit;
+    EXPECT_NEAR(error_of(Norm::end, unit * values, unit * reference, by), 1e-4 / 4.8e-3, 1e-12) << unit;
+  }
+}
+
 // The size in [0.9 t, t] at t = 0.95 is 1, so the divisor is a thousandth of it. At t = 0 and t = 2 the
 // reference is 0 in all of [0.9 t, t]: relative errors are left out.
 TEST(RelativeErrors, TakeAZeroForAThousandthOfTheSizeNearby) {
@@ -79,7 +91,7 @@ TEST(ErrorKinds, HaveAMeasureAndAWordEach) {
     EXPECT_EQ(parse_scale(name(kind.scale)), kind.scale);
   }
   expect_message([] { parse_norm("start"); }, "--norm = start: must be end or maximum");
-  expect_message([] { parse_scale("log"); }, "--scale = log: must be absolute, relative or mixed");
+  expect_message([] { parse_scale("log"); }, "--scale = log: must be absolute, relative, mixed or peak");
 }
 
 TEST(Measures, OfTimes) {

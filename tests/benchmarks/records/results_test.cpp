@@ -83,10 +83,12 @@ TEST_F(ResultsFiles, KeepEveryMemberOfARun) {
                .setup = {Tolerance{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
   }
   some.back().ending = RunOutcome{SolveStatus::non_finite, "at step 3, t = 0.5"};
+  some.back().columns = {.names = {"x", "dx"}, .is_part = true, .values = {{"error_end", {0.25, 1e-300}}}};
   ResultsFile(file_).append(some);
   const Record read = read_results(file_).records.back();
   EXPECT_EQ(read.key, some.back().key);
   EXPECT_EQ(read.ending, some.back().ending);
+  EXPECT_EQ(read.columns, some.back().columns);
   EXPECT_EQ(label_of(read.key.scene), "knife_edge:formulation=multiplier,omega=1.9,until=5");
 }
 

@@ -131,6 +131,36 @@ TEST(Forecasts, RefineAsTheSweepDoes) {
   EXPECT_LE(expected, 9U);  // the sweep makes 7 runs
 }
 
+// A scheme with adaptive step size refuses a number of steps at once, however large it is.
+TEST(Forecasts, GiveNoTimeToRunsThatAreRefused) {
+  const Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
+                    .schemes = {find_scheme("adaptive_pc"), find_scheme("l1")},
+                    .plan = {.resolutions = {1 << 20, 1 << 26}}};
+  const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return RecordedRun(); });
+  EXPECT_EQ(expected.size(), 4U);
+  for (const auto& [run, seconds] : expected) {
+    EXPECT_EQ(seconds.refusal.empty(), run.scheme == "l1") << seconds.refusal;
+    if (run.scheme != "l1") {
+      EXPECT_LT(seconds.total(), 0.01);
+    }
+  }
+}
+
+// A step of adaptive_pc is as dear at any tolerance, and its steps grow as E^(-1/2): a hundred times smaller
+// tolerances take about ten times as long, whatever the first solve of the process took.
+TEST(Forecasts, GrowWithTheStepsOfATolerance) {
+  Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
+              .schemes = {find_scheme("adaptive_pc")},
+              .plan = {.resolutions = {Tolerance{1e-5, 1e-5}, Tolerance{1e-9, 1e-9}}}};
+  sweep.repeats = {.most = 1, .min_seconds = 0.0, .enough_seconds = 0.0};
+  const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return RecordedRun(); });
+  ASSERT_EQ(expected.size(), 2U);
+  const auto [least, most] =
+      std::minmax(expected.begin()->second.timing, std::next(expected.begin())->second.timing);
+  EXPECT_LT(most, 400.0 * least);
+  EXPECT_GT(most, 10.0 * least);
+}
+
 // What two short solves foretell of a tolerance of 1e-13 may be years.
 TEST(Forecasts, OfARunAreWithinItsBudget) {
   Sweep sweep{.scenes = {{&scene_maker("pendulum")}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // fdebench choose: its statements are checked by running the recommended command.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "support/command_line_result.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
@@ -49,6 +51,36 @@ TEST(Choose, SaysWhatWouldBeNeeded) {
   EXPECT_EQ(choice.out, "");
   EXPECT_THAT(choice.err, HasSubstr("would need about N = "));
   EXPECT_EQ(std::ranges::count(choice.err, '\n'), 1);
+}
+
+// The damper answers a pulse of 200 N with a few millimetres: an absolute error of 1e-2 is larger than the
+// answer.
+TEST(Choose, SaysThatAnAccuracyIsCoarseForItsColumn) {
+  const TemporaryFolder folder;
+  folder.write("damper.toml",
+               "end = 0.05\n[unknown.x]\nterms = [[0.25, 2], [40, 0.6]]\n"
+               "rhs = \"200*t*exp(-300*t) - 1e4*x\"\ninitial = [0.0, 0.0]\n");
+  const auto command =
+      "choose " + (folder.path() / "damper.toml").string() + " --columns x --max-time 10 --error 1e-2";
+  const auto coarse = fdebench(command);
+  EXPECT_THAT(coarse.out, HasSubstr("\ncoarse: the error allowed is in x 1.0e-2, "));
+  EXPECT_THAT(coarse.out, HasSubstr(" times its largest value "));
+  const auto peak = nlohmann::json::parse(fdebench(command + " --scale peak --json").out);
+  EXPECT_FALSE(peak.contains("coarse"));
+  EXPECT_EQ(peak["scale"], "peak");
+  const auto largest =
+      nlohmann::json::parse(fdebench(command + " --json").out)["coarse"][0]["largest"].get<double>();
+  const std::string solve = peak["command"];
+  const auto rows = csv_rows(fdebench(solve.substr(solve.find(' ') + 1)).out);
+  std::string times;
+  for (std::size_t i = 1; i < rows.size(); ++i) times += fmt::format("{}{}", i > 1 ? "," : "", rows[i][0]);
+  const auto exact =
+      csv_rows(fdebench("exact " + (folder.path() / "damper.toml").string() + " --at " + times).out);
+  ASSERT_EQ(exact.size() + 1, rows.size());
+  double worst = 0.0;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    worst = std::max(worst, std::abs(rows[i][1] - exact[i - 1][1]));
+  EXPECT_LT(worst, 1.01e-2 * largest) << "a hundredth of the largest value";
 }
 
 // dphi has a term t^(1/2) near 0, phi has none: errors of phi are smaller.

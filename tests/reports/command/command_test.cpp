@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"choose relaxation --error 1", "--error = 1: must be a number in (1e-15, 1)"},
         Mistake{"choose relaxation --error 1e-3 --norm start", "--norm = start: must be end or maximum"},
         Mistake{"choose relaxation --error 1e-3 --scale log",
-                "--scale = log: must be absolute, relative or mixed"},
+                "--scale = log: must be absolute, relative, mixed or peak"},
         Mistake{"choose pendulum --error 1e-3 --columns phi,psi", "--columns = psi: must be of phi, "},
         Mistake{"choose relaxation --error 1e-3 --max-time 0", "--max-time = 0: must be"},
         Mistake{"choose relaxation:until=2 --error 1e-3 --until 3", "until"},

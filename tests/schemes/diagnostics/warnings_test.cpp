@@ -134,6 +134,14 @@ INSTANTIATE_TEST_SUITE_P(
                "q1=.223,q2=1.946,v1=1.88,v2=-.195,g=-1.856,k1=14.258,k2=11.992,until=30",
                "grunwald_letnikov", 512, "30", "v2", -3.3531870782339608,
                "with product_trapezoidal on the same grid"},
+        BadRun{
+            "fractional_constraint_2d:alpha=.842,a1=-1.787,a2=-1.06,b1=-.412,b2=-1.475,q1=.223,q2=1.946,v1="
+            "1.88,v2=-.195,g=-1.856,k1=14.258,k2=11.992,until=30",
+            "l1", 400, "30", "v2", -3.3531870782339608, "with product_trapezoidal on the same grid"},
+        BadRun{"fractional_oscillator:nu=1.999,w2=400,q0=0,dq0=0,c0=400,c1=0", "l1", 400, "10", "q",
+               0.38161883611282532, "with product_trapezoidal on the same grid"},
+        BadRun{"fractional_oscillator:nu=1.999,w2=400,q0=0,dq0=0,c0=400,c1=0", "grunwald_letnikov", 4000,
+               "10", "q", 0.38161883611282532, "with product_trapezoidal on the same grid"},
         BadRun{"relaxation_pair:gamma=1,re=0,im=50", "product_trapezoidal", 64, "5", "x", 0.24098830528525864,
                "up and down from step to step"},
         BadRun{"relaxation_pair:gamma=1,re=0,im=50", "adams_pc", 64, "5", "x", 0.24098830528525864,
@@ -241,6 +249,49 @@ TEST(Warnings, ChangeNothingThatIsPrinted) {
   const std::string run = "solve pendulum --scheme adams_pc --steps 4096";
   const auto all = csv_rows(fdebench(run).out), some = csv_rows(fdebench(run + " --at 5,20").out);
   EXPECT_THAT(some, ElementsAre(all.at(1024), all.at(4096)));
+}
+
+// A load that is 0 at the start, the end and the middle: it is the reason of what the run grows to.
+TEST(Warnings, DoNotTakeAPulseForGrowthOfTheScheme) {
+  const Problem pulse{
+      .components = {{0.7, {0.0}}},
+      .rhs = [](double t, In y, Out f) { f[0] = std::exp(-400.0 * (t - 7.1) * (t - 7.1)) - y[0]; },
+      .derivatives = DenseLinearPart{Matrix::Constant(1, 1, -1.0)},
+      .end = 8.0};
+  const Options options;
+  for (const auto* id : {"product_trapezoidal", "l1", "adams_pc"}) {
+    for (const int steps : {80, 161, 640}) {
+      const Grid grid{pulse.end, steps};
+      const Scheme& scheme = *find_scheme(id);
+      const auto path = scheme.solve(pulse, grid, options);
+      for (const auto& warning : warnings({scheme, pulse, grid, options, path}))
+        EXPECT_NE(warning.finding, Finding::growth) << id << ' ' << steps << ' ' << warning.text;
+    }
+  }
+}
+
+// Friction makes modes of the rate -1e4, which the trapezoidal rule hardly damps with these steps; L1 is
+// right.
+TEST(Warnings, DoNotTakeStiffFrictionForADampedOscillation) {
+  const Matrix matrix{{0.0, 0.0, 1.0, 0.0, 0.0},
+                      {0.0, 0.0, 0.0, 1.0, 0.0},
+                      {-1.0, 0.0, -1e4, 0.0, 1.0},
+                      {0.0, -2.0, 0.0, -1e4, 1.0},
+                      {0.0, 0.0, 1.0, 1.0, 0.0}};
+  const Problem friction{
+      .components = {{1.0, {1.0}}, {1.0, {0.0}}, {1.0, {0.5}}, {1.0, {-0.5}}, {0.0, {0.0}}},
+      .rhs = [matrix](double, In y, Out f) { f = matrix * y; },
+      .derivatives = DenseLinearPart{matrix},
+      .end = 2.0};
+  const Options options;
+  for (const auto* id : {"l1", "grunwald_letnikov"}) {
+    for (const int steps : {64, 128, 512}) {
+      const Grid grid{friction.end, steps};
+      const Scheme& scheme = *find_scheme(id);
+      const auto path = scheme.solve(friction, grid, options);
+      EXPECT_THAT(warnings({scheme, friction, grid, options, path}), IsEmpty()) << id << ' ' << steps;
+    }
+  }
 }
 
 TEST(Warnings, KnowTheJumpsThatAProblemTells) {

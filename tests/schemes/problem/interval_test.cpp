@@ -68,7 +68,7 @@ TEST(Interval, ContainsTheValuesOfFunctions) {
       const Interval a = drawn(random), b = drawn(random), value = enclosed(a, b);
       for (int point = 0; point < 8; ++point) {
         const auto within = [&](const Interval& of) {
-          const double part = point < 2 ? point : (random() % 1000) / 1000.0;
+          const double part = point < 2 ? point : static_cast<double>(random() % 1000) / 1000.0;
           return std::min(of.high, of.low + part * of.width());
         };
         const double x = within(a), y = within(b);

@@ -182,6 +182,44 @@ TEST(GrowingModes, OfAlgebraicRowsAreThoseOfTheOthers) {
   }
 }
 
+// The determinant of n copies is the n-th power of that of one, and turns n times as fast.
+TEST(GrowingModes, OfManyCopiesAreThoseOfOne) {
+  for (const Eigen::Index copies : {2, 11, 12, 14, 22, 43, 64}) {
+    const Vec orders = Vec::Constant(copies, 0.7);
+    const Matrix unit = Matrix::Identity(copies, copies);
+    for (const double rate : {0.03, 1.0, 1e4}) {
+      EXPECT_FALSE(grows_faster(-1e4 * unit, orders, rate)) << copies << ' ' << rate;
+      EXPECT_TRUE(grows_faster(std::pow(2.0 * rate, 0.7) * unit, orders, rate)) << copies << ' ' << rate;
+    }
+  }
+}
+
+// Rows of a chain coupled in a ring, with random orders and one growing mode of a row beside them.
+TEST(GrowingModes, OfManyRowsWithDifferentOrdersAreFound) {
+  constexpr Eigen::Index size = 40;
+  Vec orders(size);
+  Matrix ring = Matrix::Zero(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    orders[i] = 0.3 + 0.65 * static_cast<double>(i * i % size) / static_cast<double>(size);
+    ring(i, i) = -std::pow(10.0, static_cast<double>(i % 6));
+    ring(i, (i + 1) % size) = 0.4 * ring(i, i);  // diagonally dominant: no mode grows
+  }
+  EXPECT_FALSE(grows_faster(ring, orders, 0.1));
+  EXPECT_FALSE(grows_faster(ring, orders, 100.0));
+  ring.row(7).setZero();
+  ring(7, 7) = std::pow(5.0, orders[7]);
+  EXPECT_TRUE(grows_faster(ring, orders, 4.0));
+  EXPECT_FALSE(grows_faster(ring, orders, 6.0));
+}
+
+// u'' = -u, many times: on the imaginary axis, which is the edge of the region.
+TEST(GrowingModes, AreNotUndampedOscillations) {
+  for (const Eigen::Index copies : {1, 5, 20}) {
+    const Matrix unit = Matrix::Identity(copies, copies);
+    EXPECT_FALSE(grows_faster(-unit, Vec::Constant(copies, 2.0), 0.01)) << copies;
+  }
+}
+
 TEST(GrowingModes, OfAnOrderNextToZeroAreNotRuledOut) {
   EXPECT_TRUE(grows_faster(Matrix{{-1.0, 0.5}, {0.5, -1.5}}, Vec{{1.9, 1e-300}}, 0.1));
 }
