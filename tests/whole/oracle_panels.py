@@ -5,7 +5,7 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from math import log
+from math import exp, log
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np
