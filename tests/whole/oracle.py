@@ -158,8 +158,11 @@ def advance(equations: Equations, panel: Panel, past: dict[float, Array], own: d
     middle = max(panel.anchor + (low + high) / 2, np.nextafter(panel.anchor, np.inf))
     before = [past[p] @ values[i] for i, p in equations.integrals]
     u = np.repeat(last[:, None], m, axis=1)
-    for i, (p, value) in level.items():
-        u[i] = np.linalg.solve(own[p], value - past[p] @ values[i])
+    try:
+        for i, (p, value) in level.items():
+            u[i] = np.linalg.solve(own[p], value - past[p] @ values[i])
+    except np.linalg.LinAlgError:
+        return None, []
     for _ in range(25):
         integrals = [h + own[p] @ u[i] for h, (i, p) in zip(before, equations.integrals)]
         g = np.array([np.broadcast_to(one, (m,)) for one in equations.residual(times, middle, list(u), integrals)], dtype=float)
