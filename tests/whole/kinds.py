@@ -11,7 +11,8 @@ from case import Case
 from drawn_kinds import drawn_algebraic, drawn_constrained, drawn_equilibria, drawn_load_case
 from drawn_scenes import Lists
 from errors import ESTIMATED, FACTOR, MISSED
-from oracle import Uncertain, solution
+from oracle import solution
+from oracle_panels import Uncertain
 from program import Fault, Outcome, Program
 from properties import must_hold
 from table import DERIVED, Table

@@ -12,7 +12,8 @@ from math import gamma, pi
 import numpy as np
 
 from case import Case
-from oracle import Array, Equations, Shape, Uncertain
+from oracle import Equations
+from oracle_panels import Array, Shape, Uncertain
 
 FUNCTIONS = {name: getattr(np, name) for name in ("sin", "cos", "tanh", "sinh", "cosh", "exp", "log", "sqrt", "abs")}
 FUNCTIONS |= {"atan": np.arctan, "min": np.minimum, "max": np.maximum, "gamma": gamma, "pi": pi, "step": lambda x: np.where(x > 0, 1.0, 0.0)}
