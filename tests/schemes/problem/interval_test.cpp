@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 struct Case {
@@ -103,4 +103,4 @@ TEST(Interval, KnowsTurningPointsAndPoles) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench
