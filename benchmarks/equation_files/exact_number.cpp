@@ -17,6 +17,7 @@ std::optional<ExactNumber> exact_number(Expression of, const ExpressionPool& poo
   const reference::Precision precision(digits);
   const auto [value, size] = rounded_values(pool, {of}, reference::BigReal(0)).front();
   if (!isfinite(value)) return std::nullopt;
+  if (value == 0 && size == 0) return ExactNumber{reference::Rational(0), true};  // 0/gamma(x), for example
   const auto rounding = reference::BigReal(reference::closed_form_rounding_factor *
                                            reference::epsilon<reference::BigReal>() * size);
   return ExactNumber{abs(value) <= rounding ? reference::Rational(0) : reference::fraction_of(value), false};

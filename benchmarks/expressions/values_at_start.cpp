@@ -67,7 +67,7 @@ double reach(const Series& q) {
   return static_cast<double>(rate == 0.0L ? part : part / rate);
 }
 
-// q(max(t, d)) + P(min(t, d)) - P(d): the quotient q for t > d, and its polynomial P before.
+// q(max(t, d)) for t > d, and the polynomial P(min(t, d)) before.
 Expression continued(Expression of, const Series& q, ExpressionPool& pool) {
   const auto made = [&](Operation how, Expression a, Expression b) {
     return pool.make_expression(how, a, b);
@@ -76,15 +76,15 @@ Expression continued(Expression of, const Series& q, ExpressionPool& pool) {
     return pool.number(fmt::format("{}", static_cast<double>(value)));
   };
   const auto until = number(reach(q)), t = pool.variable(0);
-  const auto polynomial = [&](Expression x) {
-    auto sum = number(q.back());
-    for (std::size_t k = q.size() - 1; k-- > 0;)
-      sum = made(Operation::add, made(Operation::multiply, sum, x), number(q[k]));
-    return sum;
-  };
-  const auto late = made(Operation::max, t, until), early = made(Operation::min, t, until);
+  const auto early = made(Operation::min, t, until), late = made(Operation::max, t, until);
+  auto polynomial = number(q.back());
+  for (std::size_t k = q.size() - 1; k-- > 0;)
+    polynomial = made(Operation::add, made(Operation::multiply, polynomial, early), number(q[k]));
+  const auto is_late = pool.make_expression(Operation::sign, made(Operation::subtract, late, until));
+  const auto is_early = made(Operation::subtract, pool.number(1), is_late);
   const auto later = pool.substituted({of}, [&](int) { return late; }).front();
-  return made(Operation::add, later, made(Operation::subtract, polynomial(early), polynomial(until)));
+  return made(Operation::add, made(Operation::multiply, is_late, later),
+              made(Operation::multiply, is_early, polynomial));
 }
 
 std::optional<Expression> with_limit(Expression of, ExpressionPool& pool) {

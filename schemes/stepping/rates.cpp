@@ -46,15 +46,16 @@ double smallest_at_first_step(const RateTheory& theory, const Problem& problem, 
 }
 
 // The rate at jumps of f at a time t_m. Interpolation through the mean of both one-sided values has an error
-// O(1) in f, O(h^order) in y at t_(m+1). If f is evaluated between steps, the row continues like
-// (t - t_m)^order, and rows that depend on it like its fractional integral.
+// O(1) in f, O(h^order) in y at t_(m+1); with order 1, whose kernel is constant, it is of opposite signs in
+// the two steps beside t_m and cancels. If f is evaluated between steps, the row continues like (t -
+// t_m)^order, and rows that depend on it like its fractional integral.
 double smallest_at_jumps(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness) {
   double rate = exact_power;
   for (const auto i : smoothness.jumps) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
     if (is_algebraic(component)) continue;
     if (!theory.evaluates_inside_steps) {
-      rate = std::min(rate, component.order);
+      if (component.order != 1.0) rate = std::min(rate, component.order);
       continue;
     }
     rate = std::min(rate, theory.first_step(component.order, component.order));

@@ -145,7 +145,7 @@ test("what cannot be drawn is refused in a line", async () => {
     [plot("rate", "/nonexistent/f.svg"), /cannot be drawn by node/],
     [["plot", "pendulum", "--kind", "rate", "--out", "f.svg"], /--results: --kind rate draws runs/],
     [["plot", "pendulum", "--kind", "stability", "--out", "f.svg"], /has several orders/],
-    [["plot", "pendulum", "--kind", "solution", "--columns", "psi", "--out", "f.svg"], /--columns: psi is none of phi,/]]) {
+    [["plot", "pendulum", "--kind", "solution", "--columns", "psi", "--out", "f.svg"], /--columns = psi: must be of phi,/]]) {
     const { code, stderr } = await fdebench(words).catch((refused) => refused);
     assert.equal(code, 2);
     assert.match(stderr, complaint);

@@ -44,7 +44,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& hist
   const Vec times = node_times(problem_, from, length, basis_.nodes);
   Matrix guess = history + integrate(first_rhs.transpose().replicate(basis_.points(), 1), length);
   double part = 1.0;
-  if (jumps_at(problem_, from)) {
+  if (from == 0.0 || jumps_at(problem_, from)) {
     part = first_part(problem_, weights(length), jacobian_at(times[0], history.row(0).transpose()));
     if (part < 1.0) guess = history;
   }

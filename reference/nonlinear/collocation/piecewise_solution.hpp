@@ -29,6 +29,8 @@ class PiecewiseSolution {
   [[nodiscard]] std::size_t panel_of(double t) const;  // the panel that ends at or after t
   [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
   [[nodiscard]] const PanelBasis& basis() const { return basis_; }
+  // The time up to which f and y are not required to be resolved.
+  [[nodiscard]] double unresolved_until() const { return negligible_before_; }
   // Whether the panel is long enough, and so long after a jump, that f and y were required to be resolved.
   [[nodiscard]] bool is_resolved(const Panel& panel) const;
   // y at the start of a panel, at the Gauss-Legendre points and at its end: values that determine the

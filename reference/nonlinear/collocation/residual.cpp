@@ -110,7 +110,7 @@ class ResidualTest {
 
   [[nodiscard]] Scales scales_on(const Panel& panel) const {
     constexpr double soon = 4.0;  // a solution that starts at rest is small at first
-    const double later = std::min(soon * panel.to, problem_.end);
+    const double later = std::min(std::max(soon * panel.to, solution_.unresolved_until()), problem_.end);
     constexpr double several = 100.0;  // coefficients, and values of polynomials of rounded ones
     Scales scales{Vec::Zero(problem_.size()), peaks_[solution_.panel_of(later)],
                   rounding_.cwiseMax(several * panel.negligible)};
@@ -196,7 +196,8 @@ class ResidualTest {
   }
 
   // Divides the panel, the longest piece first. The pieces that remain cover a time so short that what they
-  // may change is small, or the residual is not.
+  // may change is small; or ranges overestimate f on them, because its terms cancel, and the residual at
+  // their middles decides.
   void examine_everywhere(const Panel& panel, const Polynomials& y, const Polynomials& f,
                           Scales scales) const {
     scales.rounding = scales.rounding.cwiseMax(rounding_of_ranges(panel, y));
@@ -216,18 +217,22 @@ class ResidualTest {
       open.emplace_back((from + to) / 2.0, to);
     }
     double time = 0.0;
-    Vec bound = Vec::Zero(problem_.size());
+    Vec bound = Vec::Zero(problem_.size()), found = bound;
     for (const auto& [from, to] : open) {
-      // f may be infinite at 0, as t^(-1/2) is; no piece that contains 0 has a bound then.
-      if (panel.from == 0.0 && from == 0.0 && !rhs_at(problem_, 0.0, taylor_part(problem_, 0.0)).allFinite())
-        continue;
-      bound = bound.cwiseMax(bound_on(panel, y, f, from, to));
+      Vec most = bound_on(panel, y, f, from, to);
+      // f may be infinite at 0, as t^(-1/2) is, or a quotient 0/0: a piece that contains 0 has no bound then.
+      if (panel.from == 0.0 && from == 0.0)
+        most = most.unaryExpr([](double one) { return std::isfinite(one) ? one : 0.0; });
+      bound = bound.cwiseMax(most);
+      found = found.cwiseMax(residual_at(panel, y, f, (from + to) / 2.0).cwiseAbs());
       time += (to - from) * panel.length();
     }
     for (Eigen::Index i = 0; i < bound.size(); ++i) {
-      if (time > 0.0 && is_examined(i) && !(bound[i] <= scales.rounding[i]) &&
-          !(bound[i] * effect(i, time, panel.to) <= coarse * scales.sizes[i]))
-        reject(i, panel.from + open.front().first * panel.length(), bound[i]);
+      if (time == 0.0 || !is_examined(i) || bound[i] <= scales.rounding[i]) continue;
+      const double change = effect(i, time, panel.to), allowed = coarse * scales.sizes[i];
+      if (!(bound[i] * change <= allowed) && !(found[i] <= scales.rounding[i]) &&
+          !(found[i] * change <= allowed))
+        reject(i, panel.from + open.front().first * panel.length(), found[i]);
     }
   }
 

@@ -57,7 +57,7 @@ TEST(ConstraintRank, IsLostWhereACoefficientVanishesAtATime) {
 
 TEST(ConstraintRank, IsLostWhereACoefficientVanishesAtAState) {
   // y = 0.3 t
-  expect_end_at({{"(0.45 - y)*D(x,1) - 0.45*0.5"}, {0.5, 0.3, 0.1}, 1.5});
+  expect_end_at({{"(0.4512 - y)*D(x,1) - 0.4512*0.5"}, {0.5, 0.3, 0.1}, 1.504});
 }
 
 TEST(ConstraintRank, IsLostWhereTwoConstraintsBecomeDependent) {

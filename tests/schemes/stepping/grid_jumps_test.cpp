@@ -84,7 +84,7 @@ TEST_P(GridJump, MayBeNextToItsGridTime) {
 INSTANTIATE_TEST_SUITE_P(, GridJump, testing::ValuesIn(grid_schemes()), id_of_param);
 
 // 0 = u - load, D^g w = u: an algebraic unknown has its value of the left side.
-TEST(GridJump, LeavesAnAlgebraicUnknownOnItsLeftSide) {
+TEST(JumpAtAGridTime, LeavesAnAlgebraicUnknownOnItsLeftSide) {
   const Problem problem{.components = {{0.6, {0.0}}, {0.0, {1.0}}},
                         .rhs = [](double t, In y, Out f) { f << y[1], y[1] - load(t, true); },
                         .end = end,
@@ -100,7 +100,7 @@ TEST(GridJump, LeavesAnAlgebraicUnknownOnItsLeftSide) {
 
 // D^0.2 y = step(1 - t) - y: y(1) = 1 - E_0.2(-1) = 0.528899311066517 (`fdebench exact`; in 40 digits by
 // Talbot's contour too).
-TEST(GridJump, OfASmallOrderHasItsClosedForm) {
+TEST(JumpAtAGridTime, OfASmallOrderHasItsClosedForm) {
   const Problem problem{.components = {{0.2, {0.0}}},
                         .rhs =
                             [](double t, In y, Out f) {
