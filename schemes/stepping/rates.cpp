@@ -46,16 +46,20 @@ double smallest_at_first_step(const RateTheory& theory, const Problem& problem, 
 }
 
 // The rate at jumps of f at a time t_m. Interpolation through the mean of both one-sided values has an error
-// O(1) in f, O(h^order) in y at t_(m+1); with order 1, whose kernel is constant, it is of opposite signs in
-// the two steps beside t_m and cancels. If f is evaluated between steps, the row continues like (t -
-// t_m)^order, and rows that depend on it like its fractional integral.
+// O(1) in f, O(h^order) in y at t_(m+1). With order 1, whose kernel is constant, it is of opposite signs in
+// the two steps beside t_m and cancels, but for the O(h) in y at t_m that other rows integrate. If f is
+// evaluated between steps, the row continues like (t - t_m)^order, and rows that depend on it like its
+// fractional integral.
 double smallest_at_jumps(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness) {
   double rate = exact_power;
   for (const auto i : smoothness.jumps) {
     const auto& component = problem.components[static_cast<std::size_t>(i)];
     if (is_algebraic(component)) continue;
     if (!theory.evaluates_inside_steps) {
-      if (component.order != 1.0) rate = std::min(rate, component.order);
+      const bool cancels = component.order == 1.0;
+      if (!cancels) rate = std::min(rate, component.order);
+      for (const auto& other : problem.components)
+        if (cancels && !is_algebraic(other)) rate = std::min(rate, 1.0 + other.order);
       continue;
     }
     rate = std::min(rate, theory.first_step(component.order, component.order));

@@ -113,7 +113,7 @@ std::vector<double> later_powers(const Case& c, Norm norm) {
       {"relaxation_8__graded_25", {"l2_1_sigma"}, {2.4}, true},
       {"relaxation_15__graded_15", {"l1_2"}, {2.0, 2.25}},
       {"relaxation_15__graded_25", {"l1_2"}, {2.5}},
-      {"bagley_torvik_13", {"multi_term_trapezoidal", "multi_term_pc"}, {2.0}},
+      {"bagley_torvik_13", {"multi_term_trapezoidal", "multi_term_pc"}, {2.0}, true},
       {"pendulum_125_75", {"multi_term_trapezoidal", "multi_term_pc"}, {2.0}},
       {"power_17", {"decoupled_multi_order"}, {2.0, 2.7}},
       {"fractional_oscillator_13", {"adams_pc"}, {2.3}},

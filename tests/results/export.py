@@ -191,7 +191,7 @@ class Export(unittest.TestCase):
                     shutil.rmtree(out, ignore_errors=True)
                 self.assertEqual(*answers)
                 self.assertEqual(answers[0][0], 0, answers[0][2])
-                left_out = f"fdebench: warning: {reversed_fields}: line {place + 1} "
+                left_out = f"fdebench: warning: {reversed_fields}: line {place + 1}"
                 self.assertEqual(answers[0][2].startswith(left_out), not new.startswith(('"unit":""', r"error_\\u")), answers[0][2])
         reversed_fields.unlink()
 

@@ -99,7 +99,7 @@ class ResidualTest {
   }
 
  private:
-  static constexpr double coarse = 1e-2, fine = 1e-6;
+  static constexpr double coarse = 0.05, fine = 1e-6;
 
   [[noreturn]] static void reject(Eigen::Index row, double t, double residual) {
     throw std::runtime_error(

@@ -15,7 +15,7 @@ namespace fde::reference {
 // - if interval arithmetic, on up to 4000 pieces of each panel, or, where f has terms that cancel, the
 // residual at
 //   the middles of these pieces does not show, on pieces that cover [0, end] without gaps, that it changes y
-//   by no more than a hundredth on each panel: a pulse between the points, a transient that the first panel
+//   by no more than a twentieth on each panel: a pulse between the points, a transient that the first panel
 //   passes over, or a solution that does not continue y(0) changes it by more. Without Problem::range this
 //   part is left out.
 // The first panel after a jump is left out of this: a row of small order may change there within the last
