@@ -169,7 +169,7 @@ EquationFormula written(const UnknownText& unknown) {
   return equation;
 }
 
-SceneFactory factory_of(EquationText text, NoteReceiver on_note) {
+SceneFactory factory_of(EquationText text, const NoteReceiver& on_note) {
   const auto kept = std::make_shared<const EquationText>(std::move(text));
   const std::filesystem::path file = kept->file;
   SceneFactory maker{

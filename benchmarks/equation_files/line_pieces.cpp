@@ -61,7 +61,7 @@ std::vector<LinePiece> line_pieces(std::string_view lines, TextPosition opening,
   FileCursor cursor(lines, opening.line);
   for (int column = 1; column < opening.column; ++column) cursor.advance();
   const bool is_basic = cursor.is_at("\"");
-  const bool has_lines = cursor.is_at("\"\"\"") || cursor.is_at("'''");
+  const bool has_lines = cursor.is_at(R"(""")") || cursor.is_at("'''");
   cursor.advance(has_lines ? 3 : 1);
   if (has_lines && cursor.is_at("\r\n")) cursor.advance();
   if (has_lines && cursor.is_at("\n")) cursor.advance();

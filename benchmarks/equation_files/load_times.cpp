@@ -107,10 +107,11 @@ std::vector<Run> runs_of(const TimeFunction& curve, const std::vector<double>& e
   std::vector<Run> runs;
   for (std::size_t k = 1; k < ends.size(); ++k) {
     for (const Run& part : parts_of(curve, ends[k - 1], ends[k], negligible)) {
-      if (part.flat && !runs.empty() && runs.back().flat)
+      if (part.flat && !runs.empty() && runs.back().flat) {
         runs.back().to = part.to;
-      else
+      } else {
         runs.push_back(part);
+      }
     }
   }
   return runs;
@@ -126,10 +127,11 @@ void add_limits(const std::vector<Run>& runs, std::vector<StepLimit>& limits) {
       neighbour = std::max(neighbour, runs[other].length());
     const double length = runs[k].length();
     if (runs[k].flat || length <= rounding * runs[k].to) continue;
-    if (neighbour >= much * length)
+    if (neighbour >= much * length) {
       limits.push_back({runs[k].from, runs[k].to, length / samples});
-    else if (k == 0 && runs.size() > 1)
+    } else if (k == 0 && runs.size() > 1) {
       limits.push_back({runs[k].from, runs[k].to, length});
+    }
   }
 }
 
@@ -157,9 +159,10 @@ void add_limits(const Curve& curve, double from, double to, std::vector<StepLimi
   constexpr double negligible = 1e-12;
   const auto ends = turning_points(curve, from, to);
   double size = 0.0;
-  for (const double t : ends)
+  for (const double t : ends) {
     if (const double value = std::abs(curve.value(std::max(t, later * to))); std::isfinite(value))
       size = std::max(size, value);
+  }
   add_limits(runs_of(curve.value, ends, negligible * size), limits);
 }
 

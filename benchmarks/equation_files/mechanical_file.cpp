@@ -261,9 +261,10 @@ std::string project_velocity(MechanicalSystem& system, ExpressionPool& pool) {
   const Vec projected = mechanics::projected_velocity(dynamics), change = projected - system.velocity;
   system.velocity = projected;
   std::vector<std::string> changes;
-  for (std::size_t i = 0; i < system.size(); ++i)
+  for (std::size_t i = 0; i < system.size(); ++i) {
     changes.push_back(
         fmt::format("D({},1) by {:.3g}", system.coordinates[i], change[static_cast<Eigen::Index>(i)]));
+  }
   return fmt::format("initial velocities projected onto the constraints: {}", fmt::join(changes, ", "));
 }
 

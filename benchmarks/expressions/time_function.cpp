@@ -83,10 +83,11 @@ std::vector<SignedPiece> TimeFunction::signs(double from, double to, double negl
   std::ranges::sort(found, {}, &SignedPiece::from);
   std::vector<SignedPiece> merged;
   for (const auto& piece : found) {
-    if (!merged.empty() && merged.back().sign == piece.sign)
+    if (!merged.empty() && merged.back().sign == piece.sign) {
       merged.back().to = piece.to;
-    else
+    } else {
       merged.push_back(piece);
+    }
   }
   return merged;
 }

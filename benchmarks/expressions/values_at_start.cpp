@@ -60,9 +60,10 @@ double reach(const Series& q) {
   constexpr long double rounding = 1e-17L;
   const long double largest = std::ranges::max(q, {}, [](auto c) { return std::abs(c); });
   long double rate = 0.0L;
-  for (std::size_t k = 1; k < q.size(); ++k)
+  for (std::size_t k = 1; k < q.size(); ++k) {
     rate = std::max(rate, std::pow(std::abs(q[k] / (largest == 0.0L ? 1.0L : std::abs(largest))),
                                    1.0L / static_cast<long double>(k)));
+  }
   const long double part = std::pow(rounding, 1.0L / static_cast<long double>(q.size()));
   return static_cast<double>(rate == 0.0L ? part : part / rate);
 }

@@ -16,10 +16,11 @@ constexpr int digits_of_errors = 6;
 template <class Function>
 std::vector<double> of_columns(const FinishedRun& run, const Rows& by, const Function& of_column) {
   std::vector<double> values;
-  for (Eigen::Index i = 0; i < run.values.rows(); ++i)
+  for (Eigen::Index i = 0; i < run.values.rows(); ++i) {
     values.push_back(
         rounded(of_column(i, Rows(run.values.row(i)), Rows(run.reference.row(i)), Rows(by.row(i))),
                 digits_of_errors));
+  }
   return values;
 }
 

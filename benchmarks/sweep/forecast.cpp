@@ -119,8 +119,8 @@ class Probe {
   }
 
   // Short solves are timed a second time: the first one of a process also computes tables.
-  Solve solve(const Scene& scene, const Scheme& scheme, RunSettings setup,
-              const StepsOrTolerance& requested) const {
+  [[nodiscard]] Solve solve(const Scene& scene, const Scheme& scheme, RunSettings setup,
+                            const StepsOrTolerance& requested) const {
     constexpr double most_seconds = 2.0, short_seconds = 0.2;
     setup.resolution = requested;
     setup.budget = std::min(setup.budget, most_seconds);

@@ -85,9 +85,10 @@ LinearTransform transform_of(const LinearEquationOf<Rational>& equation,
 
 LinearEquationOf<Rational> exact(const LinearEquation& equation) {
   LinearEquationOf<Rational> same;
-  for (const auto& [coefficient, order, time_scale] : equation.terms)
+  for (const auto& [coefficient, order, time_scale] : equation.terms) {
     same.terms.push_back(
         {shortest_decimal(coefficient), shortest_decimal(order), shortest_decimal(time_scale)});
+  }
   for (const double value : equation.initial) same.initial.push_back(shortest_decimal(value));
   for (const Load& load : equation.loads) same.loads.push_back(exact(load));
   return same;

@@ -101,18 +101,7 @@ Vec initial_bound(const Problem& problem) {
   return bound;
 }
 
-}  // namespace
-
-Reference reference_from_table(PanelTable table, const Problem& problem) {
-  return reference_from_panels(std::move(table), initial_bound(problem));
-}
-
-PanelTable reference_table(const Problem& given, const CollocationOptions& options) {
-  require_supported(given);
-  require_affordable(given);
-  // Polynomials resolve a kink no better than a jump.
-  Problem problem = given;
-  problem.jump_times = breaking_points(given);
+PanelTable table_of(const Problem& problem, const CollocationOptions& options) {
   const InitialLengths starts = initial_lengths(problem);
   const auto solve = [&](int points, double shortest) -> PiecewiseSolution {
     return {problem,
@@ -134,6 +123,21 @@ PanelTable reference_table(const Problem& given, const CollocationOptions& optio
         {panel.from, panel.to, solution.legendre_values(panel), estimates[table.panels.size()]});
   }
   return table;
+}
+
+}  // namespace
+
+Reference reference_from_table(PanelTable table, const Problem& problem) {
+  return reference_from_panels(std::move(table), initial_bound(problem));
+}
+
+PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
+  require_supported(problem);
+  require_affordable(problem);
+  // Polynomials resolve a kink no better than a jump.
+  Problem broken = problem;
+  broken.jump_times = breaking_points(problem);
+  return table_of(broken, options);
 }
 
 Reference reference_solution(const Problem& problem, const CollocationOptions& options) {

@@ -77,10 +77,11 @@ NodalSolution solution_on(const Problem& problem, const NodalBasis& basis, const
 void require_slow_loads(const Problem& problem) {
   constexpr double resolved = 0.05;  // of the end
   for (const auto& limit : problem.step_limits) {
-    if (limit.to - limit.from < resolved * problem.end)
+    if (limit.to - limit.from < resolved * problem.end) {
       throw std::runtime_error(fmt::format(
           "two methods: a load changes within t = {:.6g} ... {:.6g}, a time that they do not resolve",
           limit.from, limit.to));
+    }
   }
 }
 

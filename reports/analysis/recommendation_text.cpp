@@ -114,9 +114,10 @@ std::string delivery(const Recommendation& made, const RecommendedRun& first) {
 std::string certainty(const Recommendation& made, const RecommendedRun& first) {
   std::string text;
   if (made.estimate) text = estimate_text(*made.estimate) + "; ";
-  if (made.reference_bound && !made.estimate)
+  if (made.reference_bound && !made.estimate) {
     text = fmt::format("the reference is known to {}{}; ", error_text(*made.reference_bound),
                        made.examined_at_points_only ? ", examined at points only" : "");
+  }
   text +=
       fmt::format("the time is in {} ... {} (95 %)", time_text(first.time.low), time_text(first.time.high));
   if (made.constant) return text + "; the solution is constant: any scheme that keeps y(0) will do";

@@ -185,9 +185,10 @@ ReadRuns read_runs(const std::filesystem::path& file) {
                           .rows = [&](const std::vector<Record>& rows, auto) { collector.take(rows); }});
   ReadRuns read{.sessions = collector.sessions(), .warning = summary.warning};
   read.runs = std::move(collector).runs();
-  if (read.runs.finished.empty() && read.runs.failed.empty())
+  if (read.runs.finished.empty() && read.runs.failed.empty()) {
     throw std::invalid_argument(read.warning.empty() ? fmt::format("{}: holds no run", file.string())
                                                      : fmt::format("{}: no run is left", read.warning));
+  }
   return read;
 }
 

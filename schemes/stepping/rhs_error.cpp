@@ -31,7 +31,8 @@ void RhsError::measure(const std::function<const Vec&(In y)>& f, In y, In permit
   rounding_ /= 2.0;
   inherited_ /= 2.0;
   for (int trial = 0; trial < trials_of_rounding; ++trial) {
-    const double part = (1 + trial / 2) * unit;
+    const int size = 1 + trial / 2;
+    const double part = size * unit;
     for (Eigen::Index i = 0; i < y.size(); ++i) moved[i] = y[i] * (1.0 + sign(i, trial) * part);
     add(rounding_, above_largest);
   }

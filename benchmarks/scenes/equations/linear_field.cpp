@@ -23,9 +23,10 @@ Scene scene_of_field(const std::shared_ptr<const LinearField>& field, double ord
   scene.smoothness.powers.assign(scene.problem.components.size(),
                                  power_lattice({order}, {order}, order + 2.0));
   scene.outputs = field->outputs();
-  if (field->has_exact_solution())
+  if (field->has_exact_solution()) {
     scene.reference = {.at = [field](double t) { return field->exact_columns_at(t); },
                        .evidence = reference::Evidence::closed_form};
+  }
   return scene;
 }
 

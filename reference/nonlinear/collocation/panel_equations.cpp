@@ -49,7 +49,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& hist
     if (part < 1.0) guess = history;
   }
   for (; part < 1.0; part *= 2.0) {
-    const auto followed = newton({history, times, from, length, part}, guess, before);
+    auto followed = newton({history, times, from, length, part}, guess, before);
     if (!followed) return followed;
     guess = followed->values;
   }

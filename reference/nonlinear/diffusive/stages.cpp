@@ -54,7 +54,7 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& history, const 
   Matrix guess = last_value.transpose().replicate(nodes_.size(), 1);
   if (from > 0.0 && !jumps_at(problem_, from)) part = 1.0;
   for (; part < 1.0; part *= 2.0) {
-    const auto followed = newton(history, reduced(problem_, weights, part), times, guess, size);
+    auto followed = newton(history, reduced(problem_, weights, part), times, guess, size);
     if (!followed) return followed;
     guess = followed->y;
   }

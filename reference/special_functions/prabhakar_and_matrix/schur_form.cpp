@@ -27,9 +27,10 @@ WideMatrix in_block_order(const WideMatrix& matrix) {
   Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> reaches =
       matrix.unaryExpr([](const BigReal& x) { return x != 0; });
   for (Eigen::Index k = 0; k < n; ++k) reaches(k, k) = true;
-  for (Eigen::Index k = 0; k < n; ++k)
+  for (Eigen::Index k = 0; k < n; ++k) {
     for (Eigen::Index i = 0; i < n; ++i)
       if (reaches(i, k)) reaches.row(i) = reaches.row(i).array() || reaches.row(k).array();
+  }
   // Who reaches more comes first; rows that reach each other reach the same and stay together.
   std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
@@ -75,8 +76,9 @@ SchurForm::Point long_point(const BigReal& re, const BigReal& im) {
 
 SchurForm::SchurForm(const BigMatrix& matrix) {
   // Next to a multiple eigenvalue the iteration gains few digits a step.
-  const Eigen::Index most_steps = 40 * matrix.size * static_cast<Eigen::Index>(BigReal::default_precision());
-  Eigen::RealSchur<WideMatrix> schur(2 * matrix.size);
+  const Eigen::Index most_steps =
+      40 * static_cast<Eigen::Index>(matrix.size) * static_cast<Eigen::Index>(BigReal::default_precision());
+  Eigen::RealSchur<WideMatrix> schur(2 * static_cast<Eigen::Index>(matrix.size));
   schur.setMaxIterations(most_steps);
   schur.compute(in_block_order(as_real(matrix)), false);
   if (schur.info() != Eigen::Success)
