@@ -43,9 +43,10 @@ TEST(VariableCoefficient, IsWrittenOnTheRight) {
       "end = 2\n[unknown.y]\nterms = [[1, 2], [0, 0.5]]\ninitial = [0, 0]\n"
       "rhs = \"6*t + sin(t)*6/gamma(3.5)*t^2.5 + t^4 - sin(t)*D(y, 0.5) - t*y\"\n";
   EXPECT_THAT(first_column(text, "1,2", spectral), Pointwise(DoubleNear(1e-9), {1.0, 8.0}));
-  for (const std::string scheme : {"bdf3", "multi_term_bdf2", "decoupled_multi_order"})
+  for (const std::string scheme : {"bdf3", "multi_term_bdf2", "decoupled_multi_order"}) {
     EXPECT_THAT(first_column(text, "2", {scheme, "--steps", "512"}), Pointwise(DoubleNear(2e-3), {8.0}))
         << scheme;
+  }
 }
 
 // y = t^2 solves D^1.6 y + y D^q y = f with q a parameter; z' = D^0.5 y with y'' = 2 is z = 2

@@ -69,9 +69,10 @@ TEST(ConstraintRank, IsKeptWhereTheDirectionTurns) {
   const LostRank turning{{"cos(2*t)*D(x,1) + sin(2*t)*D(y,1)"}, {0.0, 0.3, 0.1}, 0.0};
   for (const auto* formulation : {"integrated", "acceleration", "multiplier"}) {
     const Scene scene = scene_with(turning, formulation);
-    for (const int steps : {4, 5, 100})
+    for (const int steps : {4, 5, 100}) {
       EXPECT_EQ(solve("product_trapezoidal", scene.problem, steps).status, SolveStatus::finished)
           << formulation << steps;
+    }
   }
 }
 

@@ -204,7 +204,7 @@ TEST_F(ResultsFiles, LeaveOutImpossibleRowsAndKeepTheOthers) {
   const auto whole = text();
   const std::string rest = " (left out, with 1 other line)";
   const auto changed = [&](const std::string& from, const std::string& to) {
-    const auto text = message_of_change(whole, from, to);
+    auto text = message_of_change(whole, from, to);
     EXPECT_EQ(read_results(file_).records.size(), text.ends_with(rest) ? 2U : 3U) << text;
     EXPECT_EQ(ResultsFile(file_).recorded(key("l1", 128)).amount(), RecordedAmount::all_but_times);
     return text;
