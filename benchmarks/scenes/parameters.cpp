@@ -65,8 +65,8 @@ ParameterValue Parameter::read(std::string_view text) const {
   } else if (!default_formula.empty() && text == default_formula) {
     return default_formula;
   }
-  throw std::invalid_argument(fmt::format("{} = {}: {}must be {}{}", name, text,
-                                          double_range_message(text), allowed(), suggestion));
+  throw std::invalid_argument(
+      fmt::format("{} = {}: {}must be {}{}", name, text, double_range_message(text), allowed(), suggestion));
 }
 
 Parameter choice(std::string name, std::vector<std::string> choices, std::string meaning) {
