@@ -224,8 +224,8 @@ std::optional<SceneFactory> scene_of_file(std::string_view name, const NoteRecei
 
 }  // namespace
 
-SceneFactory equation_scene(EquationText text, NoteReceiver on_note) {
-  return factory_of(std::move(text), std::move(on_note));
+SceneFactory equation_scene(EquationText text, const NoteReceiver& on_note) {
+  return factory_of(std::move(text), on_note);
 }
 
 SceneFactory built_in_scene(const std::string& id, std::string_view toml) {

@@ -15,7 +15,7 @@ namespace fde::bench {
 using NoteReceiver = std::function<void(const std::string& note)>;
 
 // The scene of an equation file; its id is the file name.
-SceneFactory equation_scene(EquationText text, NoteReceiver on_note = {});
+SceneFactory equation_scene(EquationText text, const NoteReceiver& on_note = {});
 
 // The scene of an equation file that is built into the program: its reference is not compared with schemes,
 // and it has no checksum.

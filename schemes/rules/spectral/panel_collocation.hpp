@@ -12,11 +12,11 @@ namespace fde {
 
 // Solves a problem by collocation on panels of adaptive length, for the functions x_k of IntegratedRows.
 //
-// The interval between two breaking_points is halved until a panel is accepted: Newton's method converges, the last
-// Legendre coefficients of the x_k are below the tolerance, and the x_k continue those of the panel before.
-// So panels shrink towards a start where the solution behaves like a power of t, each as long as its distance
-// from the start, and wherever the solution varies quickly. They also shrink towards a switch, where a new
-// segment begins as after a jump. The memory term of a panel is computed from the tree (MemorySum).
+// The interval between two breaking_points is halved until a panel is accepted: Newton's method converges,
+// the last Legendre coefficients of the x_k are below the tolerance, and the x_k continue those of the panel
+// before. So panels shrink towards a start where the solution behaves like a power of t, each as long as its
+// distance from the start, and wherever the solution varies quickly. They also shrink towards a switch, where
+// a new segment begins as after a jump. The memory term of a panel is computed from the tree (MemorySum).
 class PanelCollocation {
  public:
   // Problem and options must outlive this object.
