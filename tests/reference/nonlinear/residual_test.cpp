@@ -33,6 +33,15 @@ TEST(Residual, RejectsASolutionThatPassesOverAPulse) {
   EXPECT_THROW(reference_solution(pulsed(0.01, {})), std::runtime_error);
 }
 
+// As for a function without a known range: points of each panel decide.
+TEST(Residual, RejectsASolutionThatPassesOverAPulseOfUnknownRange) {
+  Problem problem = pulsed(0.01, {});
+  problem.range = [](const Interval&, std::span<const Interval>, std::span<Interval> f) {
+    f[0] = Interval::all();
+  };
+  EXPECT_THROW(reference_solution(problem), std::runtime_error);
+}
+
 // 0.300731291807: two resolutions of another collocation code.
 TEST(Residual, IsSmallWhereStepsResolveThePulse) {
   const auto reference = reference_solution(pulsed(0.01, {{13.24, 13.3, 0.015}, {13.3, 13.36, 0.015}}));
