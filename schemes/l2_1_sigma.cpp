@@ -12,7 +12,7 @@ namespace {
 // (1-zeta)^g K with sigma = 1 - g/2: the weights of the increments have the generating function
 //   C = (1-zeta)^2/(2 zeta) (Phi(zeta, g-2, sigma) / sigma - Phi(zeta, g-1, sigma)),
 // and K = Gamma(2-g) (sigma + (1-sigma) zeta) / ((1-zeta) C), because f is evaluated between y_(n-1) and y_n.
-Kernel kernel_of(double g) {
+Kernel l2_1_sigma_kernel(double g) {
   const double sigma = 1.0 - 0.5 * g;
   return [=, lines = Lerch(g - 1.0, sigma), parabolas = Lerch(g - 2.0, sigma)](ComplexValue mu) {
     const ComplexValue zeta = std::exp(mu);
@@ -48,7 +48,8 @@ Scheme l2_1_sigma() {
           .expected_rate = expected_rate(l2_1_sigma_rates, splitting_up_to_one),
           .solve = with_split_orders(splitting_up_to_one, on_grid(solve_l2_1_sigma)),
           .symbol = [](const Problem& problem, double length) {
-            return implicit_symbol(split_orders(problem, splitting_up_to_one(problem)), kernel_of, length);
+            return implicit_symbol(split_orders(problem, splitting_up_to_one(problem)), l2_1_sigma_kernel,
+                                   length);
           }};
 }
 

@@ -10,7 +10,7 @@
 namespace fde::bench {
 namespace {
 
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_errors = 1e-12;
 constexpr std::size_t fewest_points = 3;
 
 Eigen::VectorXd from_mean(const std::vector<double>& values) {
@@ -25,7 +25,7 @@ Fit fit_rate(std::span<const ErrorSample> points) {
   for (const auto& point : points) largest = std::max(largest, point.error);
   std::vector<double> x, y;
   for (const auto& [h, error] : points) {
-    if (error <= rounding * std::max(largest, 1.0)) continue;
+    if (error <= rounding_of_errors * std::max(largest, 1.0)) continue;
     x.push_back(std::log(h));
     y.push_back(std::log(error));
   }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int octaves = 10, digits = 3;
 constexpr double between = 1.0 / 8.0;  // of an octave
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_times = 1e-12;
 
 }  // namespace
 
@@ -19,9 +19,9 @@ RunningMaximum::RunningMaximum(double end) : next_(std::ldexp(end, -octaves)) {}
 
 void RunningMaximum::observe(double t, double value) {
   largest_ = std::max(largest_, value);
-  if (t < next_ * (1.0 - rounding)) return;
+  if (t < next_ * (1.0 - rounding_of_times)) return;
   if (largest_ > 0.0 && std::isfinite(largest_)) add(rounded(t, digits), rounded(largest_, digits));
-  while (next_ * (1.0 - rounding) <= t) next_ *= std::exp2(between);
+  while (next_ * (1.0 - rounding_of_times) <= t) next_ *= std::exp2(between);
 }
 
 // Two times next to each other may be the same to three digits.

@@ -12,30 +12,31 @@
 namespace fde::reference {
 namespace {
 
-constexpr const char* name = "linear system";
+constexpr const char* system_name = "linear system";
 constexpr std::size_t most_components = 12;  // the determinant has up to 2^components terms
 
-void require(bool holds, const char* message) {
-  if (!holds) throw std::invalid_argument(fmt::format("{}: {}", name, message));
+void require_system(bool holds, const char* message) {
+  if (!holds) throw std::invalid_argument(fmt::format("{}: {}", system_name, message));
 }
 
 void require_outputs(const std::vector<std::size_t>& outputs, std::size_t size) {
   for (const std::size_t output : outputs) {
     if (output < size) continue;
-    throw std::invalid_argument(fmt::format("{}: output {}: must be 0 to {}", name, output, size - 1));
+    throw std::invalid_argument(fmt::format("{}: output {}: must be 0 to {}", system_name, output, size - 1));
   }
 }
 
 void require_size(std::size_t size) {
   if (size >= 1 && size <= most_components) return;
-  throw std::invalid_argument(fmt::format("{}: {} components: must be 1 to {}", name, size, most_components));
+  throw std::invalid_argument(
+      fmt::format("{}: {} components: must be 1 to {}", system_name, size, most_components));
 }
 
 void require_lists(const auto& system) {
   const std::size_t size = system.orders.size();
-  require(system.initial.size() == size, "a list of initial values is needed for each order");
-  require(system.loads.empty() || system.loads.size() == size,
-          "there have to be no loads, or a list of them for each order");
+  require_system(system.initial.size() == size, "a list of initial values is needed for each order");
+  require_system(system.loads.empty() || system.loads.size() == size,
+                 "there have to be no loads, or a list of them for each order");
 }
 
 // The shape and the numbers of a system of doubles.
@@ -43,16 +44,17 @@ void require_finite(const LinearSystem& system) {
   const std::size_t size = system.orders.size();
   const auto rows = static_cast<Eigen::Index>(size);
   require_size(size);
-  require(system.matrix.rows() == rows && system.matrix.cols() == rows,
-          "the matrix has to have a row and a column for each order");
-  require(system.matrix.allFinite(), "coefficients have to be finite");
+  require_system(system.matrix.rows() == rows && system.matrix.cols() == rows,
+                 "the matrix has to have a row and a column for each order");
+  require_system(system.matrix.allFinite(), "coefficients have to be finite");
   require_lists(system);
   for (std::size_t i = 0; i < size; ++i) {
-    require(system.orders[i] >= 0.0 && std::isfinite(system.orders[i]), "orders have to be 0 or above");
-    require(std::ranges::all_of(system.initial[i], [](double value) { return std::isfinite(value); }),
-            "initial values have to be finite");
+    require_system(system.orders[i] >= 0.0 && std::isfinite(system.orders[i]),
+                   "orders have to be 0 or above");
+    require_system(std::ranges::all_of(system.initial[i], [](double value) { return std::isfinite(value); }),
+                   "initial values have to be finite");
     for (const auto& load : system.loads.empty() ? std::vector<Load>{} : system.loads[i])
-      require(!validation_error(load), validation_error(load).value_or(""));
+      require_system(!validation_error(load), validation_error(load).value_or(""));
   }
 }
 
@@ -79,14 +81,14 @@ ExactLinearSystem checked(ExactLinearSystem system) {
   if (system.loads.empty()) system.loads.resize(size);
   for (std::size_t i = 0; i < size; ++i) {
     const auto count = static_cast<std::size_t>(ceiling(system.orders[i]));
-    require(system.initial[i].size() >= count, "an initial value is missing");
+    require_system(system.initial[i].size() >= count, "an initial value is missing");
     system.initial[i].resize(count);
   }
   require_outputs(system.outputs, size);
   if (system.outputs.empty())
     for (std::size_t i = 0; i < size; ++i) system.outputs.push_back(i);
-  require(std::ranges::find(system.orders, Rational(0)) == system.orders.end() || is_regular(system),
-          "the rows of order 0 do not determine every unknown");
+  require_system(std::ranges::find(system.orders, Rational(0)) == system.orders.end() || is_regular(system),
+                 "the rows of order 0 do not determine every unknown");
   return system;
 }
 
@@ -132,7 +134,7 @@ Subsystem subsystem_for(const ExactLinearSystem& system, unsigned set, const std
     places.push_back(place);
     part.outputs.push_back(static_cast<std::size_t>(std::ranges::find(kept, i) - kept.begin()));
   }
-  return {places, linear_evaluation(name, [part = std::move(part)] { return transform_of(part); })};
+  return {places, linear_evaluation(system_name, [part = std::move(part)] { return transform_of(part); })};
 }
 
 // Components that do not depend on others are solved without them; otherwise growing modes of the others
@@ -178,7 +180,7 @@ Reference exact_linear_reference(const ExactLinearSystem& system) {
     return gathered<Bounded<BigReal>>(
         parts, size, [t, digits](const Evaluation& part) { return part.precise(t, digits); });
   };
-  return linear_reference(Evaluation{.name = name, .quick = quick, .precise = precise});
+  return linear_reference(Evaluation{.name = system_name, .quick = quick, .precise = precise});
 }
 
 }  // namespace fde::reference

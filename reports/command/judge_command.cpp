@@ -58,14 +58,14 @@ std::unique_ptr<const TemporaryFile> file_of_pipe(const std::string& name) {
   if (!std::filesystem::is_fifo(path, ignored)) return nullptr;
   std::ifstream stream(path, std::ios::binary);
   auto file = std::make_unique<const TemporaryFile>(".csv");
-  std::string piece(std::size_t{1} << 16, '\0');
+  std::string buffer(std::size_t{1} << 16, '\0');
   for (std::uintmax_t bytes = 0; stream;) {
-    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     const auto count = static_cast<std::size_t>(stream.gcount());
     bytes += count;
     if (bytes > most_bytes_of_pipe)
       throw std::invalid_argument(fmt::format("{}: is longer than {} bytes", name, most_bytes_of_pipe));
-    file->write(std::string_view(piece).substr(0, count));
+    file->write(std::string_view(buffer).substr(0, count));
   }
   return file;
 }

@@ -16,7 +16,7 @@ namespace fde::bench {
 namespace {
 
 constexpr Range orders{.low = 0.0, .high = 2.0, .open_low = true, .open_high = true};
-constexpr CountRange point_counts{1, 100'000};
+constexpr CountRange boundary_counts{1, 100'000};
 
 constexpr double degree = std::numbers::pi / 180.0;
 
@@ -59,7 +59,7 @@ void print_stability(const Arguments& arguments, const Streams& streams) {
   const double gamma = parse_number("--gamma", arguments.gamma, orders);
   std::string rows =
       arguments.boundary ? "scheme,theta,re,im\n" : "scheme,interval,angle,exact_angle,left_at_100\n";
-  const int points = arguments.boundary ? parse_count("--boundary", *arguments.boundary, point_counts) : 0;
+  const int points = arguments.boundary ? parse_count("--boundary", *arguments.boundary, boundary_counts) : 0;
   {
     const auto chosen = schemes_of(arguments, gamma);
     ProgressLine line(streams, "stability");
@@ -87,7 +87,7 @@ void add_stability_command(CommandLine& program, const Streams& streams, const S
   command
       .option("--boundary", arguments->boundary,
               "in place of the table print the z with a mode at exp(i theta), theta = pi/K, ..., pi")
-      .takes("K", point_counts);
+      .takes("K", boundary_counts);
   command.example(
       "fdebench stability --gamma 0.5",
       "prints CSV: the real interval (-x, 0), the angle about the negative axis in degrees, that of "

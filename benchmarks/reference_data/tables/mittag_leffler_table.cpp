@@ -12,10 +12,7 @@
 namespace fde::bench {
 namespace {
 
-constexpr int table_digits = 50;
-constexpr int more_digits = 3;  // extra digits of a recomputed value
-
-TableMetadata facts(const SceneVariant& /*of*/) {
+TableMetadata mittag_leffler_facts(const SceneVariant& /*of*/) {
   return {
       .title = "Mittag-Leffler function E_{alpha,beta}(z) of two parameters",
       .method =
@@ -45,9 +42,9 @@ TableMetadata facts(const SceneVariant& /*of*/) {
           {.name = "bound", .description = "bound of the absolute error", .required = false, .minimum = 0}}};
 }
 
-ComputedTable make(const SceneVariant& of) {
+ComputedTable mittag_leffler_rows(const SceneVariant& of) {
   ComputedTable made;
-  for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
+  for (const auto& column : mittag_leffler_facts(of).columns) made.table.columns.push_back(column.name);
   for (const auto& [alpha, beta, re, im] : mittag_leffler_points()) {
     const auto value = reference::mittag_leffler(alpha, beta, re, im, table_digits);
     made.table.rows.push_back({alpha, beta, re, im, value.re, value.im, value.bound});
@@ -55,7 +52,7 @@ ComputedTable make(const SceneVariant& of) {
   return made;
 }
 
-RowCheck check(const SceneVariant& /*of*/, const DataTable& given) {
+RowCheck mittag_leffler_check(const SceneVariant& /*of*/, const DataTable& given) {
   const auto comparison = std::make_shared<TableComparison>(given, std::vector<std::string>{"re", "im"});
   return [&given, comparison](std::size_t row) {
     const auto cell = [&](std::string_view column) {
@@ -76,8 +73,8 @@ RowCheck check(const SceneVariant& /*of*/, const DataTable& given) {
 const TableKind mittag_leffler_table{.id = "mittag_leffler",
                                      .folder = "",
                                      .identifying_column = "re_z",
-                                     .facts = facts,
-                                     .make = make,
-                                     .check = check};
+                                     .facts = mittag_leffler_facts,
+                                     .make = mittag_leffler_rows,
+                                     .check = mittag_leffler_check};
 
 }  // namespace fde::bench

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "fdebench/reference/special_functions/numbers/constants.hpp"
+
 namespace fde::reference {
 namespace {
 
 using Point = Rectangle::Point;
-constexpr long double pi_long = std::numbers::pi_v<long double>;
 
 // Change of arg P on the straight path from a to b; nullopt unless |P| is shown to stay away from 0, where
 // arg P changes by order Im(b - a) plus less than pi/4. For large |w|, where one term or terms of nearly the

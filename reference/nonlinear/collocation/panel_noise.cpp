@@ -9,9 +9,9 @@ namespace fde::reference {
 
 namespace {
 
-constexpr double rounding = std::numeric_limits<double>::epsilon();
-constexpr double some_roundings = roundings_of_forcing * rounding;
-constexpr double noises = 4.0;  // the sum of some rounding errors
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon();
+constexpr double some_roundings = roundings_of_forcing * unit_roundoff;
+constexpr double noises = 4.0;  // the sum of some unit_roundoff errors
 
 }  // namespace
 
@@ -45,9 +45,9 @@ bool PanelNoise::detect(const Panel& last, const MagnitudeScales& sizes) {
 
 Vec PanelNoise::record_panel(const Solution& panel, double from, double to, const Matrix& values) {
   panels_.push_back({from, to, panel.sizes.noise, panel.noise.values});
-  const Vec explained = noises * rounding * (panel.sizes.rhs + panel.sizes.forcing);
+  const Vec explained = noises * unit_roundoff * (panel.sizes.rhs + panel.sizes.forcing);
   rhs_noise_.update_after_step(from + (to - from) * basis_.dense_nodes.array(), values, explained);
-  return panel.sizes.values + panel.increment + (largest_of_values(to) + integrated(to)) / rounding;
+  return panel.sizes.values + panel.increment + (largest_of_values(to) + integrated(to)) / unit_roundoff;
 }
 
 // The noise of y on the panels since a tenth of the time. Multipliers, and what they drive, have noise on the

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "fdebench/reference/special_functions/numbers/constants.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde::reference {
@@ -13,20 +14,17 @@ namespace {
 using Long = long double;
 using Point = EnclosingContour::Point;
 
-constexpr Long infinity = std::numeric_limits<Long>::infinity();
-constexpr Long turn = 2.0L * std::numbers::pi_v<Long>;
-
 }  // namespace
 
 // A parabola for one choice of right_extent and c, and its number of nodes.
 struct EnclosingContour::Shape {
   Long rise = 0.0L, c = 0.0L, step = 0.0L, above = 0.0L, below = 0.0L;
-  Long nodes = infinity;
+  Long nodes = infinity_long;
 };
 
 EnclosingContour::EnclosingContour(const std::vector<Point>& singularities, int digits, const Hints& hints) {
   if (singularities.empty()) throw std::invalid_argument("enclosing contour: there are no singularities");
-  sigma_ = -infinity;
+  sigma_ = -infinity_long;
   for (const auto& s : singularities) sigma_ = std::max(sigma_, s.real());
   const Long width = std::numbers::ln10_v<Long> * static_cast<Long>(digits) + 6.0L;
   // For large |s| the error of Re s is the rounding error of |s|.
@@ -66,16 +64,16 @@ EnclosingContour::Shape EnclosingContour::shape(const std::vector<Point>& enclos
   // on Im theta = -a the error is e^(mu (1 + a)^2 - c - 2 pi a / h), least at 1 + a = pi / (h mu)
   const Long half_turns = mu + std::sqrt(mu * (right_extent + width));
   const Long top = std::max(0.0L, mu * (1.0L - found.above) * (1.0L - found.above) - c);
-  found.step = std::min(turn * found.above / (width + top), turn / 2.0L / half_turns);
+  found.step = std::min(two_pi_long * found.above / (width + top), pi_long / half_turns);
   // the nearest line where this is below e^-width: a farther one takes more discs in log_bound()
-  const Long slack = turn / 2.0L / found.step - mu;
+  const Long slack = pi_long / found.step - mu;
   found.below = (slack - std::sqrt(std::max(0.0L, slack * slack - mu * (right_extent + width + 3.0L)))) / mu;
   found.nodes = std::sqrt((right_extent + width) / mu) / found.step;
   return found;
 }
 
 void EnclosingContour::choose(const std::vector<Point>& enclosed, Long width, Long order) {
-  Long low = infinity, high = -infinity;
+  Long low = infinity_long, high = -infinity_long;
   for (const auto& s : enclosed) {
     low = std::min(low, s.imag());
     high = std::max(high, s.imag());
@@ -84,7 +82,7 @@ void EnclosingContour::choose(const std::vector<Point>& enclosed, Long width, Lo
   y_ = std::abs(low + high) <= in_pairs * (high - low) ? 0.0L : (low + high) / 2.0L;
   const Long margin = std::min(0.3L, std::max(order, 2.0L) / width), half_height = (high - low) / 2.0L;
   Shape best;
-  Long least = infinity;
+  Long least = infinity_long;
   for (const Long part : {0.04L, 0.06L, 0.09L, 0.13L, 0.18L, 0.25L}) {
     const Long rise = part * width, cost_of_digits = 1.0L + 1.5L * part;
     const Long largest_c = 4.0L * (rise + half_height * half_height / rise);

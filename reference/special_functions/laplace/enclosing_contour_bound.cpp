@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/laplace/enclosing_contour.hpp"
+#include "fdebench/reference/special_functions/numbers/constants.hpp"
 
 namespace fde::reference {
 namespace {
@@ -11,12 +12,9 @@ namespace {
 using Long = long double;
 using Point = EnclosingContour::Point;
 
-constexpr Long infinity = std::numeric_limits<Long>::infinity();
-constexpr Long turn = 2.0L * std::numbers::pi_v<Long>;
-
 Long log_of_sum(Long a, Long b) {
   const Long large = std::max(a, b), small = std::min(a, b);
-  return std::isinf(large) || small == -infinity ? large : large + std::log1p(std::exp(small - large));
+  return std::isinf(large) || small == -infinity_long ? large : large + std::log1p(std::exp(small - large));
 }
 
 }  // namespace
@@ -30,7 +28,7 @@ class EnclosingContour::Boundary {
 
   // Horizontal: Im theta = y. The whole integral is divided by e^(2 pi |y| / h) - 1.
   [[nodiscard]] Long line(Long y, Long end) const {
-    const Long steps = turn * std::abs(y) / contour_.step_;
+    const Long steps = two_pi_long * std::abs(y) / contour_.step_;
     return edge(Point(-end, y), Point(end, y), false) - steps - std::log1p(-std::exp(-steps));
   }
   // Vertical: divided by 1 + e^(2 pi |Im theta| / h) point by point.
@@ -44,7 +42,7 @@ class EnclosingContour::Boundary {
 
   [[nodiscard]] Long edge(const Point& a, const Point& b, bool with_factor) const {
     constexpr int pieces = 16;
-    Long sum = -infinity;
+    Long sum = -infinity_long;
     for (int k = 0; k < pieces; ++k) {
       const Point step = (b - a) / static_cast<Long>(pieces);
       sum = log_of_sum(
@@ -63,12 +61,12 @@ class EnclosingContour::Boundary {
     const Long exponent = largest_exponent(a, b, with_factor);
     const bool steep = exponent - exponent_at((a + b) / 2.0L, with_factor) > 1.0L;
     // slightly more than half the length, for rounding
-    const Long size = steep ? infinity : majorant_({middle, 0.5001L * length});
-    if (size == -infinity) return size;
+    const Long size = steep ? infinity_long : majorant_({middle, 0.5001L * length});
+    if (size == -infinity_long) return size;
     const Long centre = steep ? 0.0L : majorant_({middle, 0.0L});
-    if (size < infinity && (depth > deepest / 2 || size - centre < 1.0L))
-      return exponent + size + std::log(length / turn);
-    if (depth == deepest || !(centre < infinity)) {
+    if (size < infinity_long && (depth > deepest / 2 || size - centre < 1.0L))
+      return exponent + size + std::log(length / two_pi_long);
+    if (depth == deepest || !(centre < infinity_long)) {
       throw std::runtime_error(
           fmt::format("enclosing contour: no bound of the transform near s = {:.6g} {:+.6g} i", middle.real(),
                       middle.imag()));
@@ -80,14 +78,14 @@ class EnclosingContour::Boundary {
   }
 
   [[nodiscard]] Long exponent_at(const Point& theta, bool with_factor) const {
-    const Long factor = with_factor ? turn * std::abs(theta.imag()) / contour_.step_ : 0.0L;
+    const Long factor = with_factor ? two_pi_long * std::abs(theta.imag()) / contour_.step_ : 0.0L;
     return contour_.at(theta).real() - contour_.sigma_ - factor;
   }
   // Re s decreases with |Re theta| and with Im theta < 1; the factor decreases with |Im theta|.
   [[nodiscard]] Long largest_exponent(const Point& a, const Point& b, bool with_factor) const {
     const Long x = a.real() * b.real() < 0.0L ? 0.0L : std::min(std::abs(a.real()), std::abs(b.real()));
     const Long nearest = std::min(std::abs(a.imag()), std::abs(b.imag()));
-    const Long factor = with_factor ? turn * nearest / contour_.step_ : 0.0L;
+    const Long factor = with_factor ? two_pi_long * nearest / contour_.step_ : 0.0L;
     return exponent_at(Point(x, std::min(a.imag(), b.imag())), false) - factor;
   }
 

@@ -9,7 +9,6 @@ namespace {
 using Long = long double;
 using Point = EnclosingContour::Point;
 using Node = EnclosingContour::Node;
-using Arguments = PrabhakarArguments;
 
 constexpr Long half_turn = std::numbers::pi_v<Long>;
 
@@ -38,7 +37,7 @@ BigComplex log_with_cuts_to_the_left(const PrabhakarSingularities& x, const Poin
 // Evaluation of F at the nodes, at one precision.
 class Evaluation {
  public:
-  Evaluation(const Arguments& x, const PrabhakarSingularities& shape)
+  Evaluation(const PrabhakarArguments& x, const PrabhakarSingularities& shape)
       : x_(x), shape_(shape), power_(shape.power_of(x)), log_z_(log(x.z)) {
     for (const auto& root : shape.log_roots) {
       const auto turns = std::round((shape.alpha * root.imag() - shape.log_z.imag()) / (2.0L * half_turn));
@@ -111,7 +110,7 @@ class Evaluation {
     return sum;
   }
 
-  Arguments x_;
+  PrabhakarArguments x_;
   PrabhakarSingularities shape_;
   BigReal power_;
   BigComplex log_z_;
@@ -123,7 +122,7 @@ class Evaluation {
 EnclosedTransform prabhakar_transform(const ReadPrabhakar& read) {
   constexpr int enough_digits = 120;
   const Precision precision(enough_digits);
-  const Arguments x = read();
+  const PrabhakarArguments x = read();
   const PrabhakarSingularities shape(x);
   EnclosedTransform transform{
       .singularities = shape.roots,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/stage_matrix.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <limits>
 
 #include "fdebench/schemes/rules/adaptive/decoupled_stage_matrix.hpp"
 #include "fdebench/schemes/rules/implicit/difference_jacobian.hpp"
+#include "fdebench/schemes/solvers/dense_factors.hpp"
+#include "fdebench/schemes/solvers/sparse_lu.hpp"
 
 namespace fde {
 namespace {
@@ -92,7 +92,7 @@ class SparseStageMatrix final : public StageMatrix {
 
   const Problem& problem_;
   SparseMatrix jacobian_, matrix_;
-  Eigen::SparseLU<SparseMatrix> factors_;
+  SparseLu factors_;
 };
 
 }  // namespace

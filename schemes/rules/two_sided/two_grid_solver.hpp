@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/LU>
-
 #include "fdebench/schemes/rules/two_sided/linearisation.hpp"
+#include "fdebench/schemes/solvers/dense_factors.hpp"
 
 namespace fde {
 

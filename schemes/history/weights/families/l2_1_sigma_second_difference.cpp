@@ -9,7 +9,7 @@ using Real = long double;
 
 // The second difference of a step is known one step later, so lag k belongs to the integral over
 // [k+s, k+1+s], s = 1 - g/2.
-double coefficient(double g, double node, double kernel) {
+double l2_1_sigma_second_difference_coefficient(double g, double node, double kernel) {
   return kernel * (std::tgamma(2 - g) * second_difference_mean(node) * std::exp(-(1 - g / 2) * node));
 }
 
@@ -19,6 +19,6 @@ constinit const WeightFamily families::l2_1_sigma_second_difference = increment_
     {.id = "l2_1_sigma_second_difference",
      .title = "what parabolas add to l2_1_sigma, lag k for the bend of the step before, g <= 1",
      .weight = [](Real g, Real k) { return second_difference_weight(g, k + 2 - g / 2); },
-     .coefficient = coefficient});
+     .coefficient = l2_1_sigma_second_difference_coefficient});
 
 }  // namespace fde
