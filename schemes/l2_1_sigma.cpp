@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "fdebench/schemes/history/symbols/lerch.hpp"
+#include "fdebench/schemes/history/weights/polylogarithm.hpp"
 #include "fdebench/schemes/rules/interpolants/parabolas.hpp"
 #include "fdebench/schemes/stepping/order_splitting.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"

@@ -15,8 +15,6 @@
 #include <vector>
 
 #include "fdebench/benchmarks/equation_files/equation_system.hpp"
-#include "fdebench/benchmarks/equation_files/exact_columns.hpp"
-#include "fdebench/benchmarks/equation_files/file_discontinuities.hpp"
 #include "fdebench/benchmarks/equation_files/file_reference.hpp"
 #include "fdebench/benchmarks/equation_files/file_smoothness.hpp"
 #include "fdebench/benchmarks/equation_files/implied_terms.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/parameters.hpp"
-#include "fdebench/schemes/stepping/events.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde::bench {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/expressions/increments.hpp"
-#include "fdebench/benchmarks/expressions/instruction_text.hpp"
+#include "fdebench/benchmarks/expressions/instructions.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/expressions/values_at_start.hpp"
 

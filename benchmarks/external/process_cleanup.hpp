@@ -5,7 +5,10 @@
 
 #include <csignal>
 #include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace fde::bench {
 
@@ -53,5 +56,26 @@ void clean_up();
 // Blocks forever if clean_up() has been called: the end of a child that it killed must not be reported
 // as a result.
 void block_after_clean_up();
+
+// A unique file in the folder of temporary files, removed by the destructor.
+class TemporaryFile {
+ public:
+  // Throws std::system_error naming the file if it cannot be created.
+  explicit TemporaryFile(std::string_view suffix);
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile();
+
+  // Appends the text. Throws std::system_error naming the file if it cannot be written (disk full).
+  void write(std::string_view text) const;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::optional<RegisteredFile> trace_{};
+};
 
 }  // namespace fde::bench

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/errors.hpp"
-#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 
 namespace fde::bench {
 namespace {

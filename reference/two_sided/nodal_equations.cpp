@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
-#include "fdebench/schemes/problem/jacobian.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde::reference {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 
 namespace fde {
 namespace {

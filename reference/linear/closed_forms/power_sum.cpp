@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/closed_forms/power_sum.hpp"
 
-#include "fdebench/reference/linear/closed_forms/evaluation.hpp"
-#include "fdebench/reference/special_functions/laplace/adaptive_precision_contour.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
+#include "fdebench/reference/special_functions/laplace/contour.hpp"
 
 namespace fde::reference {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 
 #include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
@@ -77,5 +78,18 @@ class CharacteristicFunction {
   long double largest_log_ = 0.0L;                                   // |log c| of the coefficients
   mutable std::map<int, ExponentialPolynomial<BigReal>> precise_{};  // by digits
 };
+
+// |Im w| <= height, left <= Re w <= right.
+struct Rectangle {
+  using Point = Complex<long double>;
+  long double left, right, height;
+
+  [[nodiscard]] bool contains(const Point& w) const {
+    return w.real() >= left && w.real() <= right && std::abs(w.imag()) <= height;
+  }
+};
+
+// Number of zeros inside, by the argument principle; nullopt where a zero is too close to the sides.
+std::optional<int> count_zeros(const CharacteristicFunction& function, const Rectangle& box);
 
 }  // namespace fde::reference

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "fdebench/reference/nonlinear/march/unit_increment.hpp"
+#include "fdebench/reference/nonlinear/march/implicit_step.hpp"
 
 namespace fde::reference {
 

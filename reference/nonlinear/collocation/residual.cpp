@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fdebench/reference/nonlinear/march/jumps.hpp"
-#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 
 namespace fde::reference {
 

@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "fdebench/reference/special_functions/numbers/log_gamma.hpp"
+#include "fdebench/reference/special_functions/numbers/reciprocal_gamma.hpp"
 
 namespace fde::reference {
 namespace {

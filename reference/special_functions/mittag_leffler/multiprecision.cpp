@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 
-#include "fdebench/reference/special_functions/laplace/adaptive_precision_contour.hpp"
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/forms.hpp"

@@ -6,7 +6,7 @@
 
 #include "fdebench/reference/special_functions/laplace/free_strip.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/contour_kernels.hpp"
-#include "fdebench/reference/special_functions/mittag_leffler/quick_residues.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
 
 // The contours of the quick evaluations for singularities of any kind (SingularityFreeStrip), computed once.
 namespace fde::reference {

@@ -4,11 +4,10 @@
 #include <functional>
 #include <utility>
 
-#include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
 #include "fdebench/schemes/rules/implicit/step_equations.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
-#include "fdebench/schemes/stepping/rhs_error.hpp"
 
 namespace fde {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde {

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
-#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/observers/energy_balance.hpp"
 #include "fdebench/benchmarks/observers/rate.hpp"

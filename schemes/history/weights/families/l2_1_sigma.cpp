@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/schemes/history/weights/families/increment_family.hpp"
 #include "fdebench/schemes/history/weights/families/product_rules.hpp"
 
 namespace fde {

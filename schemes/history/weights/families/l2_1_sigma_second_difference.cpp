@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/schemes/history/weights/families/increment_family.hpp"
-#include "fdebench/schemes/history/weights/families/second_difference.hpp"
+#include "fdebench/schemes/history/weights/families/product_rules.hpp"
 
 namespace fde {
 namespace {
