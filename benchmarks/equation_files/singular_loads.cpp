@@ -22,34 +22,30 @@ bool is_singular(const TimeTerm& term, const ExpressionPool& pool) {
 
 // Divides sums, and sums divided or multiplied by constants, into summands.
 SplitRow split(Expression row, ExpressionPool& pool) {
-  const auto made = [&](Operation how, Expression a, Expression b) {
-    return pool.make_expression(how, a, b);
-  };
-  const auto is_constant = [&](Expression e) { return pool.value(e).has_value(); };
+  const auto is_constant = [&](Operand e) { return pool.value(e.value).has_value(); };
   SplitRow parts{.rest = pool.number(0)};
-  std::vector<std::pair<Expression, Expression>> open{{row, pool.number(1)}};  // summands and their factors
+  // Summands and their factors.
+  std::vector<std::pair<Expression, Operand>> open{{row, {&pool, pool.number(1)}}};
   while (!open.empty()) {
     const auto [part, factor] = open.back();
     open.pop_back();
     const auto [operation, of] = std::pair(pool[part].operation, pool[part].arguments);
+    const Operand a{&pool, of[0]}, b{&pool, of[1]};
     if (operation == Operation::add || operation == Operation::subtract) {
-      const auto second =
-          operation == Operation::add ? factor : pool.make_expression(Operation::negate, factor);
-      open.insert(open.end(), {{of[1], second}, {of[0], factor}});
+      open.insert(open.end(), {{b.value, operation == Operation::add ? factor : -factor}, {a.value, factor}});
     } else if (operation == Operation::negate) {
-      open.emplace_back(of[0], pool.make_expression(Operation::negate, factor));
-    } else if (operation == Operation::divide && is_constant(of[1])) {
-      open.emplace_back(of[0], made(Operation::divide, factor, of[1]));
-    } else if (operation == Operation::multiply && (is_constant(of[0]) || is_constant(of[1]))) {
-      const bool first = is_constant(of[0]);
-      open.emplace_back(of[first ? 1 : 0], made(Operation::multiply, factor, of[first ? 0 : 1]));
+      open.emplace_back(a.value, -factor);
+    } else if (operation == Operation::divide && is_constant(b)) {
+      open.emplace_back(a.value, factor / b);
+    } else if (operation == Operation::multiply && (is_constant(a) || is_constant(b))) {
+      open.emplace_back(is_constant(a) ? b.value : a.value, factor * (is_constant(a) ? a : b));
     } else {
       const auto terms = pool.depends_on_unknowns(part) ? std::nullopt : time_terms(part, pool);
       if (terms && terms->size() == 1 && is_singular(terms->front(), pool)) {
         const auto& [coefficient, power, from] = terms->front();
-        parts.singular.push_back({made(Operation::multiply, factor, coefficient), power});
+        parts.singular.push_back({(factor * Operand{&pool, coefficient}).value, power});
       } else {
-        parts.rest = made(Operation::add, parts.rest, made(Operation::multiply, factor, part));
+        parts.rest = (Operand{&pool, parts.rest} + factor * Operand{&pool, part}).value;
       }
     }
   }
@@ -58,21 +54,13 @@ SplitRow split(Expression row, ExpressionPool& pool) {
 
 // J^order of the sum of c t^-p; nullopt unless every power of it is above 0.
 std::optional<Expression> response(const std::vector<TimeTerm>& loads, double order, ExpressionPool& pool) {
-  const auto made = [&](Operation how, Expression a, Expression b) {
-    return pool.make_expression(how, a, b);
-  };
-  auto sum = pool.number(0);
-  for (const auto& [coefficient, power, from] : loads) {
-    const auto p = pool.value(power).value();
+  Operand sum{&pool, pool.number(0)};
+  for (const auto& load : loads) {
+    const auto p = pool.value(load.power).value();
     if (p <= -1.0L || p + order <= 0.0L) return std::nullopt;
-    const auto next = made(Operation::add, power, pool.number(1)), shift = pool.number(order);
-    const auto ratio = made(Operation::divide, pool.make_expression(Operation::gamma, next),
-                            pool.make_expression(Operation::gamma, made(Operation::add, next, shift)));
-    const auto grown = made(Operation::power, pool.variable(0), made(Operation::add, power, shift));
-    sum = made(Operation::add, sum,
-               made(Operation::multiply, made(Operation::multiply, coefficient, ratio), grown));
+    sum = sum + integral(load, {&pool, pool.number(order)});
   }
-  return sum;
+  return sum.value;
 }
 
 }  // namespace

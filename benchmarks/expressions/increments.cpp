@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 namespace fde::bench {
@@ -31,7 +30,7 @@ class Rewriting {
   }
 
   // The sum of an operation on these sums; the node is that of expression e.
-  Sum rewritten(Expression e, const ExpressionPool::Node& node, const std::vector<Sum>& of) {
+  Sum rewritten(Expression e, const ExpressionPool::Node& node, const std::array<Sum, 3>& of) {
     switch (node.operation) {
       case Operation::number:
         return {zero_, node.value};
@@ -54,9 +53,7 @@ class Rewriting {
       default:
         break;
     }
-    std::array<Expression, 3> arguments{ExpressionPool::none, ExpressionPool::none, ExpressionPool::none};
-    for (std::size_t i = 0; i < of.size(); ++i) arguments[i] = whole(of[i]);
-    return {pool_.make_expression(node.operation, arguments[0], arguments[1], arguments[2]), 0.0L};
+    return {pool_.make_expression(node.operation, whole(of[0]), whole(of[1]), whole(of[2])), 0.0L};
   }
 
  private:
@@ -90,21 +87,15 @@ class Rewriting {
 
 std::optional<std::vector<Expression>> in_increments(const std::vector<Expression>& of, const Vec& origin,
                                                      ExpressionPool& pool) {
-  const auto used = pool.subexpressions(of);
   Rewriting rewriting(origin, pool);
-  std::vector<Sum> sums(used.size(), {ExpressionPool::none, 0.0L});
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    if (!used[e]) continue;
-    const auto expression = static_cast<Expression>(e);
-    const auto& node = pool[expression];
-    std::vector<Sum> arguments;
-    for (const auto argument : node.arguments)
-      if (argument != ExpressionPool::none) arguments.push_back(sums[static_cast<std::size_t>(argument)]);
-    sums[e] = rewriting.rewritten(expression, ExpressionPool::Node(node), arguments);
-  }
+  const auto sums =
+      values_from_parts(pool, of, Sum{ExpressionPool::none, 0.0L},
+                        [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+                          return rewriting.rewritten(e, node, std::array{parts(0), parts(1), parts(2)});
+                        });
   if (!rewriting.has_cancelled()) return std::nullopt;
   std::vector<Expression> results;
-  for (const auto e : of) results.push_back(rewriting.whole(sums[static_cast<std::size_t>(e)]));
+  for (const auto& sum : sums) results.push_back(rewriting.whole(sum));
   return results;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string_view>
 
 #include "fdebench/benchmarks/expressions/apply.hpp"
@@ -15,36 +16,14 @@ namespace fde::bench {
 
 namespace {
 
-// The symbol of an operation between two arguments; 0: it is written as a call.
-char symbol(Operation operation) {
-  switch (operation) {
-    case Operation::add:
-      return '+';
-    case Operation::subtract:
-      return '-';
-    case Operation::multiply:
-      return '*';
-    case Operation::divide:
-      return '/';
-    default:
-      return 0;
-  }
-}
-
-std::string call_text(Operation operation, const std::array<std::string_view, 3>& arguments) {
-  if (operation == Operation::power) return fmt::format("power({},{})", arguments[0], arguments[1]);
-  const auto function = std::ranges::find(function_table(), operation, &FunctionSignature::operation);
-  auto text = fmt::format("{}({}", function->name, arguments[0]);
-  for (std::size_t i = 1; i < function->arguments; ++i) text += fmt::format(",{}", arguments[i]);
-  return text + ')';
-}
-
 std::string operation_text(Operation operation, const std::array<std::string_view, 3>& arguments) {
+  constexpr std::string_view symbols = "+-*/";
   if (operation == Operation::pi) return formula_number(std::numbers::pi);
   if (operation == Operation::negate) return fmt::format("(-{})", arguments[0]);
-  if (const char between = symbol(operation))
-    return fmt::format("({}{}{})", arguments[0], between, arguments[1]);
-  return call_text(operation, arguments);
+  const auto symbol = static_cast<std::size_t>(operation) - static_cast<std::size_t>(Operation::add);
+  if (symbol < symbols.size()) return fmt::format("({}{}{})", arguments[0], symbols[symbol], arguments[1]);
+  const auto& [name, count, is_function] = signature(operation);
+  return fmt::format("{}({})", name, fmt::join(std::span(arguments).first(count), ","));
 }
 
 }  // namespace

@@ -70,22 +70,16 @@ double reach(const Series& q) {
 
 // q(max(t, d)) for t > d, and the polynomial P(min(t, d)) before.
 Expression continued(Expression of, const Series& q, ExpressionPool& pool) {
-  const auto made = [&](Operation how, Expression a, Expression b) {
-    return pool.make_expression(how, a, b);
-  };
   const auto number = [&](long double value) {
-    return pool.number(fmt::format("{}", static_cast<double>(value)));
+    return Operand{&pool, pool.number(fmt::format("{}", static_cast<double>(value)))};
   };
-  const auto until = number(reach(q)), t = pool.variable(0);
-  const auto early = made(Operation::min, t, until), late = made(Operation::max, t, until);
-  auto polynomial = number(q.back());
-  for (std::size_t k = q.size() - 1; k-- > 0;)
-    polynomial = made(Operation::add, made(Operation::multiply, polynomial, early), number(q[k]));
-  const auto is_late = pool.make_expression(Operation::sign, made(Operation::subtract, late, until));
-  const auto is_early = made(Operation::subtract, pool.number(1), is_late);
-  const auto later = pool.substituted({of}, [&](int) { return late; }).front();
-  return made(Operation::add, made(Operation::multiply, is_late, later),
-              made(Operation::multiply, is_early, polynomial));
+  const Operand until = number(reach(q)), t{&pool, pool.variable(0)};
+  const Operand early = t.of(Operation::min, until.value), late = t.of(Operation::max, until.value);
+  Operand polynomial = number(q.back());
+  for (std::size_t k = q.size() - 1; k-- > 0;) polynomial = polynomial * early + number(q[k]);
+  const Operand is_late = sign(late - until);
+  const Operand later{&pool, pool.substituted({of}, [&](int) { return late.value; }).front()};
+  return (is_late * later + (1 - is_late) * polynomial).value;
 }
 
 std::optional<Expression> with_limit(Expression of, ExpressionPool& pool) {
@@ -102,49 +96,30 @@ std::optional<Expression> with_limit(Expression of, ExpressionPool& pool) {
 }  // namespace
 
 std::vector<Expression> with_limits_at_start(const std::vector<Expression>& of, ExpressionPool& pool) {
-  const auto used = pool.subexpressions(of);
-  std::vector<Expression> made(used.size(), ExpressionPool::none);
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    if (!used[e]) continue;
-    const ExpressionPool::Node node = pool[static_cast<Expression>(e)];
-    const bool is_leaf = node.operation == Operation::variable || node.arguments[0] == ExpressionPool::none;
-    std::array<Expression, 3> from = node.arguments;
-    bool is_same = true;
-    for (auto& part : from) {
-      if (is_leaf || part == ExpressionPool::none) continue;
-      const auto replaced = made[static_cast<std::size_t>(part)];
-      is_same = is_same && replaced == part;
-      part = replaced;
-    }
-    made[e] = is_leaf || is_same ? static_cast<Expression>(e)
-                                 : pool.make_expression(node.operation, from[0], from[1], from[2]);
-    if (const auto limit = with_limit(static_cast<Expression>(e), pool)) made[e] = *limit;
-  }
-  std::vector<Expression> results;
-  for (const auto e : of) results.push_back(made[static_cast<std::size_t>(e)]);
-  return results;
+  constexpr auto none = ExpressionPool::none;
+  return values_from_parts(pool, of, none,
+                           [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+                             const std::array replaced{parts(0), parts(1), parts(2)};
+                             if (const auto limit = with_limit(e, pool)) return *limit;
+                             return replaced == node.arguments
+                                        ? e
+                                        : pool.make_expression(node.operation, parts(0), parts(1), parts(2));
+                           });
 }
 
 std::optional<Expression> not_a_number(Expression of, double t, In y, const ExpressionPool& pool) {
-  const auto used = pool.subexpressions(of);
-  std::vector<long double> values(used.size(), 0.0L);
   std::optional<Expression> first;
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    if (!used[e]) continue;
-    const auto& node = pool[static_cast<Expression>(e)];
-    const auto at = [&](std::size_t i) {
-      return node.arguments[i] == ExpressionPool::none ? 0.0L
-                                                       : values[static_cast<std::size_t>(node.arguments[i])];
-    };
-    if (node.operation == Operation::variable) {
-      values[e] = node.variable == 0 ? static_cast<long double>(t) : y[node.variable - 1];
-    } else {
-      values[e] =
-          node.operation == Operation::number ? node.value : apply(node.operation, at(0), at(1), at(2));
-    }
-    if (std::isnan(values[e]) && !first) first = static_cast<Expression>(e);
-  }
-  return std::isnan(values.back()) ? first : std::nullopt;
+  const auto value = values_from_parts(
+      pool, {of}, 0.0L, [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+        const long double value =
+            node.operation == Operation::variable
+                ? (node.variable == 0 ? static_cast<long double>(t) : y[node.variable - 1])
+            : node.operation == Operation::number ? node.value
+                                                  : apply(node.operation, parts(0), parts(1), parts(2));
+        if (std::isnan(value) && !first) first = e;
+        return value;
+      });
+  return std::isnan(value.front()) ? first : std::nullopt;
 }
 
 }  // namespace fde::bench
