@@ -48,10 +48,7 @@ Constraint constraint_of(const std::vector<FormulaText>& texts, const std::vecto
                          FileFormulas& formulas) {
   std::vector<Expression> values;
   for (const auto& text : texts) values.push_back(formulas.read(text, variables_of(columns, formulas, true)));
-  return {.size = std::ssize(values),
-          .value = [program = Program(formulas.pool(), values, std::ssize(columns))](double t, In c, Out f) {
-            program.evaluate(t, c, {f.data(), static_cast<std::size_t>(f.size())});
-          }};
+  return {.size = std::ssize(values), .value = Program(formulas.pool(), values, std::ssize(columns))};
 }
 
 SceneEvent event_of(const EventText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
@@ -92,10 +89,7 @@ Outputs path_of(const std::vector<NamedFormula>& texts, const std::vector<System
     path.names.push_back(text.name);
     values.push_back(formulas.read(text.formula, variables_of(columns, formulas, true)));
   }
-  path.evaluate = [program = Program(formulas.pool(), values, std::ssize(columns))](double t, In c,
-                                                                                    Out place) {
-    program.evaluate(t, c, {place.data(), static_cast<std::size_t>(place.size())});
-  };
+  path.evaluate = Program(formulas.pool(), values, std::ssize(columns));
   return path;
 }
 

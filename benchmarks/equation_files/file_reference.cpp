@@ -93,8 +93,7 @@ reference::Reference formulas_of(const reference::Reference& rows, const Columns
   constexpr long double unit =
       reference::closed_form_rounding_factor * std::numeric_limits<long double>::epsilon();
   std::vector<Expression> values;
-  for (const auto& column : columns)
-    values.push_back(column.value ? *column.value : pool.variable(static_cast<int>(column.row) + 1));
+  for (const auto& column : columns) values.push_back(column.in_rows(pool));
   const auto at = [=, kept = std::make_shared<const ExpressionPool>(pool)](double t) {
     const auto [value, bound] = rows.at(t);
     std::vector<Value> known;

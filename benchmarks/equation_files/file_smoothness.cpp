@@ -86,12 +86,12 @@ std::optional<Smoothness> series_smoothness(const EquationSystem& system, const 
 std::vector<Eigen::Index> jumping_rows(const EquationSystem& system, const ExpressionPool& pool) {
   std::vector<Eigen::Index> rows;
   for (const auto& unknown : system.unknowns) {
-    const auto last = unknown.first + unknown.size() - 1;
-    const auto row = system.rows[static_cast<std::size_t>(last)];
+    const auto row = system.rows[unknown.last_row()];
     const auto switches = pool.arguments({row}, {Operation::sign, Operation::step});
     const bool is_switched = std::ranges::any_of(
         switches, [&](Expression e) { return pool.depends_on(e, 0) && !pool.depends_on_unknowns(e); });
-    if (is_switched || (!system.jumps.empty() && pool.depends_on(row, 0))) rows.push_back(last);
+    if (is_switched || (!system.jumps.empty() && pool.depends_on(row, 0)))
+      rows.push_back(static_cast<Eigen::Index>(unknown.last_row()));
   }
   return rows;
 }

@@ -59,12 +59,6 @@ class MechanicsReader : TomlReader {
     return forces;
   }
 
-  [[nodiscard]] std::vector<FormulaText> formulas(const toml::node& node, std::string_view name) const {
-    std::vector<FormulaText> all;
-    for (const auto& value : array(node, name, "a list of formulas")) all.push_back(formula(value, name));
-    return all;
-  }
-
   // One of these words.
   [[nodiscard]] std::string word(const toml::node& node, std::string_view name,
                                  const std::vector<std::string>& allowed) const {

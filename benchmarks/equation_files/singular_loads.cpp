@@ -91,18 +91,16 @@ std::optional<PosedProblem> without_singular_loads(const EquationSystem& system,
         .edge = problem.domain.edge,
         .margin = [margin = problem.domain.margin, to_y = Program(pool, state, size)](double t, In z) {
           Vec y(z.size());
-          to_y.evaluate(t, z, {y.data(), static_cast<std::size_t>(y.size())});
+          to_y(t, z, y);
           return margin(t, y);
         }};
   }
   std::vector<Expression> values;
   for (const auto& column : columns) {
     posed.outputs.names.push_back(column.name);
-    values.push_back(column.value ? *column.value : pool.variable(static_cast<int>(column.row) + 1));
+    values.push_back(column.in_rows(pool));
   }
-  posed.outputs.evaluate = [program = Program(pool, in_state(values), size)](double t, In z, Out into) {
-    program.evaluate(t, z, {into.data(), static_cast<std::size_t>(into.size())});
-  };
+  posed.outputs.evaluate = Program(pool, in_state(values), size);
   return posed;
 }
 

@@ -42,27 +42,15 @@ Start start_of(Operation operation, const Start& a, const Start& b, const Start&
 // Of all rows, from the positive powers of the variables: t and those of the rows.
 std::vector<double> firsts_of_rows(const EquationSystem& system, const ExpressionPool& pool,
                                    const std::vector<double>& values, const std::vector<double>& variables) {
-  const auto used = pool.subexpressions(system.rows);
-  std::vector<Start> starts(used.size());
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    if (!used[e]) continue;
-    const auto& entry = pool[static_cast<Expression>(e)];
-    const bool is_nonzero = values[e] != 0.0;
-    const auto at = [&](std::size_t i) {
-      return entry.arguments[i] == ExpressionPool::none
-                 ? Start{}
-                 : starts[static_cast<std::size_t>(entry.arguments[i])];
-    };
-    if (entry.operation == Operation::variable) {
-      starts[e] = {variables[static_cast<std::size_t>(entry.variable)], is_nonzero};
-    } else if (const auto power = power_of_time(pool, entry)) {
-      starts[e] = {*power, is_nonzero};
-    } else {
-      starts[e] = start_of(entry.operation, at(0), at(1), at(2), is_nonzero);
-    }
-  }
+  const auto start = [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+    const bool is_nonzero = values[static_cast<std::size_t>(e)] != 0.0;
+    if (node.operation == Operation::variable)
+      return Start{variables[static_cast<std::size_t>(node.variable)], is_nonzero};
+    if (const auto power = power_of_time(pool, node)) return Start{*power, is_nonzero};
+    return start_of(node.operation, parts(0), parts(1), parts(2), is_nonzero);
+  };
   std::vector<double> firsts;
-  for (const auto row : system.rows) firsts.push_back(starts[static_cast<std::size_t>(row)].first());
+  for (const auto& row : values_from_parts(pool, system.rows, Start{}, start)) firsts.push_back(row.first());
   return firsts;
 }
 
@@ -95,7 +83,7 @@ std::vector<double> first_powers(const EquationSystem& system, const ExpressionP
     const auto of_rows = firsts_of_rows(system, pool, values, variables);
     for (std::size_t u = 0; u < firsts.size(); ++u) {
       const auto& unknown = system.unknowns[u];
-      firsts[u] = of_rows[static_cast<std::size_t>(unknown.first + unknown.size()) - 1];
+      firsts[u] = of_rows[unknown.last_row()];
       set_nodes(unknown, firsts[u], variables);
     }
   }
@@ -112,10 +100,6 @@ Vec initial_values(const EquationSystem& system) {
   return start;
 }
 
-Expression last_row(const EquationSystem& system, const EquationSystem::Unknown& unknown) {
-  return system.rows[static_cast<std::size_t>(unknown.first + unknown.size()) - 1];
-}
-
 // What the right-hand side of an unknown depends on, its own terms included.
 struct Dependence {
   std::vector<int> linear, nonlinear;  // variables of rows, by whether the derivative is a constant
@@ -126,7 +110,7 @@ std::vector<Dependence> dependences(const EquationSystem& system, ExpressionPool
                                     const std::vector<std::set<double>>& powers) {
   std::vector<Dependence> all;
   for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
-    const auto row = last_row(system, system.unknowns[u]);
+    const auto row = system.rows[system.unknowns[u].last_row()];
     auto& found = all.emplace_back();
     found.time.assign(powers[u].begin(), powers[u].end());
     for (const int variable : pool.variables_in(row)) {
@@ -217,7 +201,7 @@ std::optional<std::vector<std::set<double>>> all_time_powers(const EquationSyste
                                                              const std::vector<double>& values) {
   std::vector<std::set<double>> all;
   for (const auto& unknown : system.unknowns) {
-    auto powers = time_powers(pool, last_row(system, unknown), values);
+    auto powers = time_powers(pool, system.rows[unknown.last_row()], values);
     if (!powers) return std::nullopt;
     all.push_back(std::move(*powers));
   }

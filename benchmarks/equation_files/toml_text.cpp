@@ -189,4 +189,11 @@ FormulaText TomlReader::formula(const toml::node& node, std::string_view name) c
   return made;
 }
 
+std::vector<FormulaText> TomlReader::formulas(const toml::node& node, std::string_view name,
+                                              std::string_view allowed) const {
+  std::vector<FormulaText> all;
+  for (const auto& value : array(node, name, allowed)) all.push_back(formula(value, name));
+  return all;
+}
+
 }  // namespace fde::bench

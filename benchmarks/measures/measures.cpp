@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "fdebench/benchmarks/measures/errors.hpp"
+#include "fdebench/benchmarks/measures/column_errors.hpp"
 #include "fdebench/benchmarks/measures/timing_conditions.hpp"
 
 namespace fde::bench {

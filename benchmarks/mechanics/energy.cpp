@@ -123,18 +123,13 @@ Outputs outputs_of(const PosedEquations& equations, const std::vector<std::strin
   for (const auto e : shown)
     if (pool[e].operation == Operation::variable) components.push_back(pool[e].variable - 1);
   if (components.size() == shown.size()) return select_components(names, components);
-  return {names, [program = Program(pool, shown, std::ssize(equations.rows))](double t, In y, Out columns) {
-            program.evaluate(t, y, {columns.data(), static_cast<std::size_t>(columns.size())});
-          }};
+  return {names, Program(pool, shown, std::ssize(equations.rows))};
 }
 
 Constraint constraint_of(const Dynamics& dynamics) {
   const auto& f = dynamics.constraint();
   const auto size = static_cast<Eigen::Index>(dynamics.system().shown_count());
-  return {std::ssize(f),
-          [program = Program(dynamics.algebra().pool(), f, size)](double t, In columns, Out value) {
-            program.evaluate(t, columns, {value.data(), static_cast<std::size_t>(value.size())});
-          }};
+  return {std::ssize(f), Program(dynamics.algebra().pool(), f, size)};
 }
 
 Energy energy_of(const Dynamics& dynamics) {
@@ -156,9 +151,7 @@ Energy energy_of(const Dynamics& dynamics) {
   Expressions shares;
   for (const auto k : terms)
     shares.push_back(reaction_power(dynamics, dynamics.multiplier(column_of(dynamics.memory_jacobian(), k))));
-  result.rate_coefficients = [program = Program(pool, shares, size)](double t, In columns, Out values) {
-    program.evaluate(t, columns, {values.data(), static_cast<std::size_t>(values.size())});
-  };
+  result.rate_coefficients = Program(pool, shares, size);
   return result;
 }
 
@@ -173,7 +166,7 @@ Reactions reactions_of(const Dynamics& dynamics, const std::vector<double>& star
   velocity_factors = algebra.product(dynamics.reaction_directions(), velocities(system, algebra));
   reactions.power = [program = Program(pool, velocity_factors, size)](double t, In columns, In lambda) {
     Vec factors(lambda.size());
-    program.evaluate(t, columns, {factors.data(), static_cast<std::size_t>(factors.size())});
+    program(t, columns, factors);
     return factors.dot(lambda);
   };
   const auto terms = differentiated_terms(dynamics);
@@ -181,8 +174,7 @@ Reactions reactions_of(const Dynamics& dynamics, const std::vector<double>& star
   const auto lambda = dynamics.multiplier(algebra.sum(dynamics.free_defect(), memory_defect(dynamics)));
   reactions.multipliers = [arguments, program = Program(pool, lambda, arguments.size())](
                               double t, In columns, In rates, Out values) {
-    program.evaluate(t, arguments.joined(columns, rates),
-                     {values.data(), static_cast<std::size_t>(values.size())});
+    program(t, arguments.joined(columns, rates), values);
   };
   if (terms.empty()) return reactions;
   reactions.differentiated_columns = columns_of(terms, system);

@@ -116,7 +116,7 @@ std::function<Vec(In q, In v)> allowed_velocity(const Dynamics& dynamics) {
     return velocity_on_constraints(v, [&](const Vec& now) -> Vec {
       Vec moved(now.size());
       columns.segment(q.size(), now.size()) = now;
-      program.evaluate(0.0, columns, {moved.data(), static_cast<std::size_t>(moved.size())});
+      program(0.0, columns, moved);
       return moved;
     });
   };

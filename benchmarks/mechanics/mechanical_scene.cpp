@@ -36,7 +36,7 @@ Domain regular_domain(const Dynamics& dynamics, const PosedEquations& equations)
       .constraints = [r, n, program = Program(pool, entries, std::ssize(equations.rows))](double t, In y) {
         using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
         Vec values(2 * r * n);
-        program.evaluate(t, y, {values.data(), static_cast<std::size_t>(values.size())});
+        program(t, y, values);
         return ConstraintMatrices{Eigen::Map<const ByRows>(values.data(), r, n),
                                   Eigen::Map<const ByRows>(values.data() + r * n, n, r)};
       }};

@@ -13,7 +13,6 @@
 #include "fdebench/reference/nonlinear/collocation/piecewise_solution.hpp"
 #include "fdebench/reference/nonlinear/collocation/residual.hpp"
 #include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
-#include "fdebench/reference/nonlinear/march/jumps.hpp"
 #include "fdebench/reference/nonlinear/march/march_limits.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 #include "fdebench/schemes/problem/multipliers.hpp"

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
+#include "fdebench/reference/nonlinear/collocation/panels.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde::reference {

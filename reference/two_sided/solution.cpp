@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "fdebench/reference/two_sided/nodal_basis.hpp"
-#include "fdebench/reference/two_sided/nodal_solution.hpp"
+#include "fdebench/reference/two_sided/nodal_equations.hpp"
 
 namespace fde::reference {
 namespace {

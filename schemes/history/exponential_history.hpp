@@ -4,7 +4,6 @@
 #include "fdebench/schemes/history/exponential_memory.hpp"
 #include "fdebench/schemes/history/filtered_memory.hpp"
 #include "fdebench/schemes/history/history.hpp"
-#include "fdebench/schemes/history/running_sum.hpp"
 
 namespace fde {
 

@@ -7,7 +7,7 @@
 #include "fdebench/schemes/history/memory_tables.hpp"
 #include "fdebench/schemes/history/wide_memory.hpp"
 #include "fdebench/schemes/problem/archive.hpp"
-#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 

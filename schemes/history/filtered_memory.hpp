@@ -5,7 +5,7 @@
 
 #include "fdebench/schemes/history/block_kernels.hpp"
 #include "fdebench/schemes/history/exponential_memory.hpp"
-#include "fdebench/schemes/history/running_sum.hpp"
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 
 namespace fde {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 

@@ -3,7 +3,6 @@
 
 #include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/kernel_integrals.hpp"
-#include "fdebench/schemes/history/running_sum.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 
 namespace fde {

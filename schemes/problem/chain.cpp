@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 

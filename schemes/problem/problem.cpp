@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
-#include "fdebench/reference/special_functions/numbers/adaptive_precision.hpp"
+#include "fdebench/reference/special_functions/numbers/bounded.hpp"
 
 namespace fde::reference {
 

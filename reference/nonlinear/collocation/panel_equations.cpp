@@ -7,7 +7,7 @@
 #include <random>
 
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
-#include "fdebench/reference/nonlinear/march/jumps.hpp"
+#include "fdebench/reference/nonlinear/march/march_limits.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 
 namespace fde::reference {

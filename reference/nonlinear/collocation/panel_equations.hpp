@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
+#include "fdebench/reference/nonlinear/collocation/panels.hpp"
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 

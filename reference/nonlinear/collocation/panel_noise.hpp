@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fdebench/reference/nonlinear/collocation/panel_equations.hpp"
-#include "fdebench/reference/nonlinear/collocation/volterra_history.hpp"
+#include "fdebench/reference/nonlinear/collocation/panels.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 
 namespace fde::reference {

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "fdebench/reference/nonlinear/collocation/panel_noise.hpp"
-#include "fdebench/reference/nonlinear/march/jumps.hpp"
 #include "fdebench/reference/nonlinear/march/march_limits.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"

@@ -10,7 +10,6 @@
 #include "fdebench/reference/nonlinear/diffusive/memory.hpp"
 #include "fdebench/reference/nonlinear/diffusive/stages.hpp"
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
-#include "fdebench/reference/nonlinear/march/jumps.hpp"
 #include "fdebench/reference/nonlinear/march/march_limits.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
-#include "fdebench/reference/special_functions/numbers/adaptive_precision.hpp"
+#include "fdebench/reference/special_functions/numbers/bounded.hpp"
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
 namespace fde::reference {

@@ -14,7 +14,7 @@
 #include "fdebench/reference/special_functions/mittag_leffler/quick.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/tiny_order.hpp"
-#include "fdebench/reference/special_functions/numbers/adaptive_precision.hpp"
+#include "fdebench/reference/special_functions/numbers/bounded.hpp"
 
 namespace fde::reference {
 

@@ -6,7 +6,7 @@
 
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/contour_kernels.hpp"
-#include "fdebench/reference/special_functions/mittag_leffler/poles.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/forms.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/quick.hpp"
 
 // The contours of mittag_leffler_quick(), computed once.

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 #include "fdebench/schemes/rules/implicit/difference_jacobian.hpp"
 
 namespace fde {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "fdebench/schemes/history/running_sum.hpp"
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "fdebench/schemes/problem/resolution.hpp"
-#include "fdebench/schemes/rules/spectral/panel_kernels.hpp"
+#include "fdebench/schemes/rules/spectral/panel_rule.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "fdebench/schemes/rules/spectral/panel_kernels.hpp"
+#include "fdebench/schemes/rules/spectral/panel_rule.hpp"
 
 namespace fde {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "fdebench/schemes/rules/two_sided/linearisation.hpp"
+#include "fdebench/schemes/rules/two_sided/global_equations.hpp"
 #include "fdebench/schemes/rules/two_sided/two_grid_solver.hpp"
 
 namespace fde {

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 
 #include "fdebench/schemes/problem/grid.hpp"
-#include "fdebench/schemes/rules/two_sided/linearisation.hpp"
+#include "fdebench/schemes/rules/two_sided/global_equations.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {

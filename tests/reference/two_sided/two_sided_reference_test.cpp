@@ -8,7 +8,7 @@
 #include "fdebench/benchmarks/references/cache.hpp"
 #include "fdebench/benchmarks/scenes/two_sided/manufactured_problem.hpp"
 #include "fdebench/reference/two_sided/nodal_basis.hpp"
-#include "fdebench/reference/two_sided/nodal_solution.hpp"
+#include "fdebench/reference/two_sided/nodal_equations.hpp"
 #include "fdebench/reference/two_sided/solution.hpp"
 #include "support/testing.hpp"
 
