@@ -14,6 +14,13 @@ constexpr MultistepRule bdf5_rule{
 constexpr MultistepRule bdf6_rule{
     .rate = 6, .base = {147, -213, 237, -163, 62, -10}, .denominator = 60, .decay = 0.86338};
 
+// The exact integral has the symbol (-ln zeta)^(-g) = u^(-g) (1 + u/2 + u^2/3 + ...)^(-g), u = 1 - zeta. The
+// last factor is truncated after u, or u^2:
+//   1 - g/2 u + (g^2/8 - 5g/24) u^2.
+// At g = 1 this is the trapezoidal rule (1 + zeta)/2, or the Adams-Moulton rule (5 + 8 zeta - zeta^2)/12.
+constexpr MultistepRule newton_gregory_2_rule{.rate = 2, .corrections = {{{24}, {0, -12}}}};
+constexpr MultistepRule newton_gregory_3_rule{.rate = 3, .corrections = {{{24}, {0, -12}, {0, -5, 3}}}};
+
 }  // namespace
 
 constinit const WeightFamily families::bdf2 =
@@ -26,5 +33,9 @@ constinit const WeightFamily families::bdf5 =
     multistep_family<bdf5_rule>("bdf5", "BDF5 convolution quadrature");
 constinit const WeightFamily families::bdf6 =
     multistep_family<bdf6_rule>("bdf6", "BDF6 convolution quadrature");
+constinit const WeightFamily families::newton_gregory_2 = multistep_family<newton_gregory_2_rule>(
+    "newton_gregory_2", "Newton-Gregory convolution quadrature of rate 2");
+constinit const WeightFamily families::newton_gregory_3 = multistep_family<newton_gregory_3_rule>(
+    "newton_gregory_3", "Newton-Gregory convolution quadrature of rate 3");
 
 }  // namespace fde
