@@ -14,15 +14,15 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/equation_files/equation_problem.hpp"
 #include "fdebench/benchmarks/equation_files/equation_system.hpp"
+#include "fdebench/benchmarks/equation_files/equation_text.hpp"
 #include "fdebench/benchmarks/equation_files/file_reference.hpp"
 #include "fdebench/benchmarks/equation_files/file_smoothness.hpp"
-#include "fdebench/benchmarks/equation_files/implied_terms.hpp"
 #include "fdebench/benchmarks/equation_files/load_times.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
-#include "fdebench/benchmarks/equation_files/singular_loads.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/equation_file_name.hpp"

@@ -206,9 +206,7 @@ FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool
 std::vector<double> declared_jumps(FileFormulas& formulas) {
   std::vector<double> jumps;
   for (const auto& jump : formulas.text().jumps) jumps.push_back(formulas.constant(jump, "at", positive));
-  std::ranges::sort(jumps);
-  jumps.erase(std::unique(jumps.begin(), jumps.end()), jumps.end());
-  return jumps;
+  return increasing(std::move(jumps));
 }
 
 EquationSystem read_system(FileFormulas& formulas) {

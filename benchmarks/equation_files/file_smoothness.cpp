@@ -44,8 +44,7 @@ std::optional<std::vector<std::vector<double>>> exact_powers(const EquationSyste
       const auto exponent = static_cast<double>(*p);
       if (*size != 0.0L && exponent > 0.0) powers.push_back(exponent);
     }
-    std::ranges::sort(powers);
-    powers.erase(std::unique(powers.begin(), powers.end(), same_order), powers.end());
+    powers = increasing(std::move(powers), same_order);
   }
   return all;
 }

@@ -8,7 +8,7 @@
 #include <array>
 
 #include "fdebench/benchmarks/equation_files/toml_text.hpp"
-#include "fdebench/benchmarks/mechanics/formulation.hpp"
+#include "fdebench/benchmarks/mechanics/mechanical_system.hpp"
 
 namespace fde::bench {
 namespace {

@@ -40,8 +40,7 @@ class FormulaParser {
       }
     }
     ~DepthGuard() { --reader_.depth_; }
-    DepthGuard(const DepthGuard&) = delete;
-    DepthGuard& operator=(const DepthGuard&) = delete;
+    DepthGuard& operator=(DepthGuard&&) = delete;
 
    private:
     FormulaParser& reader_;

@@ -71,8 +71,7 @@ class CleanupProcess {
     close(ends[0]);
     end_ = ends[1];
   }
-  CleanupProcess(const CleanupProcess&) = delete;
-  CleanupProcess& operator=(const CleanupProcess&) = delete;
+  CleanupProcess& operator=(CleanupProcess&&) = delete;
   ~CleanupProcess() {
     if (end_ >= 0) close(end_);
     if (child_ > 0) waitpid(child_, nullptr, 0);

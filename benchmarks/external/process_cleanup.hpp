@@ -18,8 +18,7 @@ namespace fde::bench {
 class RegisteredFile {
  public:
   explicit RegisteredFile(const std::string& path);
-  RegisteredFile(const RegisteredFile&) = delete;
-  RegisteredFile& operator=(const RegisteredFile&) = delete;
+  RegisteredFile& operator=(RegisteredFile&&) = delete;
   ~RegisteredFile();
 
  private:
@@ -28,8 +27,7 @@ class RegisteredFile {
 class RegisteredProcessGroup {
  public:
   explicit RegisteredProcessGroup(pid_t group);
-  RegisteredProcessGroup(const RegisteredProcessGroup&) = delete;
-  RegisteredProcessGroup& operator=(const RegisteredProcessGroup&) = delete;
+  RegisteredProcessGroup& operator=(RegisteredProcessGroup&&) = delete;
   ~RegisteredProcessGroup();
 
  private:
@@ -41,8 +39,7 @@ class RegisteredProcessGroup {
 class RegistrationGuard {
  public:
   RegistrationGuard();
-  RegistrationGuard(const RegistrationGuard&) = delete;
-  RegistrationGuard& operator=(const RegistrationGuard&) = delete;
+  RegistrationGuard& operator=(RegistrationGuard&&) = delete;
   ~RegistrationGuard();
 
  private:
@@ -62,8 +59,7 @@ class TemporaryFile {
  public:
   // Throws std::system_error naming the file if it cannot be created.
   explicit TemporaryFile(std::string_view suffix);
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(TemporaryFile&&) = delete;
   ~TemporaryFile();
 
   // Appends the text. Throws std::system_error naming the file if it cannot be written (disk full).

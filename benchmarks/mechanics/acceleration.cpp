@@ -202,9 +202,7 @@ class RateChains {
   [[nodiscard]] std::vector<double> all_orders() const {
     std::vector<double> all;
     for (const auto& orders : orders_) all.insert(all.end(), orders.begin(), orders.end());
-    std::ranges::sort(all);
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
+    return increasing(std::move(all));
   }
 
   const Dynamics& dynamics_;

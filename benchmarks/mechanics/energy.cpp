@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "fdebench/benchmarks/expressions/program.hpp"
-#include "fdebench/benchmarks/mechanics/scene_parts.hpp"
+#include "fdebench/benchmarks/mechanics/mechanical_scene.hpp"
 
 namespace fde::bench::mechanics {
 namespace {

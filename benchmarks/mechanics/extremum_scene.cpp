@@ -7,8 +7,8 @@
 #include "fdebench/benchmarks/expressions/expression_problem.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/expressions/time_powers.hpp"
+#include "fdebench/benchmarks/mechanics/mechanical_scene.hpp"
 #include "fdebench/benchmarks/mechanics/memory_extremum.hpp"
-#include "fdebench/benchmarks/mechanics/scene_parts.hpp"
 
 namespace fde::bench::mechanics {
 namespace {

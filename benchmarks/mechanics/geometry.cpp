@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/expressions/program.hpp"
-#include "fdebench/benchmarks/mechanics/scene_parts.hpp"
+#include "fdebench/benchmarks/mechanics/mechanical_scene.hpp"
 
 // Niminet & Blanuta 2009 with T = 1/2 g_ij y^i y^j, without the factor 1/2 of their (2.6) and (2.8).
 namespace fde::bench::mechanics {

@@ -7,7 +7,6 @@
 #include "fdebench/benchmarks/expressions/expression_problem.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/mechanics/motion_smoothness.hpp"
-#include "fdebench/benchmarks/mechanics/scene_parts.hpp"
 
 namespace fde::bench::mechanics {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/mechanics/dynamics.hpp"
-#include "fdebench/benchmarks/mechanics/formulation.hpp"
+#include "fdebench/benchmarks/mechanics/mechanical_system.hpp"
 #include "fdebench/benchmarks/mechanics/motion_start.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"

@@ -10,8 +10,7 @@
 namespace fde::bench {
 
 FittedExponents::FittedExponents(std::vector<double> powers) : powers_(std::move(powers)) {
-  std::ranges::sort(powers_);
-  powers_.erase(std::unique(powers_.begin(), powers_.end(), same_order), powers_.end());
+  powers_ = increasing(std::move(powers_), same_order);
   if (powers_.size() > most) powers_.resize(most);
   const auto count = static_cast<Eigen::Index>(powers_.size());
   if (count == 0) return;

@@ -48,8 +48,7 @@ Vec polynomial_weights(const std::vector<double>& times, double t) {
 // The `count` smallest distinct powers, including 0; filled up with integers.
 std::vector<double> basis_of(std::vector<double> powers, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) powers.push_back(static_cast<double>(k));
-  std::ranges::sort(powers);
-  powers.erase(std::unique(powers.begin(), powers.end(), same_order), powers.end());
+  powers = increasing(std::move(powers), same_order);
   powers.resize(count);
   return powers;
 }
@@ -99,9 +98,7 @@ std::vector<double> with_neighbour_times(const Reactions& reactions, const std::
     }
   }
   times.insert(times.end(), beside.begin(), beside.end());
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  return increasing(std::move(times));
 }
 
 ReactionPath::ReactionPath(const Scene& scene, const std::optional<Grid>& grid, const Trajectory& path)
@@ -141,8 +138,7 @@ std::vector<double> derivative_times(double t, double end) {
   std::vector<double> times;
   for (int k = 0; k < choices(t, end); ++k)
     std::ranges::copy(times_within(t, end, k), std::back_inserter(times));
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
+  times = increasing(std::move(times));
   std::erase(times, t);
   return times;
 }

@@ -72,8 +72,7 @@ struct UnfinishedFolder {
   explicit UnfinishedFolder(const std::filesystem::path& beside) : path(unfinished_name(beside)) {
     std::filesystem::create_directory(path);
   }
-  UnfinishedFolder(const UnfinishedFolder&) = delete;
-  UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+  UnfinishedFolder& operator=(UnfinishedFolder&&) = delete;
   ~UnfinishedFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path, ignored);

@@ -13,7 +13,6 @@
 
 #include "fdebench/schemes/diagnostics/modes.hpp"
 #include "fdebench/schemes/diagnostics/other_steps.hpp"
-#include "fdebench/schemes/diagnostics/stored_path.hpp"
 
 namespace fde {
 
@@ -150,9 +149,7 @@ std::vector<double> with_times_looked_at(const Problem& problem, const Grid& gri
   if (times.empty()) return times;
   for (const auto& more : {times_compared(problem, grid), last_times(grid)})
     std::ranges::copy(more, std::back_inserter(times));
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  return increasing(std::move(times));
 }
 
 std::optional<MissedAccuracy> missed_accuracy(const Tolerance& requested, const Rows& values,

@@ -17,9 +17,6 @@ class RowThreads {
  public:
   explicit RowThreads(int threads);
   ~RowThreads();
-  RowThreads(const RowThreads&) = delete;
-  RowThreads& operator=(const RowThreads&) = delete;
-  RowThreads(RowThreads&&) = delete;
   RowThreads& operator=(RowThreads&&) = delete;
 
  private:

@@ -55,6 +55,13 @@ double longest_step(const Problem& problem, double t) {
 
 std::size_t initial_count(double order) { return static_cast<std::size_t>(std::max(std::ceil(order), 1.0)); }
 
+double smallest_order(const Problem& problem) {
+  double order = 1.0;
+  for (const auto& component : problem.components)
+    if (!is_algebraic(component)) order = std::min(order, component.order);
+  return order;
+}
+
 bool is_two_sided(const Problem& problem) {
   return problem.conditions || std::ranges::any_of(problem.components, [](const auto& component) {
            return component.side == Side::right;

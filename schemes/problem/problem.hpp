@@ -164,6 +164,9 @@ double longest_step(const Problem& problem, double t);
 // Number of initial values of a row of this order: ceil(order), and 1 for order 0.
 std::size_t initial_count(double order);
 
+// The smallest order of the rows that are not algebraic, at most 1.
+double smallest_order(const Problem& problem);
+
 // Whether the problem has a right derivative or boundary conditions: it cannot be solved by time stepping.
 bool is_two_sided(const Problem& problem);
 

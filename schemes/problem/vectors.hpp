@@ -3,6 +3,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <algorithm>
+#include <functional>
+#include <vector>
 
 namespace fde {
 
@@ -31,6 +34,14 @@ inline void for_each_component(Eigen::Index size, Body body) {
     body(i);
     asm volatile("");  // NOLINT(hicpp-no-assembler): compilers do not vectorise a loop with it
   }
+}
+
+// The values in increasing order, each once: of values that are the same the first remains.
+template <class Value, class Same = std::equal_to<>>
+std::vector<Value> increasing(std::vector<Value> values, const Same& same = {}) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end(), same), values.end());
+  return values;
 }
 
 }  // namespace fde

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "fdebench/reference/nonlinear/collocation/panel_noise.hpp"
+#include "fdebench/reference/nonlinear/collocation/panel_equations.hpp"
 #include "fdebench/reference/nonlinear/march/march_limits.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"

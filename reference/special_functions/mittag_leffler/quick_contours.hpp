@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <span>
 
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
+#include "fdebench/reference/special_functions/laplace/free_strip.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/contour_kernels.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/forms.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/quick.hpp"
@@ -75,5 +77,35 @@ std::optional<QuickValue> residue_sum(const QuickArguments& x, const QuickContou
 
 // E_{alpha,beta}(z) as a sum of residues, for EvaluationForm::residues_only.
 std::optional<QuickValue> sum_of_all_residues(const QuickArguments& x);
+
+// The contours of the quick evaluations for singularities of any kind (SingularityFreeStrip), computed once.
+struct ShiftedContour {
+  explicit ShiftedContour(const ShiftedShape& of);
+
+  ShiftedShape shape;
+  SingularityFreeStrip strip;
+  ContourNodes nodes;
+};
+
+// Largest accepted logarithm of the discretisation error, relative to the largest possible value.
+inline constexpr double max_log_error = -33.0;
+
+// In the order in which they are tried.
+const std::array<ShiftedContour, 8>& shifted_contours();
+
+// The singularities s*^alpha = z in the form that SingularityFreeStrip takes.
+struct SingularityRoots {
+  SingularityRoots(double alpha, const std::complex<double>& log_z, int first_sheet);
+
+  double log_size;
+  Poles<double> poles;
+  PerSheet<std::complex<double>> roots;
+
+  // max(0, largest Re s* on the principal sheet): the logarithm of the possible size of the function.
+  [[nodiscard]] double growth() const;
+  [[nodiscard]] SingularityFreeStrip::Factor factor(double singularity_order) const {
+    return {log_size, poles.nearest_other_argument, {roots.data(), roots.size()}, singularity_order};
+  }
+};
 
 }  // namespace fde::reference

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "fdebench/reference/special_functions/prabhakar_and_matrix/shifted_contours.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
 
 namespace fde::reference {
 namespace {

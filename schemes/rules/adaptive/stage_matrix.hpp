@@ -20,9 +20,7 @@ using StageWeights = std::vector<Eigen::Matrix<double, stages, stages>>;
 // state, and -df/dy in algebraic rows. Vectors hold one stage after the other.
 class StageMatrix {
  public:
-  StageMatrix() = default;
-  StageMatrix(const StageMatrix&) = delete;
-  StageMatrix& operator=(const StageMatrix&) = delete;
+  StageMatrix& operator=(StageMatrix&&) = delete;
   virtual ~StageMatrix() = default;
 
   // Computes and factorises the matrix at (t, y). f: f(t, y).

@@ -14,9 +14,7 @@ namespace fde {
 // Solver of the equations of one step of the trapezoidal rule.
 class TrapezoidalSolver {
  public:
-  TrapezoidalSolver() = default;
-  TrapezoidalSolver(const TrapezoidalSolver&) = delete;
-  TrapezoidalSolver& operator=(const TrapezoidalSolver&) = delete;
+  TrapezoidalSolver& operator=(TrapezoidalSolver&&) = delete;
   virtual ~TrapezoidalSolver() = default;
 
   // On entry y is the solution at the previous step; on exit it is the solution of the step, and f is the

@@ -16,9 +16,7 @@ namespace fde {
 //   D^g_i y_i(t*) = known_i + newest_i (y_n - y_(n-1))_i.
 class Interpolant {
  public:
-  Interpolant() = default;
-  Interpolant(const Interpolant&) = delete;
-  Interpolant& operator=(const Interpolant&) = delete;
+  Interpolant& operator=(Interpolant&&) = delete;
   virtual ~Interpolant() = default;
 
   [[nodiscard]] virtual Vec offsets() const = 0;
@@ -72,8 +70,7 @@ class OffStepProblem {
  public:
   // `problem` must outlive this object. One offset a component.
   OffStepProblem(const Problem& problem, const Vec& offsets);
-  OffStepProblem(const OffStepProblem&) = delete;
-  OffStepProblem& operator=(const OffStepProblem&) = delete;
+  OffStepProblem& operator=(OffStepProblem&&) = delete;
 
   // The problem in y_n. It refers to this object, which must outlive it.
   [[nodiscard]] const Problem& problem() const { return stepped_; }

@@ -87,8 +87,7 @@ class PanelSolution {
  public:
   PanelSolution(const Problem& problem, Eigen::Index points)
       : rule(panel_rule(points)), integrated_rows(problem), memory(rule, integrated_rows) {}
-  PanelSolution(const PanelSolution&) = delete;
-  PanelSolution& operator=(const PanelSolution&) = delete;
+  PanelSolution& operator=(PanelSolution&&) = delete;
 
   const PanelRule& rule;
   const IntegratedRows integrated_rows;

@@ -105,8 +105,7 @@ StartingPowers starting_powers(const WeightFamily& family, const Problem& proble
 
 StartingPowers starting_powers(const WeightFamily& family, std::vector<double> orders,
                                std::vector<double> steps) {
-  std::ranges::sort(orders);
-  orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
+  orders = increasing(std::move(orders));
   steps.push_back(1.0);
   const double last = family.multistep->rate - 1.0;
   // Multiples of the smallest step that makes another power are as many powers as are needed.
