@@ -19,7 +19,23 @@ Expressions each(const Expressions& a, const std::function<Expression(std::size_
 
 }  // namespace
 
-Expression Algebra::number(double value) const { return pool_.number(value); }
+Expressions Algebra::numbers(const Eigen::VectorXd& values) const {
+  Expressions all;
+  for (const double value : values) all.push_back(number(value));
+  return all;
+}
+
+Expressions Algebra::variables(const std::vector<int>& indices) const {
+  Expressions all;
+  for (const int i : indices) all.push_back(pool_.variable(i));
+  return all;
+}
+
+ExpressionMatrix Algebra::column(const Expressions& entries) const {
+  ExpressionMatrix result(entries.size(), 1, zero_);
+  result.entries = entries;
+  return result;
+}
 
 Expression Algebra::sum(Expression a, Expression b) const {
   if (pool_[b].operation == Operation::negate) return difference(a, pool_[b].arguments[0]);
@@ -74,9 +90,7 @@ Expression Algebra::dot(const Expressions& a, const Expressions& b) const {
 }
 
 Expressions Algebra::product(const ExpressionMatrix& a, const Expressions& x) const {
-  ExpressionMatrix column(x.size(), 1, zero_);
-  column.entries = x;
-  return product(a, column).entries;
+  return product(a, column(x)).entries;
 }
 
 ExpressionMatrix Algebra::product(const ExpressionMatrix& a, const ExpressionMatrix& b) const {

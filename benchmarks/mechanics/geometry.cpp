@@ -36,8 +36,8 @@ class GeometryProgram {
     const auto& system = dynamics.system();
     const auto& algebra = dynamics.algebra();
     const auto symbols = christoffel_symbols(dynamics);
-    Expressions all = dynamics.metric().entries, velocity;
-    for (const int v : system.v()) velocity.push_back(algebra.pool().variable(v));
+    Expressions all = dynamics.metric().entries;
+    const auto velocity = algebra.variables(system.v());
     append(all, symbols.entries);
     ExpressionMatrix of_one(system.size(), system.size(), algebra.zero());
     for (std::size_t i = 0; i < system.size(); ++i) {

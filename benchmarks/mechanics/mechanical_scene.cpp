@@ -128,7 +128,7 @@ Scene mechanical_scene(const MechanicalSystem& system, const FormulationChoice& 
   }
   scene.energy = energy_of(dynamics);
   if (dynamics.has_constraints()) scene.constraint = constraint_of(dynamics);
-  if (has_metric(dynamics))
+  if (dynamics.has_metric())
     scene.geometry = geometry_of(dynamics, {names.begin(), names.begin() + std::ssize(system.coordinates)});
   add_memory_columns(scene, moving, powers);
   scene.reactions = reactions_of(dynamics, memory_powers(dynamics, powers));

@@ -22,9 +22,6 @@ Scene mechanical_scene(const MechanicalSystem& system, const FormulationChoice& 
 std::vector<Formulation> formulations_of(const MechanicalSystem& system, ExpressionPool& pool);
 
 // What a mechanical scene knows as functions of its columns q, v, w, the same in every formulation.
-// Whether d^2 L/dv^2 does not depend on v.
-bool has_metric(const Dynamics& dynamics);
-
 // The columns from the state: components themselves, or functions of them.
 Outputs outputs_of(const PosedEquations& equations, const std::vector<std::string>& names,
                    const ExpressionPool& pool);

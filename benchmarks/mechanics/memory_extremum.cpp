@@ -39,9 +39,7 @@ class MemoryRows {
     const auto stiffness = algebra.jacobian(momenta, ordered_memory());
     const auto slope = algebra.gradient(system.lagrangian, system.q());
     require_regular(stiffness, slope);
-    ExpressionMatrix right(system.size(), 1, algebra.zero());
-    right.entries = algebra.difference(pi, at_position(without_memory(momenta)));
-    rows_ = algebra.solve(stiffness, right).entries;
+    rows_ = algebra.solve(stiffness, algebra.difference(pi, at_position(without_memory(momenta))));
     for (const auto e : algebra.negative(at_position(slope))) rows_.push_back(e);
     rows_.resize(3 * system.size(), algebra.zero());
   }

@@ -43,8 +43,7 @@ Expressions turned(const ExpressionMatrix& projector, const Dynamics& dynamics) 
   const auto& system = dynamics.system();
   auto variables = system.q();
   variables.push_back(0);
-  Expressions velocity;
-  for (const int v : system.v()) velocity.push_back(algebra.pool().variable(v));
+  const auto velocity = algebra.variables(system.v());
   auto motion = velocity;
   motion.push_back(algebra.number(1.0));
   ExpressionMatrix rate = projector;
@@ -58,6 +57,15 @@ int PosedEquations::add_row(const StateRow& row, double order, std::vector<doubl
   rows.push_back(row);
   components.push_back({order, std::move(initial)});
   return static_cast<int>(rows.size());
+}
+
+Expressions PosedEquations::add_rows(ExpressionPool& pool, StateRow row, double order, const Vec& initial) {
+  Expressions variables;
+  for (const double start : initial) {
+    row.coordinate = variables.size();
+    variables.push_back(pool.variable(add_row(row, order, {start})));
+  }
+  return variables;
 }
 
 Expressions in_state(const PosedEquations& equations, const Expressions& of, const Algebra& algebra) {
@@ -124,54 +132,21 @@ Formulation reference_formulation(const Dynamics& dynamics) {
   return is_accelerated ? Formulation::acceleration : Formulation::multiplier;
 }
 
-std::string refused_as_memory_rate(double order) {
-  return fmt::format(
-      "formulation = integrated: must be multiplier, acceleration or stabilised where a force contains a "
-      "derivative of order {} beside one of an order below 1 in a constraint",
-      order);
-}
-
-std::string refused_as_singular(Formulation formulation, double order) {
-  return fmt::format(
-      "formulation = {}: must be neither acceleration nor stabilised for alpha = {}: "
-      "v' starts like t^-alpha unless (df/dw) v(0) = 0, which they take for alpha < 1/2 only",
-      name_of(formulation), order);
-}
-
-std::string refused_as_unbounded_force(Formulation formulation, double order) {
-  return fmt::format(
-      "formulation = {}: must be multiplier: v' is unbounded at t = 0, and a force contains a derivative of "
-      "order {}",
-      name_of(formulation), order);
-}
-
-std::string refused_as_unaligned(double order) {
-  return fmt::format(
-      "formulation = integrated: must be multiplier for alpha = {} and a.b = 0: above "
-      "1 the constraint then fixes no derivative of order alpha",
-      order);
-}
-
 PosedEquations integrated_equations(const Dynamics& dynamics) {
   if (const auto order = dynamics.force_order_with_memory_rates())
-    return {.ill_posed_reason = refused_as_memory_rate(*order)};
+    return {.ill_posed_reason =
+                fmt::format("formulation = integrated: must be multiplier, acceleration or stabilised where "
+                            "a force contains a "
+                            "derivative of order {} beside one of an order below 1 in a constraint",
+                            *order)};
   const auto& system = dynamics.system();
   const auto& algebra = dynamics.algebra();
   auto& pool = algebra.pool();
   const auto projection = projector(dynamics);
-  Expressions start;
-  for (const double v : system.velocity) start.push_back(algebra.number(v));
-  const Vec free_part = at_start(dynamics, algebra.product(projection, start));
+  const Vec free_part = at_start(dynamics, algebra.product(projection, algebra.numbers(system.velocity)));
   PosedEquations equations;
-  Expressions position, free_velocity;
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    position.push_back(pool.variable(
-        equations.add_row({RowKind::position, i}, 1.0, {system.position[static_cast<Eigen::Index>(i)]})));
-  }
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    free_velocity.push_back(pool.variable(
-        equations.add_row({RowKind::free_velocity, i}, 1.0, {free_part[static_cast<Eigen::Index>(i)]})));
-  }
+  const auto position = equations.add_rows(pool, {RowKind::position}, 1.0, system.position);
+  const auto free_velocity = equations.add_rows(pool, {RowKind::free_velocity}, 1.0, free_part);
   const auto memory = add_memory_rows(equations, system);
   const Expressions at_rest(system.size(), algebra.zero());
   equations.columns = columns_from(position, at_rest, memory, system, algebra);
@@ -194,18 +169,10 @@ PosedEquations multiplier_equations(const Dynamics& dynamics) {
   const auto& algebra = dynamics.algebra();
   auto& pool = algebra.pool();
   PosedEquations equations;
-  Expressions position, velocity, lambda;
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    position.push_back(pool.variable(
-        equations.add_row({RowKind::position, i}, 1.0, {system.position[static_cast<Eigen::Index>(i)]})));
-  }
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    velocity.push_back(pool.variable(
-        equations.add_row({RowKind::velocity, i}, 1.0, {system.velocity[static_cast<Eigen::Index>(i)]})));
-  }
+  const auto position = equations.add_rows(pool, {RowKind::position}, 1.0, system.position);
+  const auto velocity = equations.add_rows(pool, {RowKind::velocity}, 1.0, system.velocity);
   const auto memory = add_memory_rows(equations, system);
-  for (const double guess : initial_multiplier(dynamics))
-    lambda.push_back(pool.variable(equations.add_row({RowKind::multiplier}, 0.0, {guess})));
+  const auto lambda = equations.add_rows(pool, {RowKind::multiplier}, 0.0, initial_multiplier(dynamics));
   equations.columns = columns_from(position, velocity, memory, system, algebra);
   const auto acceleration =
       algebra.sum(in_state(equations, dynamics.free_acceleration(), algebra),

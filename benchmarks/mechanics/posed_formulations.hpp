@@ -47,6 +47,8 @@ struct PosedEquations {
   // Adds a row and returns its variable. Its right-hand side is appended to `rhs` by the caller, in the same
   // order.
   int add_row(const StateRow& row, double order, std::vector<double> initial);
+  // Adds a row for each coordinate, with these initial values, and returns their variables.
+  Expressions add_rows(ExpressionPool& pool, StateRow row, double order, const Vec& initial);
 };
 
 // The expressions in terms of the state of a formulation, from its columns.
@@ -104,13 +106,6 @@ std::optional<Vec> initial_multiplier_above_one(const Dynamics& dynamics);
 
 // The equations in the chosen formulation.
 PosedEquations posed(const Dynamics& dynamics, const FormulationChoice& choice);
-
-// Reasons for which a formulation is refused: a term is unbounded at t = 0; the constraint has no derivative
-// of this order along a^#.
-std::string refused_as_singular(Formulation formulation, double order);
-std::string refused_as_unaligned(double order);
-std::string refused_as_memory_rate(double order);
-std::string refused_as_unbounded_force(Formulation formulation, double order);
 
 // The formulation in which a reference is computed: integrated if it exists, otherwise acceleration where it
 // is well posed, otherwise multiplier.
