@@ -45,8 +45,8 @@ Expression ExpressionPool::derivative_of(Expression self, const Node& node,
       const Operand higher = a + b;
       return ((at(higher - 1) - (b - 1) * at(higher)) / a * dc).value;
     }
-#define FDE_SLOPE(name, value, slope) \
-  case Operation::name:               \
+#define FDE_SLOPE(name, of_a, slope) \
+  case Operation::name:              \
     return ((slope)*da).value;
 #include "fdebench/benchmarks/expressions/operations.def"
     default:

@@ -11,13 +11,13 @@ namespace {
 
 constexpr int octaves = 10, digits = 3;
 constexpr double between = 1.0 / 8.0;  // of an octave
-constexpr double rounding = 1e-12;
 
 }  // namespace
 
 RunningMaximum::RunningMaximum(double end) : next_(std::ldexp(end, -octaves)) {}
 
 void RunningMaximum::observe(double t, double value) {
+  constexpr double rounding = 1e-12;
   largest_ = std::max(largest_, value);
   if (t < next_ * (1.0 - rounding)) return;
   if (largest_ > 0.0 && std::isfinite(largest_)) add(rounded(t, digits), rounded(largest_, digits));

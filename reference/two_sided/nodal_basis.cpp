@@ -11,7 +11,7 @@ namespace fde::reference {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double last = 5.5;              // t^0.1 is 1e-16 there
+constexpr double last_node = 5.5;         // t^0.1 is 1e-16 there
 constexpr double quadrature_step = 0.02;  // resolves f next to the end of the interval
 
 RelativeTime mapped(double x) {
@@ -33,7 +33,7 @@ Vec sinc(double place, Eigen::Index count) {
 
 class SincNodes {
  public:
-  explicit SincNodes(double step) : step_(step), count_(static_cast<Eigen::Index>(last / step)) {
+  explicit SincNodes(double step) : step_(step), count_(static_cast<Eigen::Index>(last_node / step)) {
     nodes_.push_back({0.0, 1.0});
     for (Eigen::Index j = -count_; j <= count_; ++j) nodes_.push_back(mapped(static_cast<double>(j) * step_));
     nodes_.push_back({1.0, 0.0});
@@ -47,7 +47,7 @@ class SincNodes {
   [[nodiscard]] Vec row(double order, RelativeTime t) const {
     Vec row = Vec::Zero(std::ssize(nodes_));
     if (t.from_start == 0.0) return row;
-    const auto points = static_cast<int>(last / quadrature_step);
+    const auto points = static_cast<int>(last_node / quadrature_step);
     double beyond = 1.0 / order;
     for (int k = -points; k <= points; ++k) {
       const double x = k * quadrature_step;

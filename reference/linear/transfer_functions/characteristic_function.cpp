@@ -49,7 +49,6 @@ long double exp_remainder_bound(const Point& x, std::size_t terms) {
 
 constexpr long double clear = 1e3L;  // in units of the noise: a few digits are correct
 
-using Point = Rectangle::Point;
 constexpr long double pi_long = std::numbers::pi_v<long double>;
 
 // Change of arg P on the straight path from a to b; nullopt unless |P| is shown to stay away from 0, where

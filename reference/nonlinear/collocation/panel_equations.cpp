@@ -27,7 +27,6 @@ Matrix with_signs(const Matrix& sizes) {
   return sizes.unaryExpr([&](double size) { return generator() % 2 == 0 ? size : -size; });
 }
 
-constexpr double rounding = std::numeric_limits<double>::epsilon();
 constexpr double some_roundings = roundings_of_forcing * rounding;
 constexpr double noises = 4.0;  // the sum of some rounding errors
 

@@ -59,8 +59,6 @@ PerSheet<Residue> residues_of(const PoleArguments& arguments, const PerSheet<Pol
   return residues;
 }
 
-constexpr int digits = 45;
-
 ContourNodes nodes_of(const ShiftedShape& shape) {
   const Precision precision(digits);
   return ContourNodes(Contour<BigReal>(shape.mu, shape.omega, shape.depth, false), shape.offset);

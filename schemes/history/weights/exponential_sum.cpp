@@ -17,8 +17,6 @@ namespace {
 using Real = long double;
 using RealVec = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
-constexpr Real pi = std::numbers::pi_v<Real>;
-
 constexpr double largest_step = 0.7;
 
 // Relative error of the trapezoidal rule with step h on the whole line. Poisson's summation formula gives the
@@ -168,6 +166,7 @@ ExponentialSum exponential_sum(long double exponent, double low, double high, do
   if (exponent == 1) return {Vec::Zero(1), Vec::Ones(1), 0.0};
   const auto [h, tail, first, last, cut] =
       discretisation(static_cast<double>(exponent), low, high, tolerance);
+  constexpr Real pi = std::numbers::pi_v<Real>;
   const Real a = exponent, step = h, scale = std::sin(pi * std::min(a, 1 - a)) / pi;
   const GaussRule rule = gauss_rule(tail.count, std::exp(first * step), a, step);
   ExponentialSum sum{Vec(tail.count + last - first), Vec(tail.count + last - first),
