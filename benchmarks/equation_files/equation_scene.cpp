@@ -25,7 +25,7 @@
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 

@@ -183,7 +183,7 @@ std::vector<Expression> with_limits_at_start(const std::vector<Expression>& of, 
 
 std::optional<Expression> not_a_number(Expression of, double t, In y, const ExpressionPool& pool) {
   std::optional<Expression> first;
-  const auto value = values_from_parts(
+  const auto values = values_from_parts(
       pool, {of}, 0.0L, [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
         const long double value =
             node.operation == Operation::variable
@@ -193,7 +193,7 @@ std::optional<Expression> not_a_number(Expression of, double t, In y, const Expr
         if (std::isnan(value) && !first) first = e;
         return value;
       });
-  return std::isnan(value.front()) ? first : std::nullopt;
+  return std::isnan(values.front()) ? first : std::nullopt;
 }
 
 std::optional<std::vector<Expression>> in_increments(const std::vector<Expression>& of, const Vec& origin,

@@ -11,7 +11,7 @@
 
 #include "fdebench/benchmarks/equation_files/toml_text.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/study/study_points.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 

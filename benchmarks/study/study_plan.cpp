@@ -15,7 +15,7 @@
 #include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/files/unfinished.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde::bench {
 namespace {

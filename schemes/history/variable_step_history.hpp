@@ -8,7 +8,7 @@
 namespace fde {
 
 // Direct summation on variable steps: fractional integrals of piecewise linear functions
-// (interval_weights.hpp), scaled so that the new sample has weight 1. On equal steps these are the sums of
+// (kernel_moments.hpp), scaled so that the new sample has weight 1. On equal steps these are the sums of
 // DirectHistory. All weights are recomputed for every candidate time, O(n) powers at step n.
 class VariableStepDirectHistory final : public History {
  public:
