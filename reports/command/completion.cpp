@@ -177,6 +177,7 @@ std::string candidates(const ProgramText& program, std::vector<std::string> word
 const std::vector<std::string>& completion_shells() {
   static const std::vector<std::string> shells{
 #define FDE_SHELL(id) #id,
+#include "fdebench/reports/command/shells.def"
 #undef FDE_SHELL
   };
   return shells;
@@ -186,6 +187,7 @@ std::string completion_script(const std::string& program, std::string_view shell
   std::string text;
 #define FDE_SHELL(id) \
   if (shell == #id) text.assign(fde_asset_completion_##id, fde_asset_completion_##id##_end);
+#include "fdebench/reports/command/shells.def"
 #undef FDE_SHELL
   constexpr std::string_view place = "NAME";
   for (auto at = text.find(place); at != std::string::npos; at = text.find(place, at + program.size()))
