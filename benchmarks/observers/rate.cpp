@@ -10,7 +10,6 @@
 namespace fde::bench {
 namespace {
 
-constexpr double rounding_of_errors = 1e-12;
 constexpr std::size_t fewest_points = 3;
 
 Eigen::VectorXd from_mean(const std::vector<double>& values) {
@@ -21,11 +20,12 @@ Eigen::VectorXd from_mean(const std::vector<double>& values) {
 }  // namespace
 
 Fit fit_rate(std::span<const ErrorSample> points) {
+  constexpr double rounding = 1e-12;
   double largest = 0.0;
   for (const auto& point : points) largest = std::max(largest, point.error);
   std::vector<double> x, y;
   for (const auto& [h, error] : points) {
-    if (error <= rounding_of_errors * std::max(largest, 1.0)) continue;
+    if (error <= rounding * std::max(largest, 1.0)) continue;
     x.push_back(std::log(h));
     y.push_back(std::log(error));
   }

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "fdebench/benchmarks/scenes/scene_settings.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 
 namespace fde::bench {
 

@@ -9,10 +9,10 @@
 
 #include "fdebench/benchmarks/measures/column_errors.hpp"
 #include "fdebench/benchmarks/measures/run_outcome.hpp"
-#include "fdebench/benchmarks/observers/running_maximum.hpp"
+#include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/records/scene_description.hpp"
-#include "fdebench/benchmarks/scenes/scene_settings.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 
 namespace fde::bench {
 

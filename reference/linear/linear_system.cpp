@@ -7,36 +7,94 @@
 #include <stdexcept>
 
 #include "fdebench/reference/linear/linear_solution.hpp"
-#include "fdebench/reference/linear/linear_system_transform.hpp"
+#include "fdebench/reference/linear/transfer_functions/generalized_polynomial.hpp"
+#include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
 namespace fde::reference {
+
 namespace {
 
-constexpr const char* system_name = "linear system";
+// The matrix diag(s^g) - A of (diag(s^g) - A) X = R, R_j = sum_k s^(g_j-1-k) x_j^(k)(0) + sum of loads c
+// Gamma(power+1) s^(-power-1). By Cramer's rule X_i = N_i / P, where P is the determinant and N_i the
+// determinant with R in column i.
+PolynomialMatrix matrix_of(const ExactLinearSystem& system) {
+  const std::size_t size = system.orders.size();
+  PolynomialMatrix matrix(size, std::vector<GeneralizedPolynomial>(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    add_term(matrix[i][i], system.orders[i], Rational(1));
+    for (std::size_t j = 0; j < size; ++j) add_term(matrix[i][j], 0, Rational(-system.matrix[i][j]));
+  }
+  return matrix;
+}
+
+// R for each time at which a load starts, 0 first.
+struct RightSide {
+  Rational from;
+  std::vector<GeneralizedPolynomial> rows;
+};
+
+std::vector<RightSide> right_sides(const ExactLinearSystem& system) {
+  const std::size_t size = system.orders.size();
+  std::vector<RightSide> sides{{0, std::vector<GeneralizedPolynomial>(size)}};
+  for (std::size_t j = 0; j < size; ++j) {
+    for (std::size_t k = 0; k < system.initial[j].size(); ++k)
+      add_term(sides.front().rows[j], Rational(system.orders[j] - 1 - k), system.initial[j][k]);
+    for (const auto& [coefficient, power, from, over_gamma] : system.loads[j]) {
+      const Rational next = power + 1;
+      auto side = std::ranges::find(sides, from, &RightSide::from);
+      if (side == sides.end()) side = sides.insert(side, {from, std::vector<GeneralizedPolynomial>(size)});
+      add_term(side->rows[j], Rational(-next), coefficient_of_gamma(over_gamma ? Rational(1) : next),
+               coefficient);
+    }
+  }
+  return sides;
+}
+
+// The Laplace transforms of the outputs, by Cramer's rule with exact determinants. Precondition: the system
+// has the form of linear_system.hpp, with one list of loads per row and explicit outputs.
+LinearTransform transform_of(const ExactLinearSystem& system) {
+  const PolynomialMatrix matrix = matrix_of(system);
+  LinearTransform transform;
+  transform.generators = system.orders;
+  transform.characteristic = determinant(matrix);
+  for (const auto& [from, rows] : right_sides(system)) {
+    auto& numerators = transform.group_at(from, system.outputs.size()).numerators;
+    for (std::size_t k = 0; k < system.outputs.size(); ++k) {
+      PolynomialMatrix replaced = matrix;
+      for (std::size_t j = 0; j < rows.size(); ++j) replaced[j][system.outputs[k]] = rows[j];
+      numerators[k] = determinant(replaced);
+    }
+  }
+  return transform;
+}
+
+// Whether the determinant of the transformed system is nonzero: whether the solution is unique.
+bool is_regular(const ExactLinearSystem& system) { return !determinant(matrix_of(system)).empty(); }
+
+constexpr const char* name = "linear system";
 constexpr std::size_t most_components = 12;  // the determinant has up to 2^components terms
 
-void require_system(bool holds, const char* message) {
-  if (!holds) throw std::invalid_argument(fmt::format("{}: {}", system_name, message));
+void require(bool holds, const char* message) {
+  if (!holds) throw std::invalid_argument(fmt::format("{}: {}", name, message));
 }
 
 void require_outputs(const std::vector<std::size_t>& outputs, std::size_t size) {
   for (const std::size_t output : outputs) {
     if (output < size) continue;
-    throw std::invalid_argument(fmt::format("{}: output {}: must be 0 to {}", system_name, output, size - 1));
+    throw std::invalid_argument(fmt::format("{}: output {}: must be 0 to {}", name, output, size - 1));
   }
 }
 
 void require_size(std::size_t size) {
   if (size >= 1 && size <= most_components) return;
-  throw std::invalid_argument(
-      fmt::format("{}: {} components: must be 1 to {}", system_name, size, most_components));
+  throw std::invalid_argument(fmt::format("{}: {} components: must be 1 to {}", name, size, most_components));
 }
 
 void require_lists(const auto& system) {
   const std::size_t size = system.orders.size();
-  require_system(system.initial.size() == size, "a list of initial values is needed for each order");
-  require_system(system.loads.empty() || system.loads.size() == size,
-                 "there have to be no loads, or a list of them for each order");
+  require(system.initial.size() == size, "a list of initial values is needed for each order");
+  require(system.loads.empty() || system.loads.size() == size,
+          "there have to be no loads, or a list of them for each order");
 }
 
 // The shape and the numbers of a system of doubles.
@@ -44,17 +102,16 @@ void require_finite(const LinearSystem& system) {
   const std::size_t size = system.orders.size();
   const auto rows = static_cast<Eigen::Index>(size);
   require_size(size);
-  require_system(system.matrix.rows() == rows && system.matrix.cols() == rows,
-                 "the matrix has to have a row and a column for each order");
-  require_system(system.matrix.allFinite(), "coefficients have to be finite");
+  require(system.matrix.rows() == rows && system.matrix.cols() == rows,
+          "the matrix has to have a row and a column for each order");
+  require(system.matrix.allFinite(), "coefficients have to be finite");
   require_lists(system);
   for (std::size_t i = 0; i < size; ++i) {
-    require_system(system.orders[i] >= 0.0 && std::isfinite(system.orders[i]),
-                   "orders have to be 0 or above");
-    require_system(std::ranges::all_of(system.initial[i], [](double value) { return std::isfinite(value); }),
-                   "initial values have to be finite");
+    require(system.orders[i] >= 0.0 && std::isfinite(system.orders[i]), "orders have to be 0 or above");
+    require(std::ranges::all_of(system.initial[i], [](double value) { return std::isfinite(value); }),
+            "initial values have to be finite");
     for (const auto& load : system.loads.empty() ? std::vector<Load>{} : system.loads[i])
-      require_system(!validation_error(load), validation_error(load).value_or(""));
+      require(!validation_error(load), validation_error(load).value_or(""));
   }
 }
 
@@ -81,14 +138,14 @@ ExactLinearSystem checked(ExactLinearSystem system) {
   if (system.loads.empty()) system.loads.resize(size);
   for (std::size_t i = 0; i < size; ++i) {
     const auto count = static_cast<std::size_t>(ceiling(system.orders[i]));
-    require_system(system.initial[i].size() >= count, "an initial value is missing");
+    require(system.initial[i].size() >= count, "an initial value is missing");
     system.initial[i].resize(count);
   }
   require_outputs(system.outputs, size);
   if (system.outputs.empty())
     for (std::size_t i = 0; i < size; ++i) system.outputs.push_back(i);
-  require_system(std::ranges::find(system.orders, Rational(0)) == system.orders.end() || is_regular(system),
-                 "the rows of order 0 do not determine every unknown");
+  require(std::ranges::find(system.orders, Rational(0)) == system.orders.end() || is_regular(system),
+          "the rows of order 0 do not determine every unknown");
   return system;
 }
 
@@ -134,7 +191,7 @@ Subsystem subsystem_for(const ExactLinearSystem& system, unsigned set, const std
     places.push_back(place);
     part.outputs.push_back(static_cast<std::size_t>(std::ranges::find(kept, i) - kept.begin()));
   }
-  return {places, linear_evaluation(system_name, [part = std::move(part)] { return transform_of(part); })};
+  return {places, linear_evaluation(name, [part = std::move(part)] { return transform_of(part); })};
 }
 
 // Components that do not depend on others are solved without them; otherwise growing modes of the others
@@ -180,7 +237,7 @@ Reference exact_linear_reference(const ExactLinearSystem& system) {
     return gathered<Bounded<BigReal>>(
         parts, size, [t, digits](const Evaluation& part) { return part.precise(t, digits); });
   };
-  return linear_reference(Evaluation{.name = system_name, .quick = quick, .precise = precise});
+  return linear_reference(Evaluation{.name = name, .quick = quick, .precise = precise});
 }
 
 }  // namespace fde::reference

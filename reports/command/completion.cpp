@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/reports/command/topics.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <vector>
 
-#include "fdebench/benchmarks/external/temporary_file.hpp"
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 #include "fdebench/benchmarks/measures/measures.hpp"
 #include "fdebench/benchmarks/records/external_trajectory.hpp"
 #include "fdebench/benchmarks/records/record_validation.hpp"

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 #include "fdebench/benchmarks/external/shell_command.hpp"
-#include "fdebench/benchmarks/external/temporary_file.hpp"
 #include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/measures/error_kind.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"

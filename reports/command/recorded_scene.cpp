@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde::bench {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
-#include "fdebench/benchmarks/references/verified_reference.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"

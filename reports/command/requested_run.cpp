@@ -18,7 +18,7 @@
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/schemes/history/history.hpp"
-#include "fdebench/schemes/stepping/optimal_grading.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde::bench {
 namespace {

@@ -14,8 +14,7 @@
 #include <vector>
 
 #include "fdebench/reports/command/command.hpp"
-#include "fdebench/schemes/diagnostics/missed_accuracy.hpp"
-#include "fdebench/schemes/diagnostics/stored_path.hpp"
+#include "fdebench/schemes/diagnostics/other_steps.hpp"
 #include "fdebench/schemes/diagnostics/warnings.hpp"
 
 namespace fde::bench {

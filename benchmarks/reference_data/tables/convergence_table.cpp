@@ -66,8 +66,7 @@ TableMetadata convergence_facts(const SceneVariant& of) {
 class Runs {
  public:
   explicit Runs(const SceneVariant& of) : name_(of.key()), scene_(make_scene(of)), reference_(scene_) {}
-  Runs(const Runs&) = delete;
-  Runs& operator=(const Runs&) = delete;
+  Runs& operator=(Runs&&) = delete;
 
   struct Run {
     std::map<std::string, double> values;  // by name of the measure

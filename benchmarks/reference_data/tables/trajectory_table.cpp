@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "fdebench/benchmarks/reference_data/decimal_precision.hpp"
+#include "fdebench/benchmarks/reference_data/table_comparison.hpp"
 #include "fdebench/benchmarks/reference_data/table_kind.hpp"
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "fdebench/reference/linear/transfer_functions/characteristic_count.hpp"
+#include "fdebench/reference/linear/transfer_functions/characteristic_function.hpp"
 #include "fdebench/reference/special_functions/numbers/constants.hpp"
 
 namespace fde::reference {

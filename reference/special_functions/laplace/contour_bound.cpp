@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "fdebench/reference/special_functions/numbers/constants.hpp"
-#include "fdebench/reference/special_functions/numbers/log_gamma.hpp"
+#include "fdebench/reference/special_functions/numbers/reciprocal_gamma.hpp"
 
 namespace fde::reference {
 namespace {

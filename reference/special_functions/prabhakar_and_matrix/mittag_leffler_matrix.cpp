@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/laplace/enclosed_transform.hpp"
-#include "fdebench/reference/special_functions/laplace/roots_on_sheet.hpp"
+#include "fdebench/reference/special_functions/laplace/sheets.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/decimal_arguments.hpp"
-#include "fdebench/reference/special_functions/numbers/adaptive_precision.hpp"
+#include "fdebench/reference/special_functions/numbers/bounded.hpp"
 #include "fdebench/reference/special_functions/numbers/constants.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix_quick.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/resolvent.hpp"

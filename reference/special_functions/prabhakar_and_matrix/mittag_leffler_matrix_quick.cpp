@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "fdebench/reference/special_functions/prabhakar_and_matrix/shifted_contours.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
 
 namespace fde::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/mittag_leffler/decimal_arguments.hpp"
-#include "fdebench/reference/special_functions/numbers/adaptive_precision.hpp"
+#include "fdebench/reference/special_functions/numbers/bounded.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_quick.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_transform.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_shape.hpp"
 
-#include "fdebench/reference/special_functions/laplace/roots_on_sheet.hpp"
+#include "fdebench/reference/special_functions/laplace/sheets.hpp"
 #include "fdebench/reference/special_functions/numbers/constants.hpp"
 
 namespace fde::reference {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
 #include "fdebench/schemes/solvers/dense_factors.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/schemes/history/weights/families/binomial_weights.hpp"
+#include "fdebench/schemes/history/weights/families/multistep_family.hpp"
 #include "fdebench/schemes/history/weights/families/product_rules.hpp"
 #include "fdebench/schemes/history/weights/family.hpp"
 
