@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -13,7 +14,7 @@ namespace fde::bench {
 
 namespace {
 
-constexpr int digits_of_errors = 6;
+constexpr int digits_of_errors = 4;
 
 // Of each column alone, by a function of the rows of its values, reference and divisors.
 template <class Function>
@@ -25,6 +26,12 @@ std::vector<double> of_columns(const FinishedRun& run, const Rows& by, const Fun
                 digits_of_errors));
   }
   return values;
+}
+
+// Whether a baseline may be as small as the error over some of the columns.
+bool can_matter(const std::vector<double>& baselines, const std::vector<double>& errors) {
+  const double most = std::ranges::max(errors);
+  return std::ranges::any_of(baselines, [&](double baseline) { return baseline > 0.0 && baseline <= most; });
 }
 
 double largest_of(const std::vector<double>& values, const std::vector<std::size_t>& places) {
@@ -120,20 +127,27 @@ ColumnErrors column_errors(const FinishedRun& run, std::vector<std::string> name
   const bool from_start = times.size() > 1 && times.front() == 0.0;
   for (const ErrorKind& kind : error_kinds) {
     const Rows by = divisors(kind.scale, times, run.reference);
-    columns.values[std::string(error_measure(kind))] =
+    auto errors =
         of_columns(run, by, [&](auto, const Rows& values, const Rows& reference, const Rows& divisor) {
           return error_of(kind.norm, values, reference, divisor);
         });
-    columns.values[std::string(baseline_measure(kind))] =
+    auto baselines =
         of_columns(run, by, [&](auto i, const Rows&, const Rows& reference, const Rows& divisor) {
           if (from_start && is_constant(reference, run.reference_bounds.row(i))) return 0.0;
           return constant_solution_error(kind.norm, times, reference, divisor);
         });
+    if (can_matter(baselines, errors))
+      columns.values[std::string(baseline_measure(kind))] = std::move(baselines);
+    columns.values[std::string(error_measure(kind))] = std::move(errors);
   }
   for (const Scale scale : error_scales) {
     const Vec& hidden = run.observed.unresolved.at(static_cast<std::size_t>(scale));
-    if (hidden.size() == run.values.rows() && hidden.maxCoeff() > 0.0)
-      columns.values[std::string(unresolved_measure(scale))] = {hidden.begin(), hidden.end()};
+    if (hidden.size() != run.values.rows()) continue;
+    const auto& errors = columns.values[std::string(error_measure({Norm::maximum, scale}))];
+    std::vector<double> variations;
+    for (const double value : hidden) variations.push_back(rounded(value, digits_of_errors));
+    if (!std::ranges::equal(variations, errors, std::ranges::less_equal{}))
+      columns.values[std::string(unresolved_measure(scale))] = std::move(variations);
   }
   return columns;
 }

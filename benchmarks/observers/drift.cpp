@@ -173,13 +173,18 @@ void RunningMaximum::observe(double t, double value) {
   while (next_ * (1.0 - rounding) <= t) next_ *= std::exp2(between);
 }
 
-// Two times next to each other may be the same to three digits.
+// Two times next to each other may be the same to three digits. Of equal values the first and the last are
+// kept, which suffice to draw them.
 void RunningMaximum::add(double t, double value) {
-  if (course_.empty() || t > course_.t.back()) {
-    course_.t.push_back(t);
-    course_.value.push_back(value);
+  auto& [times, values] = course_;
+  const auto count = values.size();
+  const bool is_level = count > 1 && values[count - 1] == value && values[count - 2] == value;
+  if (count > 0 && (is_level || t <= times.back())) {
+    times.back() = std::max(times.back(), t);
+    values.back() = value;
   } else {
-    course_.value.back() = value;
+    times.push_back(t);
+    values.push_back(value);
   }
 }
 

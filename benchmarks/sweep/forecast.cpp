@@ -213,7 +213,7 @@ struct ProbedScene {
 class RefinementSimulation {
  public:
   RefinementSimulation(const SceneVariant& variant, const ProbedScene& probed, const Sweep& sweep,
-                       const std::function<RecordedRun(const RunKey&)>& recorded)
+                       const RecordedLookup& recorded)
       : name_(variant.key()), variant_(variant), probed_(probed), sweep_(sweep), recorded_(recorded) {}
 
   Forecast simulate() {
@@ -245,9 +245,8 @@ class RefinementSimulation {
     const Probe* probe;
   };
 
-  [[nodiscard]] bool is_made(const RecordedRun& run) const {
-    return run.amount() == RecordedAmount::everything ||
-           (sweep_.examines_only && run.amount() == RecordedAmount::all_but_times);
+  [[nodiscard]] bool is_made(const std::optional<Record>& run) const {
+    return run && (run->is_complete() || sweep_.examines_only);
   }
 
   // A scene is made only where the settings depend on it.
@@ -267,8 +266,8 @@ class RefinementSimulation {
   RefinementRun take(const Series& line, const StepsOrTolerance& resolution) {
     RunKey key{name_, std::string(line.scheme->id), line.setup};
     key.setup.resolution = resolution;
-    const RecordedRun recorded = recorded_(key);
-    if (is_made(recorded)) return refinement_run(key.setup, recorded);
+    const auto recorded = recorded_(key);
+    if (is_made(recorded)) return refinement_run(*recorded);
     RefinementRun run = line.probe->forecast(resolution);
     expected_[key] = {seconds_of(run), sweep_.examines_only ? 0.0 : seconds_of_timing(run, sweep_.repeats),
                       line.probe->refusal(resolution)};
@@ -280,8 +279,8 @@ class RefinementSimulation {
     constexpr double guess = 1.0;
     RunKey key = key_of(program, name_, sweep_.setup);
     key.setup.resolution = resolution;
-    const RecordedRun recorded = recorded_(key);
-    if (is_made(recorded)) return refinement_run(key.setup, recorded);
+    const auto recorded = recorded_(key);
+    if (is_made(recorded)) return refinement_run(*recorded);
     expected_[key] = {guess, sweep_.examines_only ? 0.0 : guess * sweep_.repeats.most, ""};
     return {.resolution = resolution, .steps = std::get<int>(resolution)};
   }
@@ -303,7 +302,7 @@ class RefinementSimulation {
   const SceneVariant& variant_;
   const ProbedScene& probed_;
   const Sweep& sweep_;
-  const std::function<RecordedRun(const RunKey&)>& recorded_;
+  const RecordedLookup& recorded_;
   int known_ = 0;  // number of times at which the reference has been evaluated
   Forecast expected_{};
 };
@@ -315,7 +314,7 @@ double total_seconds(const Forecast& forecast) {
                          [](double sum, const auto& run) { return sum + run.second.total(); });
 }
 
-Forecast forecast(const Sweep& sweep, const std::function<RecordedRun(const RunKey&)>& recorded) {
+Forecast forecast(const Sweep& sweep, const RecordedLookup& recorded) {
   const auto choice = choose_probes(sweep.scenes);
   std::vector<std::optional<ProbedScene>> probed(choice.probed.size());
   in_parallel(probed.size(), sweep.threads,

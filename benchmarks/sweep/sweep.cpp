@@ -6,6 +6,7 @@
 #include <deque>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 #include <variant>
@@ -21,10 +22,10 @@ namespace {
 // The runs of one scheme (with one grading) or program on a scene, from coarse to fine.
 struct RefinementSeries {
   std::variant<const Scheme*, const ExternalProgram*> solver;
-  RunKey key;           // of the current run
-  RunSettings setup{};  // of the current run; a program's key has fewer settings
-  RecordedRun run{};    // the current run
-  bool ended = false;   // there is no current run
+  RunKey key;                   // of the current run
+  RunSettings setup{};          // of the current run; a program's key has fewer settings
+  std::optional<Record> run{};  // the current run; nullopt: not examined
+  bool ended = false;           // there is no current run
 };
 
 // A scene with all its runs. Examined by one thread.
@@ -77,8 +78,11 @@ class GuardedCallbacks {
     const std::scoped_lock lock(mutex_);
     hooks_.on_event({kind, run, with_reference});
   }
-  void append(const std::vector<Record>& rows) {
-    write([&] { hooks_.append(rows); });
+  void append(const Record& run) {
+    write([&] { hooks_.append(run); });
+  }
+  void append_times(const Record& run) {
+    write([&] { hooks_.append_times(run); });
   }
   void append(const SceneDescription& scene) {
     write([&] { hooks_.append_scene(scene); });
@@ -110,40 +114,38 @@ class GuardedCallbacks {
 // What the sweep leaves to do of a run.
 bool is_timed_next(const RefinementSeries& line, const Sweep& sweep) {
   if (line.ended || sweep.examines_only) return false;
-  if (line.run.amount() == RecordedAmount::all_but_times) return true;
-  return sweep.retimes && line.run.is_disturbed() && line.run.timings() < most_timings;
+  if (!line.run->is_complete()) return true;
+  return sweep.retimes && line.run->timing.is_disturbed() && line.run->timing.count < most_timings;
 }
 
-void append(const std::vector<Record>& rows, RefinementSeries& line, const Sweep& sweep,
-            GuardedCallbacks& log) {
-  log.append(rows);
-  for (const Record& row : rows) line.run.add(row);
-  if (sweep.examines_only || line.run.amount() == RecordedAmount::everything)
-    log.on_event(SweepEvent::Kind::is_done, line.key);
-}
-
-std::vector<Record> examine(SceneRefinements& of, const RefinementSeries& line) {
+Record examine(SceneRefinements& of, const RefinementSeries& line) {
   if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
     return examine(of.variant, of.scene, of.reference, **program, line.setup);
   return examine(of.name, of.scene, of.reference, *std::get<const Scheme*>(line.solver), line.setup);
 }
 
-std::vector<Record> time_line(const SceneRefinements& of, const RefinementSeries& line,
-                              const TimingRepeats& repeats) {
-  if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
-    return time_runs(of.variant, of.scene, **program, line.setup, repeats.most, repeats.enough_seconds);
-  return time_solves(of.name, of.scene, *std::get<const Scheme*>(line.solver), line.setup, repeats);
+// Times the current run. A program may fail then; its run is examined anew.
+void time(const SceneRefinements& of, RefinementSeries& line, const TimingRepeats& repeats,
+          GuardedCallbacks& log) {
+  if (const auto* scheme = std::get_if<const Scheme*>(&line.solver)) {
+    line.run->take(time_solves(of.scene, **scheme, line.setup, repeats));
+  } else {
+    time_runs(*line.run, of.variant, of.scene, *std::get<const ExternalProgram*>(line.solver), line.setup,
+              repeats.most, repeats.enough_seconds);
+  }
+  line.run->timing.values.empty() ? log.append(*line.run) : log.append_times(*line.run);
 }
 
 void examine_runs(SceneRefinements& of, const Sweep& sweep, GuardedCallbacks& log) {
   for (RefinementSeries& line : of.lines) {
     if (log.failed()) return;
-    if (line.ended || line.run.amount() != RecordedAmount::nothing) continue;
+    if (line.ended || line.run) continue;
     log.on_event(SweepEvent::Kind::examines, line.key, !of.reference.is_begun());
-    const auto rows = examine(of, line);
+    line.run = examine(of, line);
     if (!log.describes(of.name))
       log.append(describe(of.variant, of.scene, of.reference, sweep.describes_solutions));
-    append(rows, line, sweep, log);
+    log.append(*line.run);
+    if (sweep.examines_only || line.run->is_complete()) log.on_event(SweepEvent::Kind::is_done, line.key);
   }
 }
 
@@ -151,7 +153,8 @@ void time_runs(SceneRefinements& of, const Sweep& sweep, GuardedCallbacks& log) 
   for (RefinementSeries& line : of.lines) {
     if (!is_timed_next(line, sweep)) continue;
     log.on_event(SweepEvent::Kind::times, line.key);
-    append(time_line(of, line, sweep.repeats), line, sweep, log);
+    time(of, line, sweep.repeats, log);
+    log.on_event(SweepEvent::Kind::is_done, line.key);
   }
 }
 
@@ -173,8 +176,7 @@ bool choose_next_runs(SceneRefinements& of, const SweepPlan& plan, const SweepCa
 
 void add_runs(SceneRefinements& of) {
   for (std::size_t i = 0; i < of.lines.size(); ++i) {
-    if (!of.lines[i].ended)
-      of.refinements[i].runs.push_back(refinement_run(of.lines[i].setup, of.lines[i].run));
+    if (!of.lines[i].ended) of.refinements[i].runs.push_back(refinement_run(*of.lines[i].run));
   }
 }
 

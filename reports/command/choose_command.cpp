@@ -104,7 +104,7 @@ Recommendation searched(const SceneVariant& variant, Scene scene, const Accuracy
 void compare_over_requested(Runs& runs, const SceneSettings& scene, const ChooseArguments& arguments) {
   const auto requested = split_names(*arguments.columns);
   std::set<std::string> known;
-  for (const MeasuredRun& run : of_scene(runs.finished, scene)) {
+  for (const Record& run : of_scene(runs.finished, scene)) {
     if (!run.columns.values.empty()) known.insert(run.columns.names.begin(), run.columns.names.end());
   }
   for (const auto& name : requested) {

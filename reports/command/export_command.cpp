@@ -13,8 +13,7 @@
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/command_line.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
-#include "fdebench/reports/export/csv_tables.hpp"
-#include "fdebench/reports/export/sqlite_tables.hpp"
+#include "fdebench/reports/export/tables.hpp"
 
 namespace fde::bench {
 namespace {
@@ -29,8 +28,8 @@ const Words& export_formats() {
 }
 
 std::unique_ptr<TableWriter> writer_to(const std::string& format, const NewPath& out) {
-  if (format == "sqlite") return std::make_unique<SqliteTables>(out.unfinished(), out.path());
-  if (format == "csv") return std::make_unique<CsvTables>(out.unfinished(), out.path());
+  if (format == "sqlite") return sqlite_tables(out.unfinished(), out.path());
+  if (format == "csv") return csv_tables(out.unfinished(), out.path());
   reject_text("--to", format, choice_text(export_formats()));
 }
 

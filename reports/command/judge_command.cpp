@@ -20,7 +20,6 @@
 #include "fdebench/benchmarks/records/external_trajectory.hpp"
 #include "fdebench/benchmarks/records/record_validation.hpp"
 #include "fdebench/benchmarks/records/results_file.hpp"
-#include "fdebench/benchmarks/records/run_rows.hpp"
 #include "fdebench/benchmarks/sweep/described_scene.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/reports/command/arguments.hpp"
@@ -79,23 +78,26 @@ ExternalTrajectory path_in(const std::string& file, const Scene& scene) {
 // How long to wait for the lock of the results file: each `judge` locks it only to append.
 constexpr std::chrono::seconds longest_wait{60};
 
-// A row without its value. The settings of the other program are unknown.
-Record row_of(const SceneVariant& scene, const std::string& name, const ExternalTrajectory& path) {
+// A run without an assessment. The settings of the other program are unknown.
+Record run_of(const SceneVariant& scene, const std::string& name, const ExternalTrajectory& path) {
   const auto steps = static_cast<int>(path.times.size());
   return {.key = {.scene = scene.key(), .scheme = name, .setup = {.resolution = steps}, .external = true},
           .steps = steps,
-          .h = path.times.back() / steps};
+          .end = path.times.back(),
+          .program = path.report.facts};
 }
 
-void print(const SceneVariant& scene, const std::vector<Record>& rows, std::ostream& out) {
-  out << fmt::format("scene {}\nrows {}\n", scene.label(), rows.front().steps);
-  for (const Record& row : rows) {
-    if (row.ending) {
-      out << fmt::format("ending {}\n", sentence(*row.ending));
-    } else {
-      out << fmt::format("{} {}{}{}\n", row.quantity, row.value, row.unit.empty() ? "" : " ", row.unit);
+void print(const SceneVariant& scene, const Record& run, std::ostream& out) {
+  const auto print_values = [&](const QuantityValues& values) {
+    for (const auto& [quantity, value] : values) {
+      const auto unit = unit_of(quantity);
+      out << fmt::format("{} {}{}{}\n", quantity, value, unit.empty() ? "" : " ", unit);
     }
-  }
+  };
+  out << fmt::format("scene {}\nrows {}\n", scene.label(), run.steps);
+  print_values(run.values);
+  out << fmt::format("ending {}\n", sentence(run.ending));
+  print_values(run.timing.values);
 }
 
 void judge(const JudgeArguments& arguments, const Streams& streams, const SceneRegistry& known) {
@@ -108,25 +110,19 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const SceneR
   const auto path = path_in(arguments.file, scene);
   if (!arguments.seconds) seconds = path.report.seconds;
   end_with(path, arguments.file, variant, scene);
-  const Record row = row_of(variant, name, path);
   MemoizedReference reference(scene);
   const auto judgement = [&] {
     ProgressLine line(streams, "evaluates the reference");
     return judge_trajectory(scene, at_comparison_times(path), reference);
   }();
-  auto rows = rows_of_examination(row, judgement);
-  rows.back().program = path.report.facts;
+  Record run = assessed(run_of(variant, name, path), judgement);
+  if (!seconds.empty() && is_compared(run.ending.kind)) run.timing = timing_of({.seconds = seconds});
   std::optional<ResultsFile> file;
   if (arguments.out) file.emplace(*arguments.out, longest_wait);
   if (file) warn(streams, file->warning());
-  if (file && !file->describes(row.key.scene)) file->append(describe(variant, scene, reference));
-  if (file) file->append(rows);
-  if (!seconds.empty() && is_compared(judgement.ending.kind)) {
-    const auto times = rows_of_times(row, {.seconds = seconds});
-    if (file) file->append(times);
-    rows.insert(rows.end(), times.begin(), times.end());
-  }
-  print(variant, rows, streams.out);
+  if (file && !file->describes(run.key.scene)) file->append(describe(variant, scene, reference));
+  if (file) file->append(run);
+  print(variant, run, streams.out);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ json member(const SceneVariant& of, const std::string& parameter, bool with_all_
 
 json data_of_runs(ReadRuns read, const SceneSettings& scene) {
   for (auto* some : {&read.runs.finished, &read.runs.failed})
-    std::erase_if(*some, [&](const MeasuredRun& run) { return run.key.scene != scene; });
+    std::erase_if(*some, [&](const Record& run) { return run.key.scene != scene; });
   if (read.runs.finished.empty())
     throw std::invalid_argument(fmt::format("--results: has no run of {} that finished", label_of(scene)));
   json data = page_data(std::move(read));

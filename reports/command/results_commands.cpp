@@ -41,10 +41,10 @@ std::set<std::string> machines_of(const std::vector<Session>& sessions) {
 
 // Empty if the file says of no timing that it was disturbed.
 std::string disturbed_text(const std::string& file, const Runs& runs) {
-  const auto disturbed = std::ranges::count_if(
-      runs.finished, [](const MeasuredRun& run) { return run["disturbed"].value_or(0.0) > 0.0; });
-  const auto timed = std::ranges::count_if(
-      runs.finished, [](const MeasuredRun& run) { return run["time_median"].has_value(); });
+  const auto disturbed =
+      std::ranges::count_if(runs.finished, [](const Record& run) { return run.timing.is_disturbed(); });
+  const auto timed =
+      std::ranges::count_if(runs.finished, [](const Record& run) { return run["time_median"].has_value(); });
   return disturbed == 0 ? ""
                         : fmt::format("{}: other work disturbed {} of {} times\n", file, disturbed, timed);
 }

@@ -32,7 +32,7 @@ Forecast forecast_in_one_thread(std::vector<Sweep> sweeps, const Streams& stream
   Forecast expected;
   for (auto& sweep : sweeps) {
     sweep.threads = 1;
-    expected.merge(forecast(sweep, [](const RunKey&) { return RecordedRun(); }));
+    expected.merge(forecast(sweep, [](const RunKey&) { return std::optional<Record>(); }));
   }
   return expected;
 }

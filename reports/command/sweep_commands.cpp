@@ -25,8 +25,7 @@
 namespace fde::bench {
 namespace {
 
-Forecast forecast_of(const std::vector<Sweep>& sweeps,
-                     const std::function<RecordedRun(const RunKey&)>& recorded) {
+Forecast forecast_of(const std::vector<Sweep>& sweeps, const RecordedLookup& recorded) {
   Forecast expected;
   for (const auto& sweep : sweeps) expected.merge(forecast(sweep, recorded));
   return expected;
@@ -35,13 +34,11 @@ Forecast forecast_of(const std::vector<Sweep>& sweeps,
 // The refused runs of a sweep.
 class Refusals {
  public:
-  void add(const SceneDescription& /*scene*/) {}
-  void add(const std::vector<Record>& rows) {
-    const Record& last = rows.back();
-    if (!last.ending || last.ending->kind != SolveStatus::refused) return;
+  void add(const Record& run) {
+    if (run.ending.kind != SolveStatus::refused) return;
     if (++count_ == 1) {
-      first_ = fmt::format("{} {} {}: {}", label_of(last.key.scene), last.key.scheme,
-                           resolution_text(last.key.setup), last.ending->detail);
+      first_ = fmt::format("{} {} {}: {}", label_of(run.key.scene), run.key.scheme,
+                           resolution_text(run.key.setup), run.ending.detail);
     }
   }
 
@@ -64,19 +61,24 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams, Resu
   SweepProgress progress(streams, expected, count_is_exact(sweeps));
   std::string unwritten;  // the first line that could not be read back; the sweep goes on without it
   Refusals refusals;
-  const auto append = [&](const auto& part) {
+  const auto write = [&](const auto& append) {
     try {
-      refusals.add(part);
-      file.append(part);
-    } catch (const UnreadableLines& reason) {
+      append();
+    } catch (const UnreadableLine& reason) {
       if (unwritten.empty()) unwritten = reason.what();
     }
   };
-  const SweepCallbacks hooks{.recorded = recorded,
-                             .append = append,
-                             .on_event = [&](const SweepEvent& event) { progress.on_event(event); },
-                             .describes = [&](const SceneSettings& scene) { return file.describes(scene); },
-                             .append_scene = append};
+  const SweepCallbacks hooks{
+      .recorded = recorded,
+      .append =
+          [&](const Record& run) {
+            refusals.add(run);
+            write([&] { file.append(run); });
+          },
+      .append_times = [&](const Record& run) { write([&] { file.append_times(run); }); },
+      .on_event = [&](const SweepEvent& event) { progress.on_event(event); },
+      .describes = [&](const SceneSettings& scene) { return file.describes(scene); },
+      .append_scene = [&](const SceneDescription& scene) { write([&] { file.append(scene); }); }};
   for (const auto& sweep : sweeps) run_sweep(sweep, hooks, expected);
   if (refusals.count() > 0) say(streams, Message::note, refusals.text());
   if (!unwritten.empty()) throw NumericalFailure(unwritten);

@@ -76,9 +76,9 @@ class Runs {
   Run operator()(const Scheme& scheme, int steps) {
     if (!scheme.expected_rate)
       return {.values = {}, .ending = {SolveStatus::refused, "has no theoretical rate"}};
-    const auto rows = examine(name_, scene_, reference_, scheme, {steps});
-    Run run{.values = {{"h", rows.back().h}}, .ending = *rows.back().ending};
-    for (const auto& row : rows) run.values.emplace(row.quantity, row.value);
+    const Record record = examine(name_, scene_, reference_, scheme, {steps});
+    Run run{.values = {{"h", record.h()}}, .ending = record.ending};
+    run.values.insert(record.values.begin(), record.values.end());
     return run;
   }
 

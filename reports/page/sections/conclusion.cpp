@@ -57,7 +57,7 @@ json limit(const PageInput& page, const SceneLines& lines, RunSpan runs, const E
   const auto missed = lines.shortfall(kind, accuracy, {});
   if (!missed || missed->untimed > 0) return {};
   json facts{{"accuracy", accuracy}, {"error", fact(missed->best.error)}, {"line", page.label(missed->best)}};
-  const auto best = std::ranges::find_if(runs, [&](const MeasuredRun& run) {
+  const auto best = std::ranges::find_if(runs, [&](const Record& run) {
     return run.key.scheme == missed->best.schemes.front() && run.key.setup == missed->best.setup;
   });
   if (best == runs.end()) return facts;
@@ -85,7 +85,7 @@ json conclusion(const PageInput& page, const SceneLines& lines, RunSpan runs, co
       std::ranges::find_if(accuracies, [&](double accuracy) { return accuracy < 0.5 * reached; });
   if (next != accuracies.end()) facts["limit"] = limit(page, lines, runs, kind, *next);
   std::set<std::string> refused, ended;
-  for (const MeasuredRun& run : of_scene(page.runs.failed, scene))
+  for (const Record& run : of_scene(page.runs.failed, scene))
     (run.ending.kind == SolveStatus::refused ? refused : ended).insert(page.label(run.key));
   facts["ended"] = ended;
   if (!refused.empty()) facts["refused"] = refused.size();

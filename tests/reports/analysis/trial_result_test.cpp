@@ -11,8 +11,8 @@
 namespace fde::bench {
 namespace {
 
-MeasuredRun finished(double relative) {
-  MeasuredRun run;
+Record finished(double relative) {
+  Record run;
   run.values.set("error_relative", relative);
   return run;
 }

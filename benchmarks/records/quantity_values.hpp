@@ -20,8 +20,15 @@ class QuantityValues {
   // The value of a quantity; nullopt: it has none.
   [[nodiscard]] std::optional<double> operator[](std::string_view quantity) const;
 
- private:
+  // The quantities with their values, in the order in which they were set.
   using Value = std::pair<std::string_view, double>;
+  [[nodiscard]] auto begin() const { return values_.begin(); }
+  [[nodiscard]] auto end() const { return values_.end(); }
+  [[nodiscard]] bool empty() const { return values_.empty(); }
+
+  bool operator==(const QuantityValues&) const = default;
+
+ private:
   std::vector<Value> values_{};
 };
 

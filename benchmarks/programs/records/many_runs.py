@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""many_rows.py FDEBENCH ROWS FILE: writes a results file with at least so many rows.
+"""many_runs.py FDEBENCH RUNS FILE: writes a results file with at least so many runs.
 
-The rows are real: `relaxation` at three orders and three rates by six schemes with seven numbers of steps. They are
+The runs are real: `relaxation` at three orders and three rates by six schemes with seven numbers of steps. They are
 written again and again, each time as those of other rates: the k-th copy has the rate (1 + k/10000) lambda. So the
 file is that of a family with two parameters, whose errors and times repeat.
 """
@@ -33,11 +33,11 @@ def measured(program, steps=STEPS):
         return file.read_text().splitlines(keepends=True)
 
 
-def write_copies(lines, rows, file):
-    """Writes the lines of a session as often as that many rows take; returns how many rows that is."""
+def write_copies(lines, runs, file):
+    """Writes the lines of a session as often as that many runs take; returns how many runs that is."""
     first, *lines = lines
-    of_copy = sum('"quantity":' in line for line in lines)
-    copies = -(-rows // of_copy)
+    of_copy = sum('"ending":' in line for line in lines)
+    copies = -(-runs // of_copy)
     with Path(file).open("w") as out:
         out.write(first)
         for k in range(copies):
@@ -49,4 +49,4 @@ def write_copies(lines, rows, file):
 if __name__ == "__main__":
     if len(sys.argv) != 4:
         sys.exit(__doc__.splitlines()[0])
-    print(write_copies(measured(sys.argv[1]), int(sys.argv[2]), sys.argv[3]), "rows")
+    print(write_copies(measured(sys.argv[1]), int(sys.argv[2]), sys.argv[3]), "runs")

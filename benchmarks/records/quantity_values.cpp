@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/analysis/quantity_values.hpp"
+#include "fdebench/benchmarks/records/quantity_values.hpp"
 
 #include <algorithm>
 #include <functional>
