@@ -17,13 +17,12 @@
 namespace fde::bench {
 namespace {
 
-constexpr TimingRepeats of_default_sweep{.min_seconds = 0.003, .enough_seconds = 0.1};
+constexpr TimingRepeats of_default_sweep{.min_seconds = 0.002, .enough_seconds = 0.03};
 
-// Budgets of a run: in seconds with --steps or --accuracy; in seconds in a thorough sweep; otherwise as a
-// multiple of the goal's most_seconds. Schemes with adaptive step size may need very many steps on unsuitable
-// problems.
+// Budgets of a run in seconds: with --steps or --accuracy; in a thorough sweep; otherwise. Schemes with
+// adaptive step size may need very many steps on unsuitable problems.
 constexpr auto usual_budget = "600";
-constexpr double thorough_budget = 60.0, far_from_an_answer = 5.0;
+constexpr double thorough_budget = 60.0, budget_of_search = 1.0;
 
 std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
                                         const std::vector<std::string>& settings,
@@ -85,10 +84,8 @@ Sweep sweep_of(const SweepArguments& arguments, std::vector<SceneVariant> scenes
     reject_text("--grid", arguments.means.grid, "uniform or graded:R beside --external");
   if (sweep.plan.goal) sweep.repeats = of_default_sweep;
   const bool listed = arguments.steps || arguments.accuracies;
-  if (!listed && arguments.means.budget == usual_budget) {
-    sweep.setup.budget =
-        sweep.plan.goal ? far_from_an_answer * sweep.plan.goal->most_seconds : thorough_budget;
-  }
+  if (!listed && arguments.means.budget == usual_budget)
+    sweep.setup.budget = sweep.plan.goal ? budget_of_search : thorough_budget;
   sweep.repeats.most = parse_count("--repeat", arguments.repeats, repeat_counts);
   return sweep;
 }
@@ -196,9 +193,8 @@ std::vector<Sweep> sweeps_of(const Study& study) {
 
 RunSettingsArguments SweepArguments::usual_settings() {
   return {.budget = usual_budget,
-          .budget_text =
-              fmt::format("{} with --steps or --accuracy, {} with --thorough, otherwise {}", usual_budget,
-                          thorough_budget, far_from_an_answer * default_plan().goal->most_seconds)};
+          .budget_text = fmt::format("{} with --steps or --accuracy, {} with --thorough, otherwise {}",
+                                     usual_budget, thorough_budget, budget_of_search)};
 }
 
 std::vector<Sweep> sweeps_of(const SweepArguments& arguments, const SceneRegistry& known) {
