@@ -24,8 +24,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Configurations within this factor of the quickest, by few solves of each, are timed against it.
 constexpr double margin = 1.5;
 
@@ -99,10 +97,10 @@ class Search {
   [[nodiscard]] double quickest() const { return quickest_seconds(goal_, refinements_).front(); }
 
   std::vector<std::optional<StepsOrTolerance>> next_runs() {
-    constexpr double part_of_scan = 0.1, runs_of_scan = 25.0, long_run = 0.05;
+    constexpr double part_of_scan = 0.1, runs_of_scan = 25.0, long_solve = 0.05;
     goal_.most_seconds = most_of_rest * left();
     goal_.most_seconds_scanned = part_of_scan * left() / runs_of_scan;
-    goal_.closeness = quickest() < long_run ? 1.015 : 1.1;
+    goal_.closeness = quickest() < long_solve ? 1.015 : 1.1;
     return next_resolutions(goal_, refinements_);
   }
 

@@ -218,7 +218,7 @@ struct ProbedScene {
 class RefinementSimulation {
  public:
   RefinementSimulation(const SceneVariant& variant, const ProbedScene& probed, const Sweep& sweep,
-                       const std::function<RecordedRun(const RunKey&)>& recorded)
+                       const RecordedLookup& recorded)
       : name_(variant.key()), variant_(variant), probed_(probed), sweep_(sweep), recorded_(recorded) {}
 
   // A scene is made only where the settings depend on it.
@@ -244,10 +244,9 @@ class RefinementSimulation {
  private:
   // The recorded run; nullopt if it is to be made.
   [[nodiscard]] std::optional<RefinementRun> made(const RefinementSeries& line) const {
-    const RecordedRun run = recorded_(line.key);
-    const bool is_made = run.amount() == RecordedAmount::everything ||
-                         (sweep_.examines_only && run.amount() == RecordedAmount::all_but_times);
-    return is_made ? std::optional(refinement_run(line.key.setup, run)) : std::nullopt;
+    const auto run = recorded_(line.key);
+    const bool is_made = run && (run->is_complete() || sweep_.examines_only);
+    return is_made ? std::optional(refinement_run(*run)) : std::nullopt;
   }
 
   RefinementRun take(const RefinementSeries& line, const Probe& probe) {
@@ -286,7 +285,7 @@ class RefinementSimulation {
   const SceneVariant& variant_;
   const ProbedScene& probed_;
   const Sweep& sweep_;
-  const std::function<RecordedRun(const RunKey&)>& recorded_;
+  const RecordedLookup& recorded_;
   int known_ = 0;  // number of times at which the reference has been evaluated
   Forecast expected_{};
 };
@@ -298,7 +297,7 @@ double total_seconds(const Forecast& forecast) {
                          [](double sum, const auto& run) { return sum + run.second.total(); });
 }
 
-Forecast forecast(const Sweep& sweep, const std::function<RecordedRun(const RunKey&)>& recorded) {
+Forecast forecast(const Sweep& sweep, const RecordedLookup& recorded) {
   const auto choice = choose_probes(sweep.scenes);
   std::vector<std::optional<ProbedScene>> probed(choice.probed.size());
   in_parallel(probed.size(), sweep.threads,

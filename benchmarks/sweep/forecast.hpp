@@ -14,6 +14,6 @@ double total_seconds(const Forecast& forecast);
 // scene is then simulated as the sweep does it. Runs for which `recorded` returns all measures are not
 // forecast. Without a goal the runs are exactly those of the sweep; the seconds, those of references
 // included, are a rough estimate.
-Forecast forecast(const Sweep& sweep, const std::function<RecordedRun(const RunKey&)>& recorded);
+Forecast forecast(const Sweep& sweep, const RecordedLookup& recorded);
 
 }  // namespace fde::bench

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "fdebench/schemes/stepping/optimal_grading.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde::bench {
 namespace {

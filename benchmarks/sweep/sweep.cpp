@@ -6,6 +6,7 @@
 #include <deque>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -31,7 +32,7 @@ struct SweptScene {
   Scene scene;
   MemoizedReference reference{scene};
   SceneRefinements refinements;
-  std::vector<RecordedRun> current;  // the current run of each series
+  std::vector<std::optional<Record>> current;  // the current run of each series; nullopt: not examined
 };
 
 // The callbacks, guarded by a mutex. After append() has thrown, all threads stop.
@@ -43,8 +44,11 @@ class GuardedCallbacks {
     const std::scoped_lock lock(mutex_);
     hooks_.on_event({kind, run, with_reference});
   }
-  void append(const std::vector<Record>& rows) {
-    write([&] { hooks_.append(rows); });
+  void append(const Record& run) {
+    write([&] { hooks_.append(run); });
+  }
+  void append_times(const Record& run) {
+    write([&] { hooks_.append_times(run); });
   }
   void append(const SceneDescription& scene) {
     write([&] { hooks_.append_scene(scene); });
@@ -74,52 +78,52 @@ class GuardedCallbacks {
 };
 
 // What the sweep leaves to do of a run.
-bool is_timed_next(const RecordedRun& run, const Sweep& sweep) {
+bool is_timed_next(const Record& run, const Sweep& sweep) {
   if (sweep.examines_only) return false;
-  if (run.amount() == RecordedAmount::all_but_times) return true;
-  return sweep.retimes && run.is_disturbed() && run.timings() < most_timings;
+  if (!run.is_complete()) return true;
+  return sweep.retimes && run.timing.is_disturbed() && run.timing.count < most_timings;
 }
 
-void append(const std::vector<Record>& rows, const RunKey& key, RecordedRun& run, const Sweep& sweep,
-            GuardedCallbacks& log) {
-  log.append(rows);
-  for (const Record& row : rows) run.add(row);
-  if (sweep.examines_only || run.amount() == RecordedAmount::everything)
-    log.on_event(SweepEvent::Kind::is_done, key);
-}
-
-std::vector<Record> examine(SweptScene& of, const RefinementSeries& line) {
+Record examine(SweptScene& of, const RefinementSeries& line) {
   if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
     return examine(of.variant, of.scene, of.reference, **program, line.setup);
   return examine(of.name, of.scene, of.reference, *std::get<const Scheme*>(line.solver), line.setup);
 }
 
-std::vector<Record> time_line(const SweptScene& of, const RefinementSeries& line,
-                              const TimingRepeats& repeats) {
-  if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
-    return time_runs(of.variant, of.scene, **program, line.setup, repeats.most, repeats.enough_seconds);
-  return time_solves(of.name, of.scene, *std::get<const Scheme*>(line.solver), line.setup, repeats);
+// Times the current run. A program may fail then; its run is examined anew.
+void time(const SweptScene& of, const RefinementSeries& line, Record& run, const TimingRepeats& repeats,
+          GuardedCallbacks& log) {
+  if (const auto* scheme = std::get_if<const Scheme*>(&line.solver)) {
+    run.take(time_solves(of.scene, **scheme, line.setup, repeats));
+  } else {
+    time_runs(run, of.variant, of.scene, *std::get<const ExternalProgram*>(line.solver), line.setup,
+              repeats.most, repeats.enough_seconds);
+  }
+  run.timing.values.empty() ? log.append(run) : log.append_times(run);
 }
 
 void examine_runs(SweptScene& of, const Sweep& sweep, GuardedCallbacks& log) {
   for (std::size_t i = 0; i < of.current.size(); ++i) {
     const RefinementSeries& line = of.refinements.series[i];
     if (log.failed()) return;
-    if (!line.is_due || of.current[i].amount() != RecordedAmount::nothing) continue;
+    if (!line.is_due || of.current[i]) continue;
     log.on_event(SweepEvent::Kind::examines, line.key, !of.reference.is_begun());
-    const auto rows = examine(of, line);
+    of.current[i] = examine(of, line);
     if (!log.describes(of.name))
       log.append(describe(of.variant, of.scene, of.reference, sweep.describes_solutions));
-    append(rows, line.key, of.current[i], sweep, log);
+    log.append(*of.current[i]);
+    if (sweep.examines_only || of.current[i]->is_complete())
+      log.on_event(SweepEvent::Kind::is_done, line.key);
   }
 }
 
 void time_runs(SweptScene& of, const Sweep& sweep, GuardedCallbacks& log) {
   for (std::size_t i = 0; i < of.current.size(); ++i) {
     const RefinementSeries& line = of.refinements.series[i];
-    if (!line.is_due || !is_timed_next(of.current[i], sweep)) continue;
+    if (!line.is_due || !is_timed_next(*of.current[i], sweep)) continue;
     log.on_event(SweepEvent::Kind::times, line.key);
-    append(time_line(of, line, sweep.repeats), line.key, of.current[i], sweep, log);
+    time(of, line, *of.current[i], sweep.repeats, log);
+    log.on_event(SweepEvent::Kind::is_done, line.key);
   }
 }
 
@@ -139,8 +143,7 @@ bool choose_next_runs(SweptScene& of, const SweepPlan& plan, const SweepCallback
 
 void add_runs(SweptScene& of) {
   for (std::size_t i = 0; i < of.current.size(); ++i) {
-    const RefinementSeries& line = of.refinements.series[i];
-    if (line.is_due) of.refinements.add(i, refinement_run(line.setup, of.current[i]));
+    if (of.refinements.series[i].is_due) of.refinements.add(i, refinement_run(*of.current[i]));
   }
 }
 

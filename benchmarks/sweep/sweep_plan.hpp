@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fdebench/benchmarks/records/recorded_run.hpp"
-#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/search/next_resolution.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
@@ -28,6 +27,6 @@ std::vector<StepsOrTolerance> resolutions_for(const SweepPlan& plan, const Capab
 inline constexpr std::size_t error_at_end = 0, error_maximum = 1;
 
 // A recorded run as the choice of the next one sees it.
-RefinementRun refinement_run(const RunSettings& setup, const RecordedRun& run);
+RefinementRun refinement_run(const Record& run);
 
 }  // namespace fde::bench

@@ -14,9 +14,9 @@ using nlohmann::json;
 // The smallest error of other algorithms than the first; null if there are none.
 json next_best(const PageInput& page, const SceneSettings& scene, const RecommendedRun& first,
                const ErrorKind& kind) {
-  const MeasuredRun* next = nullptr;
+  const Record* next = nullptr;
   const auto measure = error_measure(kind);
-  for (const MeasuredRun& run : of_scene(page.runs.finished, scene)) {
+  for (const Record& run : of_scene(page.runs.finished, scene)) {
     if (!run[measure] || std::ranges::count(first.schemes, run.key.scheme) > 0) continue;
     if (next == nullptr || *run[measure] < *(*next)[measure]) next = &run;
   }
@@ -91,7 +91,7 @@ json answers_section(const PageInput& page) {
   return compact({{"id", "answer"},
                   {"accuracies", default_accuracies},
                   {"several_sessions", page.sessions.size() > 1},
-                  {"first_run", runs.front().first_run},
+                  {"first_run", runs.front().timing.first_run},
                   {"schemes", scheme_verdicts(page)}});
 }
 

@@ -22,10 +22,10 @@ constexpr const char* own_code = "fdebench";
 struct CodeRuns {
   std::string code{};
   ProgramFacts program{};
-  std::vector<const MeasuredRun*> finished{}, failed{};
+  std::vector<const Record*> finished{}, failed{};
 };
 
-std::string code_of(const MeasuredRun& run) {
+std::string code_of(const Record& run) {
   if (!run.key.external) return own_code;
   return run.program.code.empty() ? run.key.scheme : run.program.code;
 }
@@ -33,8 +33,8 @@ std::string code_of(const MeasuredRun& run) {
 // The codes of a scene, fdebench first, then in the order of their runs.
 class Codes {
  public:
-  void add(RunSpan runs, std::vector<const MeasuredRun*> CodeRuns::*kept) {
-    for (const MeasuredRun& run : runs) {
+  void add(RunSpan runs, std::vector<const Record*> CodeRuns::*kept) {
+    for (const Record& run : runs) {
       auto& of = at(code_of(run));
       if (run.program != ProgramFacts{}) of.program = run.program;
       (of.*kept).push_back(&run);
@@ -54,8 +54,8 @@ class Codes {
 };
 
 // The quickest run within the error; nullptr if there is none.
-const MeasuredRun* quickest(const CodeRuns& code, const ErrorKind& kind, double accuracy) {
-  const MeasuredRun* best = nullptr;
+const Record* quickest(const CodeRuns& code, const ErrorKind& kind, double accuracy) {
+  const Record* best = nullptr;
   for (const auto* run : code.finished) {
     const auto error = (*run)[error_measure(kind)];
     const auto time = time_of(*run);
@@ -66,8 +66,8 @@ const MeasuredRun* quickest(const CodeRuns& code, const ErrorKind& kind, double 
 }
 
 // The run with the smallest error; nullptr without finished runs.
-const MeasuredRun* most_accurate(const CodeRuns& code, const ErrorKind& kind) {
-  const MeasuredRun* best = nullptr;
+const Record* most_accurate(const CodeRuns& code, const ErrorKind& kind) {
+  const Record* best = nullptr;
   for (const auto* run : code.finished) {
     const auto error = (*run)[error_measure(kind)];
     if (error && (best == nullptr || *error < (*best)[error_measure(kind)])) best = run;
@@ -82,7 +82,7 @@ json cell_facts(const PageInput& page, const CodeRuns& code, const CodeRuns& own
     const double seconds = time_of(*run)->median;
     facts["error"] = fact((*run)[error_measure(kind)]);
     facts["seconds"] = fact(seconds);
-    if (const auto setup = (*run)["time_setup"]; setup && !run->first_run)
+    if (const auto setup = (*run)["time_setup"]; setup && !run->timing.first_run)
       facts["first_seconds"] = fact(seconds + *setup);
     facts["start_seconds"] = fact((*run)["time_start"]);
     const auto* ours = quickest(own, kind, accuracy);

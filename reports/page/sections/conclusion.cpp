@@ -76,7 +76,7 @@ json conclusion(const PageInput& page, const SceneLines& lines, RunSpan runs, co
       std::ranges::find_if(default_accuracies, [&](double accuracy) { return accuracy < 0.5 * reached; });
   if (next != default_accuracies.end()) facts["limit"] = limit(page, lines, kind, *next);
   std::set<std::string> refused, ended;
-  for (const MeasuredRun& run : of_scene(page.runs.failed, scene))
+  for (const Record& run : of_scene(page.runs.failed, scene))
     (run.ending.kind == SolveStatus::refused ? refused : ended).insert(page.label(run.key));
   facts["ended"] = ended;
   if (!refused.empty()) facts["refused"] = refused.size();
