@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/benchmarks/search/accuracy_target.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {

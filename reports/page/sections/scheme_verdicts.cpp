@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "fdebench/benchmarks/search/accuracy_target.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/trial_result.hpp"
 #include "fdebench/reports/page/facts.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
