@@ -18,14 +18,13 @@
 #include <utility>
 #include <variant>
 
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 #include "fdebench/benchmarks/external/shell_command.hpp"
 #include "fdebench/benchmarks/external/task_text.hpp"
-#include "fdebench/benchmarks/external/temporary_file.hpp"
-#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/records/external_trajectory.hpp"
 #include "fdebench/benchmarks/records/record_validation.hpp"
-#include "fdebench/benchmarks/records/run_rows.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {
@@ -140,10 +139,10 @@ ProgramRun run(const SceneVariant& variant, const Scene& scene, const ExternalPr
   }
 }
 
-std::vector<Record> examination_rows(const Record& row, const ProgramRun& made, const Assessment& judgement) {
-  auto rows = rows_of_examination(row, judgement);
-  rows.back().program = made.path.report.facts;
-  return rows;
+Record assessed(const Record& run, const ProgramRun& made, const Assessment& judgement) {
+  Record found = assessed(run, judgement);
+  found.program = made.path.report.facts;
+  return found;
 }
 
 const std::vector<double>& seconds_of(const ProgramRun& made) { return made.path.report.seconds; }
@@ -172,12 +171,6 @@ TimedSolves solve_times(const std::vector<ProgramRun>& runs) {
   return timed;
 }
 
-Record row_of(const ExternalProgram& program, const SceneVariant& variant, const Scene& scene,
-              const RunSettings& setup) {
-  const int steps = std::get<int>(setup.resolution);
-  return {.key = key_of(program, variant.key(), setup), .steps = steps, .h = scene.problem.end / steps};
-}
-
 }  // namespace
 
 ExternalProgram parse_external(std::string_view text) {
@@ -197,28 +190,32 @@ RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const 
           .external = true};
 }
 
-std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference,
-                            const ExternalProgram& program, const RunSettings& setup) {
-  const Record row = row_of(program, variant, scene, setup);
+Record examine(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference,
+               const ExternalProgram& program, const RunSettings& setup) {
   const auto made = run(variant, scene, program, setup, TaskPurpose::errors);
-  return examination_rows(
-      row, made, made.failure ? Assessment{*made.failure} : judge_trajectory(scene, made.path, reference));
+  return assessed({.key = key_of(program, variant.key(), setup),
+                   .steps = std::get<int>(setup.resolution),
+                   .end = scene.problem.end},
+                  made,
+                  made.failure ? Assessment{*made.failure} : judge_trajectory(scene, made.path, reference));
 }
 
-std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
-                              const RunSettings& setup, int most, double enough_seconds) {
-  const Record row = row_of(program, variant, scene, setup);
+void time_runs(Record& examined, const SceneVariant& variant, const Scene& scene,
+               const ExternalProgram& program, const RunSettings& setup, int most, double enough_seconds) {
   std::vector<ProgramRun> runs;
   double total = 0.0;
   while (std::ssize(runs) < most && (runs.empty() || total < enough_seconds)) {
     runs.push_back(run(variant, scene, program, setup, TaskPurpose::times));
-    if (runs.back().failure) return examination_rows(row, runs.back(), {*runs.back().failure});
+    if (runs.back().failure) {
+      examined = assessed(examined, runs.back(), {*runs.back().failure});
+      return;
+    }
     total += runs.back().wall_seconds;
   }
   const bool is_wall_clock = std::ranges::any_of(runs, [](const auto& of) { return seconds_of(of).empty(); });
-  auto rows = rows_of_times(row, is_wall_clock ? process_times(runs) : solve_times(runs));
-  for (Record& of : rows) of.wall_clock = is_wall_clock;
-  return rows;
+  Timing timing = timing_of(is_wall_clock ? process_times(runs) : solve_times(runs));
+  timing.wall_clock = is_wall_clock;
+  examined.take(std::move(timing));
 }
 
 }  // namespace fde::bench

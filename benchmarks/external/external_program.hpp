@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
@@ -27,13 +26,13 @@ RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const 
 // Runs the program once within the budget and measures its printed trajectory, like examine() of a scheme. A
 // failure of the program is the status of the run. Throws std::system_error if the temporary files cannot be
 // written. Precondition: setup.resolution is a number of steps.
-std::vector<Record> examine(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference,
-                            const ExternalProgram& program, const RunSettings& setup);
+Record examine(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference,
+               const ExternalProgram& program, const RunSettings& setup);
 
-// Repeats the run up to `most` times, until `enough_seconds` have passed, and returns the time rows: of the
-// solves if the program prints their seconds every time, otherwise of the whole processes. If a run fails,
-// returns the rows of an examination instead.
-std::vector<Record> time_runs(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
-                              const RunSettings& setup, int most, double enough_seconds);
+// Repeats an examined run up to `most` times, until `enough_seconds` have passed, and adds its times: of the
+// solves if the program prints their seconds every time, otherwise of the whole processes. If a repeat fails,
+// so has the run.
+void time_runs(Record& examined, const SceneVariant& variant, const Scene& scene,
+               const ExternalProgram& program, const RunSettings& setup, int most, double enough_seconds);
 
 }  // namespace fde::bench

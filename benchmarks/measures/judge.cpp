@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/measures/accuracy.hpp"
-#include "fdebench/reference/nonlinear/march/singularity.hpp"
+#include "fdebench/reference/nonlinear/march/march_limits.hpp"
 
 namespace fde::bench {
 namespace {
@@ -49,9 +49,11 @@ Assessment judge_finished(const Trajectory& path, const Rows& values, const Refe
   return {{overflows ? Verdict::overflow : Verdict::accuracy_lost, at_time(observed.grid, t)}, t};
 }
 
-// The errors of a scene with one column need no record of their own.
+// The errors of a scene with one column, or with too many, need no record of their own.
 void take_column_errors(const FinishedRun& run, const ComparedColumns& compared, Assessment& judgement) {
-  if (judgement.measured.empty() || (compared.names.size() < 2 && !compared.is_part)) return;
+  const bool is_needed =
+      compared.is_part || (compared.names.size() > 1 && compared.names.size() <= most_single_columns);
+  if (judgement.measured.empty() || !is_needed) return;
   judgement.columns = column_errors(run, compared.names, compared.is_part);
 }
 

@@ -6,9 +6,12 @@ codes.toml has the codes and problems.toml the problems; docs/peers.md explains 
 """
 
 import argparse
+import itertools
 import json
+import math
 import os
 import pathlib
+import re
 import shlex
 import subprocess
 import sys
@@ -17,7 +20,11 @@ import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+sys.path.insert(0, str(HERE.parent / "programs" / "records"))
+from recorded_runs import runs_in  # noqa: E402
+
 STEPS = [2**k for k in range(4, 17)]
+ERROR = "error_end_relative"
 
 
 def read(name):
@@ -99,23 +106,16 @@ def run(arguments):
 
 def ended(file, steps):
     """The lines that more steps will not help, of the runs with this number of steps, the last in the file."""
-    names = set()
-    for line in reversed(pathlib.Path(file).read_text().splitlines()):
-        row = json.loads(line)
-        if row.get("steps") != steps:
-            break
-        if row["quantity"] == "ending" and row["ending"] in ("refused", "out_of_budget"):
-            names.add(row["scheme"])
-    return names
+    runs = itertools.takewhile(lambda run: run["steps"] == steps, reversed(runs_in(file)))
+    return {run["scheme"] for run in runs if run["ending"] in ("refused", "out_of_budget")}
 
 
 def settled(file):
     """The lines whose errors on the last scene of the file, below 1e-3, have not halved in the last two doublings."""
-    rows = [row for row in map(json.loads, pathlib.Path(file).read_text().splitlines()) if "quantity" in row]
-    errors = {}
-    for row in rows:
-        if row["scene"] == rows[-1]["scene"] and row["quantity"] == "error_end_relative":
-            errors.setdefault(row["scheme"], []).append(row["value"])
+    runs, errors = runs_in(file), {}
+    for run in runs:
+        if run["scene"] == runs[-1]["scene"] and ERROR in run["values"]:
+            errors.setdefault(run["scheme"], []).append(run["values"][ERROR])
     return {name for name, values in errors.items() if len(values) > 2 and values[-3] < 1e-3 and values[-1] > values[-3] / 2}
 
 
@@ -126,27 +126,48 @@ def attempt(arguments):
         subprocess.run([arguments.fdebench, "run", "--scene", arguments.scene, "--steps", str(arguments.steps), "--repeat", "1", "--external",
                         f"{code['name']}={command(code, arguments.setting)}", "--out", f"{folder}/results.jsonl", "--quiet"],
                        check=True, cwd=ROOT, stdout=subprocess.DEVNULL)
-        rows = [row for row in map(json.loads, pathlib.Path(folder, "results.jsonl").read_text().splitlines()) if "quantity" in row]
-    for row in rows:
-        if row["quantity"] in ("error_end", "error_end_relative", "error_maximum", "time_start", "time_setup", "time_median"):
-            print(f"{row['quantity']} {row['value']:.3g}")
-        if row["quantity"] == "ending":
-            print(f"ending {row['ending']} {row.get('detail', '')}".rstrip())
+        (ran,) = runs_in(pathlib.Path(folder, "results.jsonl"))
+    measured = {**ran["values"], **ran["time"]}
+    for name in ("error_end", ERROR, "error_maximum", "time_start", "time_setup", "time_median"):
+        if name in measured:
+            print(f"{name} {measured[name]:.3g}")
+    print(f"ending {ran['ending']} {ran.get('detail', '')}".rstrip())
+
+
+def code_of(run):
+    return run.get("program", {}).get("code", run["scheme"]) if "external" in run else "fdebench"
+
+
+def needed(runs):
+    """Of each code on each problem: the runs with a kind of error that no quicker run is below; without any, the first run."""
+    kept, groups = [], {}
+    for run in runs:
+        groups.setdefault((run["scene"], json.dumps(run["settings"]), code_of(run)), []).append(run)
+    for group in groups.values():
+        solved = sorted((run for run in group if run["ending"] == "finished" and run["values"]), key=lambda run: run["time"].get("time_median", math.inf))
+        least = {}
+        for run in solved:
+            lower = {name: error for name, error in run["values"].items() if error < least.get(name, math.inf)}
+            least.update(lower)
+            if lower:
+                kept.append(run)
+        kept += group[:1] if not solved else []
+    return kept
 
 
 def shorten(file):
-    """Keeps one session, whose parts differ in their date only, and the rows that tables and the page's section need."""
-    kept, first = [], None
-    for line in pathlib.Path(file).read_text().splitlines(keepends=True):
-        row = json.loads(line)
-        if (session := row.get("session")) is not None:
-            session = {name: value for name, value in session.items() if name != "date"}
-            if session == first:
-                continue
-            first = session
-        if row.get("quantity", "ending").startswith(("ending", "error_", "time_")) or row.get("last"):
-            kept.append(line)
-    pathlib.Path(file).write_text("".join(kept))
+    """Keeps the first session, from which others differ in their date only, and what the tables and the page's section need: some runs, their errors and
+    times, and the scenes of fdebench."""
+    lines, runs = list(map(json.loads, pathlib.Path(file).read_text().splitlines())), runs_in(file)
+    kept = lines[:1] + [line for line in lines if isinstance(line.get("scene"), dict) and any("external" not in run for run in runs)]
+    for run in runs:
+        run["values"] = {name: value for name, value in run["values"].items() if re.match("error_(end|maximum)", name)}
+        run["time"] = {name: value for name, value in run["time"].items() if name.startswith("time_")}
+        if not run.get("columns", {}).get("part"):
+            run.pop("columns", None)
+        run.pop("courses", None)
+    kept += ({name: value for name, value in run.items() if value != {}} for run in needed(runs))
+    pathlib.Path(file).write_text("".join(json.dumps(line, ensure_ascii=False, separators=(",", ":"), sort_keys=True) + "\n" for line in kept))
 
 
 def check(_):

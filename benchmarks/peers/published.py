@@ -7,9 +7,7 @@ and those that the same code takes here in GNU Octave. Exit code 1 if errors dif
 """
 
 import csv
-import json
 import math
-import pathlib
 import subprocess
 import sys
 import tempfile
@@ -59,8 +57,7 @@ def times(fdebench):
                     command = peers.command(peers.CODES[row["code"]], row.get("setting", ""))
                     subprocess.run([fdebench, "run", "--scene", figures["scene"], "--steps", str(steps), "--repeat", "1", "--external",
                                     f"octave={command}", "--out", f"{folder}/r.jsonl", "--quiet"], check=True, stdout=subprocess.DEVNULL)
-                    rows = map(json.loads, pathlib.Path(folder, "r.jsonl").read_text().splitlines())
-                    here = next(each["value"] for each in rows if each.get("quantity") == "time_minimum")
+                    here = peers.runs_in(f"{folder}/r.jsonl")[0]["time"]["time_minimum"]
                 print(f"{row['code'] + ' ' + row.get('setting', ''):22}{steps:5}{1e3 * seconds:24.2f}{1e3 * here:20.1f}{here / seconds:8.0f}")
     return False
 

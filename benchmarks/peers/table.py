@@ -6,13 +6,12 @@ A cell is the time of a later solve of a code's quickest run within an error at 
 that of fdebench it is; without such a run the smallest error; a code that solves nothing has its reason. With `nearest` one table, of the time of fdebench and of the quickest other code.
 """
 
-import json
 import math
-import pathlib
 import sys
 
+from peers import ERROR, code_of, runs_in
+
 ACCURACIES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
-ERROR = "error_end_relative"
 
 
 def time_text(seconds):
@@ -20,29 +19,16 @@ def time_text(seconds):
     return f"{seconds / size:.3g} {unit}"
 
 
-def runs_in(file):
-    """The rows of each run, by quantity."""
-    made = {}
-    for row in map(json.loads, pathlib.Path(file).read_text().splitlines()):
-        if "quantity" in row:
-            scene = row["scene"] + "".join(f" {name}={value}" for name, value in sorted(row["settings"].items()))
-            run = made.setdefault((scene, row["scheme"], row["steps"], json.dumps(row.get("accuracy")), row.get("grid")), {})
-            run[row["quantity"]] = row
-    return made
-
-
 def read_codes(files):
     """By scene and code: the (error, seconds) of its runs, and how the first run without a solution ended."""
     scenes = {}
-    for file in files:
-        for (scene, scheme, *_), rows in runs_in(file).items():
-            ending = rows["ending"]
-            code = ending.get("program", {}).get("code", scheme) if ending.get("external") else "fdebench"
-            of = scenes.setdefault(scene, {}).setdefault(code, {"runs": [], "reason": ""})
-            if ERROR in rows and ending["ending"] == "finished":
-                of["runs"].append((rows[ERROR]["value"], rows["time_median"]["value"] if "time_median" in rows else math.inf))
-            else:
-                of["reason"] = of["reason"] or f"{ending['ending'].replace('_', ' ')}: {ending.get('detail', '')}"
+    for run in (run for file in files for run in runs_in(file)):
+        scene = run["scene"] + "".join(f" {name}={value}" for name, value in sorted(run["settings"].items()))
+        of = scenes.setdefault(scene, {}).setdefault(code_of(run), {"runs": [], "reason": ""})
+        if ERROR in run["values"] and run["ending"] == "finished":
+            of["runs"].append((run["values"][ERROR], run["time"].get("time_median", math.inf)))
+        else:
+            of["reason"] = of["reason"] or f"{run['ending'].replace('_', ' ')}: {run.get('detail', '')}"
     return scenes
 
 

@@ -59,15 +59,14 @@ Json json_of(const TrialRuns& trial) {
   return {{"number", trial.number},
           {"kind", trial.kind},
           {"steps", trial.steps},
-          {"accuracy", {{"relative", trial.accuracy.rtol}, {"absolute", trial.accuracy.atol}}}};
+          {"accuracy", bench::json_of(trial.accuracy)}};
 }
 
 TrialRuns trial_of(const Json& trial) {
-  const auto& accuracy = trial.at("accuracy");
   return {.number = trial.at("number"),
           .kind = trial.at("kind"),
           .steps = trial.at("steps"),
-          .accuracy = {.rtol = accuracy.at("relative"), .atol = accuracy.at("absolute")}};
+          .accuracy = tolerance_of(trial.at("accuracy"))};
 }
 
 }  // namespace

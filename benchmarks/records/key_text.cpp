@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/key_text.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -10,13 +16,19 @@ namespace fde::bench {
 
 using Json = nlohmann::json;
 
+Json number_of(double value) {
+  constexpr double largest_exact = 9e15;  // every whole number up to it is a double
+  const bool is_whole = value == std::trunc(value) && std::abs(value) < largest_exact;
+  if (is_whole && !(value == 0.0 && std::signbit(value))) return static_cast<std::int64_t>(value);
+  return value;
+}
+
 Json json_of(const SceneSettings& scene) {
-  Json settings = Json::object();
-  for (const auto& [name, setting] : scene.values)
-    std::visit([&, &of = name](const auto& value) { settings[of] = value; }, setting);
-  if (scene.until) settings["until"] = *scene.until;
-  Json line{{"scene", scene.id}, {"settings", std::move(settings)}};
+  Json line{{"scene", scene.id}};
   if (!scene.checksum.empty()) line["checksum"] = scene.checksum;
+  for (const auto& [name, setting] : scene.values)
+    std::visit([&, &of = name](const auto& value) { line["settings"][of] = value; }, setting);
+  if (scene.until) line["settings"]["until"] = *scene.until;
   return line;
 }
 
@@ -25,7 +37,8 @@ SceneSettings scene_of(const Json& line) {
   if (line.contains("checksum")) scene.checksum = line["checksum"].get<std::string>();
   if (line.contains("checksum") && scene.checksum.empty())
     throw std::invalid_argument("checksum = : must be a SHA-256 in hexadecimal");
-  for (const auto& [name, value] : line.at("settings").items()) {
+  if (!line.contains("settings")) return scene;
+  for (const auto& [name, value] : line["settings"].get_ref<const Json::object_t&>()) {
     if (name == "until") {
       scene.until = value.get<double>();
     } else if (value.is_string()) {
@@ -37,6 +50,50 @@ SceneSettings scene_of(const Json& line) {
     }
   }
   return scene;
+}
+
+Json json_of(const Tolerance& accuracy) { return {{"relative", accuracy.rtol}, {"absolute", accuracy.atol}}; }
+
+Tolerance tolerance_of(const Json& accuracy) {
+  return {.rtol = accuracy.at("relative"), .atol = accuracy.at("absolute")};
+}
+
+int steps_of(const Json& line, int fewest) {
+  constexpr int most = std::numeric_limits<int>::max();
+  const auto& given = line.at("steps");
+  if (given.is_number_integer() && given >= fewest && given <= most) return given;
+  throw std::invalid_argument(
+      fmt::format("steps = {}: must be a whole number from {} to {}", given.dump(), fewest, most));
+}
+
+Json json_of(const RunKey& run) {
+  const RunSettings usual;
+  const auto& [resolution, grading, history, tolerance, budget] = run.setup;
+  Json line = json_of(run.scene);
+  line["scheme"] = run.scheme;
+  if (run.external) line["external"] = true;
+  if (const auto* steps = std::get_if<int>(&resolution)) line["steps"] = *steps;
+  if (const auto* accuracy = std::get_if<Tolerance>(&resolution)) line["accuracy"] = json_of(*accuracy);
+  if (grading != usual.grading) line["grid"] = grid_text(grading);
+  if (history != usual.history) line["history"] = name(history);
+  if (tolerance != usual.tolerance) line["tolerance"] = tolerance;
+  if (budget != usual.budget) line["budget"] = number_of(budget);
+  return line;
+}
+
+RunKey run_of(const Json& line) {
+  RunKey run{.scene = scene_of(line), .scheme = line.at("scheme"), .external = line.value("external", false)};
+  RunSettings& setup = run.setup;
+  if (line.contains("accuracy")) {
+    setup.resolution = tolerance_of(line["accuracy"]);
+  } else {
+    setup.resolution = steps_of(line, 1);
+  }
+  if (line.contains("grid")) setup.grading = parse_grading(line["grid"].get<std::string>());
+  if (line.contains("history")) setup.history = parse_history(line["history"].get<std::string>());
+  setup.tolerance = line.value("tolerance", setup.tolerance);
+  setup.budget = line.value("budget", setup.budget);
+  return run;
 }
 
 }  // namespace fde::bench

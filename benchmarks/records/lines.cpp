@@ -44,7 +44,6 @@ bool LineReader::fill() {
 bool LineReader::next() {
   text_.clear();
   has_end_ = false;
-  begin_ = end_;
   ++number_;
   while (!has_end_ && (at_ < buffer_.size() || fill())) {
     const auto rest = std::string_view(buffer_).substr(at_);
@@ -58,15 +57,6 @@ bool LineReader::next() {
   }
   end_ += text_.size() + (has_end_ ? 1 : 0);
   return has_end_ || !text_.empty();
-}
-
-void LineReader::go_to(std::uint64_t bytes) {
-  stream_.clear();
-  stream_.seekg(static_cast<std::streamoff>(bytes));
-  buffer_.clear();
-  at_ = 0;
-  number_ = 0;
-  begin_ = end_ = bytes;
 }
 
 }  // namespace fde::bench

@@ -25,15 +25,11 @@ class LineReader {
   bool next();
 
   // The current line: its text without the line end, its number from 1, whether it has a line end, and the
-  // offsets in bytes of its beginning and of the byte after its end.
+  // offset in bytes of the byte after its end.
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] int number() const { return number_; }
   [[nodiscard]] bool has_end() const { return has_end_; }
-  [[nodiscard]] std::uint64_t begin() const { return begin_; }
   [[nodiscard]] std::uint64_t end() const { return end_; }
-
-  // Continues with the line that begins at this offset. Line numbers restart at 1.
-  void go_to(std::uint64_t bytes);
 
  private:
   bool fill();
@@ -44,7 +40,7 @@ class LineReader {
   std::size_t at_ = 0;  // in the buffer
   int number_ = 0;
   bool has_end_ = false;
-  std::uint64_t begin_ = 0, end_ = 0;
+  std::uint64_t end_ = 0;
 };
 
 // Throws std::invalid_argument: "FILE: cannot be read: is not a file" if it is a folder, a pipe or a device.

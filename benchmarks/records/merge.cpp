@@ -4,96 +4,42 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <set>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
+#include <variant>
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
-#include "fdebench/benchmarks/records/lines.hpp"
-#include "fdebench/benchmarks/records/record_text.hpp"
-#include "fdebench/benchmarks/records/results_scan.hpp"
-#include "fdebench/benchmarks/references/checksum.hpp"
+#include "fdebench/benchmarks/records/results_reader.hpp"
 
 namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A range of bytes with scenes and rows of a session, and the ranges within it that are left out.
-struct ByteRange {
-  fs::path file;
-  std::uint64_t begin = 0, end = 0;  // bytes
-  std::size_t rows = 0;
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> left_out{};
-
-  [[nodiscard]] bool leaves_out(std::uint64_t at) const {
-    return std::ranges::any_of(left_out,
-                               [&](const auto& part) { return part.first <= at && at < part.second; });
-  }
-};
-
-// The line of a session and all ranges with its scenes and rows.
-struct SessionRanges {
+// The line of a session and its other lines, each once, in the order of their first occurrence.
+struct MergedSession {
   std::string line;
-  std::vector<ByteRange> places{};
+  std::set<std::string> known{};
+  std::vector<const std::string*> lines{};
 };
 
-// Returns the warning of the scan.
-std::string find_sessions(const fs::path& file, std::vector<SessionRanges>& all) {
-  ByteRange* place = nullptr;
-  return scan_results(file,
-                      {.session =
-                           [&](const Session& session, std::uint64_t end) {
-                             const std::string line = line_of(session);
-                             auto found = std::ranges::find(all, line, &SessionRanges::line);
-                             if (found == all.end()) found = all.insert(all.end(), {.line = line});
-                             place = &found->places.emplace_back(ByteRange{file, end, end});
-                           },
-                       .scene = [&](const auto&, std::uint64_t end) { place->end = end; },
-                       .rows =
-                           [&](const auto& rows, std::uint64_t end) {
-                             place->end = end;
-                             place->rows += rows.size();
-                           },
-                       .left_out = [&](std::uint64_t begin,
-                                       std::uint64_t end) { place->left_out.emplace_back(begin, end); }})
-      .warning;
-}
-
-// Copies a range whose session is in no other file: nothing in it is repeated.
-void copy_all(const ByteRange& place, AtomicFile& out) {
-  LineReader line(place.file);
-  line.go_to(place.begin);
-  while (line.end() < place.end && line.next()) {
-    if (!place.leaves_out(line.begin())) out.write(line.text() + '\n');
-  }
-}
-
-// Copies the descriptions and measurements of a range that have not been written yet. The lines were
-// validated by find_sessions.
-void copy_new(const ByteRange& place, std::set<std::string>& written, AtomicFile& out, MergeCounts& merged) {
-  LineReader line(place.file);
-  line.go_to(place.begin);
-  std::string lines;
-  std::size_t rows = 0;
-  while (line.end() < place.end && line.next()) {
-    if (place.leaves_out(line.begin())) continue;
-    const ResultsLine parsed = parse_line(line.text());
-    lines += line.text() + '\n';
-    rows += parsed.scene ? 0 : 1;
-    if (!parsed.scene && !parsed.last) continue;
-    if (written.insert(sha256(lines)).second) {
-      out.write(lines);
-      merged.rows += rows;
-    } else {
-      merged.repeated_rows += rows;
+// Returns the warning of the reader.
+std::string take(const fs::path& file, std::vector<MergedSession>& sessions, MergeCounts& merged) {
+  std::size_t place = 0;  // of the current session
+  ResultsReader reader(file);
+  while (const auto line = reader.next()) {
+    if (const auto* session = std::get_if<Session>(&*line)) {
+      const std::string text = line_of(*session);
+      const auto found = std::ranges::find(sessions, text, &MergedSession::line);
+      place = static_cast<std::size_t>(found - sessions.begin());
+      if (found == sessions.end()) sessions.push_back({.line = text});
+      continue;
     }
-    lines.clear();
-    rows = 0;
+    const auto [added, is_new] = sessions[place].known.insert(reader.text() + '\n');
+    if (is_new) sessions[place].lines.push_back(&*added);
+    if (!std::holds_alternative<SceneDescription>(*line)) ++(is_new ? merged.rows : merged.repeated_rows);
   }
+  return reader.warning();
 }
 
 }  // namespace
@@ -102,22 +48,16 @@ MergeCounts merge_results(const std::vector<fs::path>& files, const fs::path& ou
   if (fs::exists(fs::symlink_status(out)))
     throw std::invalid_argument(fmt::format("{}: exists, it must be a new file", out.string()));
   AtomicFile file(out);
-  std::vector<SessionRanges> sessions;
+  std::vector<MergedSession> sessions;
   MergeCounts merged;
   for (const auto& from : files) {
-    if (auto warning = find_sessions(from, sessions); !warning.empty())
-      merged.warnings.push_back(std::move(warning));
+    const auto warning = take(from, sessions, merged);
+    if (!warning.empty()) merged.warnings.push_back(warning);
   }
   merged.sessions = sessions.size();
-  for (const auto& [line, places] : sessions) {
-    file.write(line);
-    if (places.size() == 1) {
-      copy_all(places.front(), file);
-      merged.rows += places.front().rows;
-      continue;
-    }
-    std::set<std::string> written;
-    for (const auto& place : places) copy_new(place, written, file, merged);
+  for (const auto& session : sessions) {
+    file.write(session.line);
+    for (const auto* line : session.lines) file.write(*line);
   }
   file.commit_new();
   return merged;

@@ -15,9 +15,9 @@ struct MergeCounts {
 };
 
 // Writes a results file with the contents of all files: each session once, in the order of first occurrence,
-// with the scenes and rows of every file that has it. Identical descriptions and measurements are copied
-// once. Files are streamed. Throws std::invalid_argument if `out` exists or a file is not a results file, as
-// scan_results says, and std::system_error if `out` cannot be written; `out` is then not created.
+// with the lines of every file that has it, identical ones once. Throws std::invalid_argument if `out` exists
+// or a file is not a results file, as ResultsReader says, and std::system_error if `out` cannot be written;
+// `out` is then not created.
 MergeCounts merge_results(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out);
 
 }  // namespace fde::bench

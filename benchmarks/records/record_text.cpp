@@ -4,16 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <limits>
+#include <cstddef>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <utility>
+#include <string>
+#include <vector>
 
+#include "fdebench/benchmarks/measures/error_kind.hpp"
 #include "fdebench/benchmarks/records/description_text.hpp"
 #include "fdebench/benchmarks/records/key_text.hpp"
 #include "fdebench/benchmarks/records/lines.hpp"
+#include "fdebench/benchmarks/records/record_validation.hpp"
 
 namespace fde::bench {
 
@@ -24,43 +24,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int format = 2;
-
-// Quantities and outcomes that version 0.2.0 named otherwise are read under their present names.
-std::string present_name(const std::string& name) {
-  constexpr std::string_view former_baseline = "trivial_";
-  if (name.starts_with(former_baseline))
-    return fmt::format("baseline_{}", name.substr(former_baseline.size()));
-  return name == "outran_growth" ? "step_too_large" : name;
-}
-
-// Absent entries: accuracy of a run over a grid, an infinite budget.
-void add_setup(const RunSettings& setup, Json& json) {
-  if (const auto* accuracy = std::get_if<Tolerance>(&setup.resolution))
-    json["accuracy"] = {{"relative", accuracy->rtol}, {"absolute", accuracy->atol}};
-  json["grid"] = grid_text(setup.grading);
-  json["history"] = name(setup.history);
-  json["tolerance"] = setup.tolerance;
-  if (std::isfinite(setup.budget)) json["budget"] = setup.budget;
-}
-
-RunSettings setup_of(const Json& json, int steps) {
-  RunSettings setup{.resolution = steps,
-                    .grading = parse_grading(json.at("grid").get<std::string>()),
-                    .history = parse_history(json.at("history").get<std::string>()),
-                    .tolerance = json.at("tolerance")};
-  if (json.contains("accuracy")) {
-    setup.resolution =
-        Tolerance{.rtol = json["accuracy"].at("relative"), .atol = json["accuracy"].at("absolute")};
-  }
-  if (json.contains("budget")) setup.budget = json["budget"];
-  return setup;
-}
-
-// The setup of another program.
-RunSettings external_setup_of(const Json& json, int steps) {
-  return {.resolution = steps, .grading = parse_grading(json.value("grid", grid_text(1.0)))};
-}
+constexpr int format = 3;
 
 // A session without a node has no such entry.
 Json json_of(const Session& session) {
@@ -83,105 +47,111 @@ Session session_of(const Json& json) {
           .node = json.value("node", "")};
 }
 
-RunOutcome outcome_of(const Json& json) {
-  return {outcome_named(present_name(json.at("ending"))), json.value("detail", "")};
+// A field with the values of single columns, and the measures that its lists are of.
+struct ColumnField {
+  std::string name;
+  std::vector<std::string> measures{};
+};
+
+const std::vector<ColumnField>& column_fields() {
+  static const auto all = [] {
+    ColumnField errors{"errors"}, baselines{"baselines"}, unresolved{"unresolved"};
+    for (const ErrorKind& kind : error_kinds) {
+      errors.measures.emplace_back(error_measure(kind));
+      baselines.measures.emplace_back(baseline_measure(kind));
+    }
+    for (const Scale scale : error_scales) unresolved.measures.emplace_back(unresolved_measure(scale));
+    return std::vector{errors, baselines, unresolved};
+  }();
+  return all;
 }
 
 Json json_of(const ColumnErrors& columns) {
   Json json{{"names", columns.names}};
   if (columns.is_part) json["part"] = true;
-  if (!columns.values.empty()) json["values"] = columns.values;
+  for (const auto& [name, measures] : column_fields()) {
+    std::vector<std::vector<double>> lists;
+    for (const auto& measure : measures) {
+      const auto found = columns.values.find(measure);
+      lists.push_back(found == columns.values.end() ? std::vector<double>() : found->second);
+    }
+    if (std::ranges::any_of(lists, [](const auto& list) { return !list.empty(); })) json[name] = lists;
+  }
   return json;
 }
 
 ColumnErrors column_errors_of(const Json& json) {
   ColumnErrors columns{.names = json.at("names"), .is_part = json.value("part", false)};
-  if (json.contains("values")) json["values"].get_to(columns.values);
+  for (const auto& [name, measures] : column_fields()) {
+    if (!json.contains(name)) continue;
+    const auto lists = json[name].get<std::vector<std::vector<double>>>();
+    if (lists.size() != measures.size())
+      throw std::invalid_argument(fmt::format("{}: must be {} lists", name, measures.size()));
+    for (std::size_t i = 0; i < lists.size(); ++i)
+      if (!lists[i].empty()) columns.values.emplace(measures[i], lists[i]);
+  }
   return columns;
 }
 
-// A run to a tolerance may have taken no step.
-int steps_of(const Json& json) {
-  constexpr int most = std::numeric_limits<int>::max();
-  const auto& given = json.at("steps");
-  const int fewest = json.contains("accuracy") ? 0 : 1;
-  if (given.is_number_integer() && given >= fewest && given <= most) return given;
-  throw std::invalid_argument(
-      fmt::format("steps = {}: must be a whole number from {} to {}", given.dump(), fewest, most));
+Json json_of(const QuantityValues& values) {
+  Json json;
+  for (const auto& [quantity, value] : values) json[std::string(quantity)] = number_of(value);
+  return json;
 }
 
-double value_of(const Json& json) {
-  const auto& value = json.at("value");
-  if (value.is_number()) return value;
-  throw std::invalid_argument(
-      fmt::format("{} = {}: must be a number", json.at("quantity").get<std::string>(), value.dump()));
+QuantityValues values_of(const Json& json) {
+  QuantityValues values;
+  for (const auto& [quantity, value] : json.get_ref<const Json::object_t&>()) {
+    if (!value.is_number())
+      throw std::invalid_argument(fmt::format("{} = {}: must be a number", quantity, value.dump()));
+    values.set(quantity, value.get<double>());
+  }
+  return values;
 }
 
-Record row_of(const Json& json) {
-  const int steps = steps_of(json);
-  const bool external = json.value("external", false);
-  Record row{.key = {.scene = scene_of(json),
-                     .scheme = json.at("scheme"),
-                     .setup = external ? external_setup_of(json, steps) : setup_of(json, steps),
-                     .external = external},
-             .steps = steps,
-             .h = json.at("h"),
-             .quantity = present_name(json.at("quantity")),
-             .value = value_of(json),
-             .unit = json.at("unit"),
-             .wall_clock = json.value("wall_clock", false)};
-  if (json.contains("ending")) row.ending = outcome_of(json);
-  if (json.contains("program")) row.program = json["program"].get<ProgramFacts>();
-  if (json.contains("columns")) row.columns = column_errors_of(json["columns"]);
-  if (json.contains("course")) row.course = json["course"].get<Course>();
-  return row;
+void add(const Timing& timing, Json& json) {
+  if (!timing.values.empty()) json["time"] = json_of(timing.values);
+  if (timing.wall_clock) json["wall_clock"] = true;
 }
 
-constexpr std::string_view quantity_begin = R"("quantity":")", unit_begin = R"(,"unit":")",
-                           value_begin = R"(","value":)";
-
-// Takes the word of letters, digits and underscores at the beginning of a text.
-std::string_view take_word(std::string_view& text) {
-  const auto is_plain = [](unsigned char c) { return c == '_' || std::isalnum(c) != 0; };
-  const auto word = text.substr(0, std::ranges::find_if_not(text, is_plain) - text.begin());
-  text.remove_prefix(word.size());
-  return word;
+Timing timing_of(const Json& json) {
+  Timing timing{.wall_clock = json.value("wall_clock", false)};
+  if (!json.contains("time")) return timing;
+  timing.values = values_of(json["time"]);
+  timing.count = 1;
+  return timing;
 }
 
-bool take(std::string_view& text, std::string_view beginning) {
-  if (beginning.empty() || !text.starts_with(beginning)) return false;
-  text.remove_prefix(beginning.size());
-  return true;
+Record record_of(const Json& json) {
+  const bool is_adaptive = json.contains("accuracy");  // and may have taken no step
+  Record run{.key = run_of(json),
+             .steps = steps_of(json, is_adaptive ? 0 : 1),
+             .end = json.at("end"),
+             .ending = {outcome_named(json.at("ending").get<std::string>()), json.value("detail", "")},
+             .program = json.value("program", ProgramFacts()),
+             .timing = timing_of(json)};
+  run.ended_at = json.value("ended_at", run.end);
+  if (json.contains("columns")) run.columns = column_errors_of(json["columns"]);
+  if (json.contains("values")) run.values = values_of(json["values"]);
+  if (json.contains("courses")) json["courses"].get_to(run.courses);
+  return run;
+}
+
+ResultsLine line_in(const Json& json) {
+  if (json.contains("session")) {
+    if (json.value("format", 1) != format) throw UnsupportedFormat("a session of another format");
+    return session_of(json["session"]);
+  }
+  if (json.at("scene").is_object()) return description_of(json["scene"]);
+  if (json.contains("ending")) return record_of(json);
+  if (!json.contains("time")) throw std::runtime_error("a run without ending and time");
+  return LaterTimes{run_of(json), timing_of(json)};
 }
 
 }  // namespace
 
 std::string line_of(const Session& session) {
   return Json{{"format", format}, {"session", json_of(session)}}.dump() + '\n';
-}
-
-std::string line_of(const Record& row, bool last) {
-  Json json = json_of(row.key.scene);
-  json.update({{"scheme", row.key.scheme},
-               {"steps", row.steps},
-               {"h", row.h},
-               {"quantity", row.quantity},
-               {"value", row.value},
-               {"unit", row.unit}});
-  if (row.key.external) {
-    json["external"] = true;
-    if (row.key.setup.grading != 1.0) json["grid"] = grid_text(row.key.setup.grading);
-  } else {
-    add_setup(row.key.setup, json);
-  }
-  if (row.ending) json["ending"] = name(row.ending->kind);
-  if (row.ending && !row.ending->detail.empty()) json["detail"] = row.ending->detail;
-  if (row.program != ProgramFacts{}) json["program"] = row.program;
-  if (!row.columns.names.empty()) json["columns"] = json_of(row.columns);
-  if (!row.course.empty()) json["course"] = row.course;
-  if (row.wall_clock) json["wall_clock"] = true;
-  if (last) json["last"] = true;
-  return json.dump() + '\n';
 }
 
 std::string line_of(const SceneDescription& scene) {
@@ -195,48 +165,29 @@ std::string line_of(const SceneDescription& scene) {
   return text + '\n';
 }
 
-ResultsLine LineParser::parse(const std::string& line) {
-  if (auto row = continued(line)) return {.row = std::move(*row)};
-  ResultsLine parsed = parse_line(line);
-  if (!parsed.session && !parsed.scene && !parsed.last) keep(line, parsed.row);
-  return parsed;
+std::string line_of(const Record& run) {
+  Json json = json_of(run.key);
+  json.update({{"steps", run.steps}, {"end", number_of(run.end)}, {"ending", name(run.ending.kind)}});
+  if (!run.ending.detail.empty()) json["detail"] = run.ending.detail;
+  if (run.ended_at != run.end) json["ended_at"] = number_of(run.ended_at);
+  if (run.program != ProgramFacts{}) json["program"] = run.program;
+  if (!run.columns.names.empty()) json["columns"] = json_of(run.columns);
+  if (!run.values.empty()) json["values"] = json_of(run.values);
+  if (!run.courses.empty()) json["courses"] = run.courses;
+  add(run.timing, json);
+  return json.dump() + '\n';
 }
 
-std::optional<Record> LineParser::continued(std::string_view line) const {
-  if (!take(line, until_quantity_)) return std::nullopt;
-  const auto quantity = take_word(line);
-  if (!take(line, until_unit_)) return std::nullopt;
-  const auto unit = take_word(line);
-  if (!take(line, value_begin) || !line.ends_with('}')) return std::nullopt;
-  line.remove_suffix(1);
-  const Json value = Json::parse(line, nullptr, false);
-  if (!value.is_number()) return std::nullopt;
-  Record row = row_;
-  row.quantity = present_name(std::string(quantity));
-  row.value = value;
-  row.unit = unit;
-  return row;
-}
-
-// Only of the text that line_of writes is it known where the fields are.
-void LineParser::keep(std::string_view line, const Record& row) {
-  if (row.ending || !row.course.empty() || row.wall_clock || line_of(row, false) != std::string(line) + '\n')
-    return;
-  const auto quantity = line.find(quantity_begin) + quantity_begin.size();
-  const auto unit = line.rfind(unit_begin) + unit_begin.size();
-  row_ = row;
-  until_quantity_ = line.substr(0, quantity);
-  until_unit_ = line.substr(line.find('"', quantity), unit - line.find('"', quantity));
+std::string line_of(const LaterTimes& times) {
+  Json json = json_of(times.key);
+  add(times.timing, json);
+  return json.dump() + '\n';
 }
 
 ResultsLine parse_line(const std::string& line) {
-  const Json json = Json::parse(line);
-  if (!json.contains("session")) {
-    if (json.at("scene").is_object()) return {.scene = description_of(json["scene"])};
-    return {.row = row_of(json), .last = json.value("last", false)};
-  }
-  if (json.value("format", 1) != format) throw UnsupportedFormat("a session of another format");
-  return {.session = session_of(json["session"])};
+  ResultsLine parsed = line_in(Json::parse(line));
+  std::visit([](const auto& of) { require_valid(of); }, parsed);
+  return parsed;
 }
 
 }  // namespace fde::bench

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/records/record_validation.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <map>
 #include <stdexcept>
-#include <string_view>
+#include <utility>
 #include <variant>
-#include <vector>
 
 #include "fdebench/benchmarks/measures/measures.hpp"
 #include "fdebench/benchmarks/records/well_formed.hpp"
@@ -19,57 +15,36 @@
 namespace fde::bench {
 namespace {
 
-// The quantities of this build, with their units and allowed values.
+// The unit and the allowed values of a measure.
 struct Quantity {
-  std::string_view id, unit;
+  std::string_view unit;
   Range range = not_negative;
 };
 
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> all = [] {
-    std::vector<Quantity> found{{"ending", "t"}};
+// The measure with this id; nullptr if this build does not have it.
+const Quantity* find_quantity(std::string_view id) {
+  static const auto all = [] {
+    std::map<std::string_view, Quantity> known;
     for (const auto* measure : measures())
-      found.push_back({measure->id, measure->unit, measure->may_be_negative ? any_number : not_negative});
-    for (const auto& measure : time_measures()) found.push_back({measure.id, measure.unit});
-    return found;
+      known[measure->id] = {measure->unit, measure->may_be_negative ? any_number : not_negative};
+    for (const auto& measure : time_measures()) known[measure.id] = {measure.unit};
+    return known;
   }();
-  return all;
+  const auto found = all.find(id);
+  return found == all.end() ? nullptr : &found->second;
 }
 
-// The range of values of a quantity; any number if this build does not have the quantity.
-Range range_of(const Record& row) {
-  const auto found = std::ranges::find(quantities(), row.quantity, &Quantity::id);
-  if (found == quantities().end()) {
-    require_name("quantity", row.quantity);
-    require_printable("unit", row.unit);
-    return any_number;
-  }
-  if (row.unit != found->unit)
-    reject_text("unit", row.unit, fmt::format("\"{}\", that of {}", found->unit, row.quantity));
-  return found->range;
+Range range_of(std::string_view quantity) {
+  if (const auto* known = find_quantity(quantity)) return known->range;
+  require_name("quantity", quantity);
+  return any_number;
 }
 
-void require_quantity(const Record& row) {
-  const Range range = range_of(row);
-  require_in(row.quantity, row.value, range);
-  if (row.ending.has_value() != (row.quantity == "ending"))
-    throw std::invalid_argument("ending: must be that of the quantity ending, and of no other");
-  if (row.ending) require_name("ending", name(row.ending->kind));
-  if (row.program != ProgramFacts{} && (!row.key.external || !row.ending))
-    throw std::invalid_argument("program: is allowed in endings of other programs only");
-  for (const auto& [field, text] : {std::pair("code", row.program.code),
-                                    {"version", row.program.version},
-                                    {"language", row.program.language}})
-    if (!text.empty()) require_name(field, text);
-  require_times("course", row.course.t);
-  require_length("course", row.course.value.size(), row.course.t.size());
-  for (const double value : row.course.value) require_in(row.quantity, value, range);
+void require_values(const QuantityValues& values) {
+  for (const auto& [quantity, value] : values) require_in(quantity, value, range_of(quantity));
 }
 
-void require_column_errors(const Record& row) {
-  const ColumnErrors& columns = row.columns;
-  if (columns != ColumnErrors{} && !row.ending)
-    throw std::invalid_argument("columns: are allowed in endings only");
+void require_columns(const ColumnErrors& columns) {
   for (const auto& name : columns.names) require_name("columns", name);
   for (const auto& [quantity, values] : columns.values) {
     require_name("columns", quantity);
@@ -78,36 +53,70 @@ void require_column_errors(const Record& row) {
   }
 }
 
-void require_setup(const Record& row) {
-  const RunSettings& setup = row.key.setup;
-  if (const auto* accuracy = std::get_if<Tolerance>(&setup.resolution)) {
+void require_course(std::string_view quantity, const Course& course) {
+  const Range range = range_of(quantity);
+  require_times("course", course.t);
+  require_length("course", course.value.size(), course.t.size());
+  for (const double value : course.value) require_in(quantity, value, range);
+}
+
+void require_program(const Record& run) {
+  if (run.program != ProgramFacts{} && !run.key.external)
+    throw std::invalid_argument("program: is allowed in runs of other programs only");
+  for (const auto& [field, text] : {std::pair("code", run.program.code),
+                                    {"version", run.program.version},
+                                    {"language", run.program.language}})
+    if (!text.empty()) require_name(field, text);
+}
+
+void require_key(const RunKey& run) {
+  require_scene(run.scene);
+  if (run.external) {
+    require_external_name("scheme", run.scheme);
+  } else {
+    require_name("scheme", run.scheme);
+  }
+  if (const auto* accuracy = std::get_if<Tolerance>(&run.setup.resolution)) {
     require_in("accuracy", accuracy->rtol, not_negative);
     require_in("accuracy", accuracy->atol, not_negative);
   }
-  require_in("h", row.h, not_negative);
-  require_in("tolerance", setup.tolerance, {.low = 0.0, .high = 1.0});
-  if (std::isfinite(setup.budget)) require_in("budget", setup.budget, positive);
+  require_in("tolerance", run.setup.tolerance, {.low = 0.0, .high = 1.0});
+  if (std::isfinite(run.setup.budget)) require_in("budget", run.setup.budget, positive);
+}
+
+void require_timing(const Timing& timing, bool external) {
+  require_values(timing.values);
+  if (timing.wall_clock && !external)
+    throw std::invalid_argument("wall_clock: is allowed in times of other programs only");
 }
 
 }  // namespace
+
+std::string_view unit_of(std::string_view quantity) {
+  const auto* known = find_quantity(quantity);
+  return known == nullptr ? "" : known->unit;
+}
 
 void require_external_name(std::string_view name, std::string_view text) {
   require_name(name, text);
   if (find_scheme(text) != nullptr) reject_text(name, text, "another name than those of our schemes");
 }
 
-void require_valid(const Record& row) {
-  require_scene(row.key.scene);
-  if (row.key.external) {
-    require_external_name("scheme", row.key.scheme);
-  } else {
-    require_name("scheme", row.key.scheme);
-  }
-  require_setup(row);
-  require_quantity(row);
-  require_column_errors(row);
-  if (row.wall_clock && (!row.key.external || !is_time(row)))
-    throw std::invalid_argument("wall_clock: is allowed in times of other programs only");
+void require_valid(const Record& run) {
+  require_key(run.key);
+  require_in("end", run.end, not_negative);
+  require_name("ending", name(run.ending.kind));
+  require_in("ended_at", run.ended_at, not_negative);
+  require_program(run);
+  require_columns(run.columns);
+  require_values(run.values);
+  for (const auto& [quantity, course] : run.courses) require_course(quantity, course);
+  require_timing(run.timing, run.key.external);
+}
+
+void require_valid(const LaterTimes& times) {
+  require_key(times.key);
+  require_timing(times.timing, times.key.external);
 }
 
 }  // namespace fde::bench

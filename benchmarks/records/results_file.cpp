@@ -10,19 +10,17 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
-#include <tuple>
 #include <utility>
+#include <variant>
+#include <vector>
 
-#include "fdebench/benchmarks/measures/measures.hpp"
-#include "fdebench/benchmarks/records/lines.hpp"
-#include "fdebench/benchmarks/records/record_text.hpp"
-#include "fdebench/benchmarks/records/results_scan.hpp"
+#include "fdebench/benchmarks/records/results_reader.hpp"
 
 namespace fde::bench {
 
@@ -43,80 +41,83 @@ bool try_lock_for(std::chrono::seconds wait, int descriptor) {
   return true;
 }
 
-// Whether rows of the same build, written at once, count here after what is recorded of their run. Of another
-// machine, an examination counts unless one is known or the run was too slow there; a time does not.
-bool counts(const std::vector<Record>& rows, bool from_here, const RecordedRun& known) {
-  const auto& ending = rows.back().ending;
-  return from_here || (!known.ending() && ending && ending->kind != SolveStatus::out_of_budget);
+Record without_details(Record run) {
+  run.columns = {};
+  run.courses.clear();
+  return run;
 }
 
-// The recorded runs and scenes of this build, and the offset of the end of the last complete write.
+// Adds a line of the same build. Of another machine, an examination counts unless one is known or the run was
+// too slow there; a time does not.
+void add(ResultsLine line, bool from_here, RecordedByKey& runs) {
+  if (auto* run = std::get_if<Record>(&line)) {
+    if (!from_here && (runs.contains(run->key) || run->ending.kind == SolveStatus::out_of_budget)) return;
+    if (!from_here) run->timing = {};
+    runs.insert_or_assign(run->key, without_details(*run));
+  } else if (const auto* times = std::get_if<LaterTimes>(&line)) {
+    const auto found = runs.find(times->key);
+    if (from_here && found != runs.end()) found->second.take(times->timing);
+  }
+}
+
+// The recorded runs and scenes of this build, and the offset of the end of the last complete line.
 struct RecordedContents {
-  RecordedByKey runs{};
+  ReadRecorded read{};
   std::set<SceneSettings> scenes{};
-  ScanSummary summary{};
+  std::uint64_t complete = 0;
 };
 RecordedContents recorded_in(const std::filesystem::path& file, const Session& build) {
   RecordedContents found;
   bool is_ours = false, from_here = false;
-  found.summary = scan_results(file, {.session =
-                                          [&](const Session& session, auto) {
-                                            is_ours = same_build(session, build);
-                                            from_here = same_machine(session, build);
-                                          },
-                                      .scene =
-                                          [&](const SceneDescription& scene, auto) {
-                                            if (is_ours) found.scenes.insert(scene.scene);
-                                          },
-                                      .rows =
-                                          [&](const std::vector<Record>& rows, auto) {
-                                            if (!is_ours) return;
-                                            RecordedRun& run = found.runs[rows.front().key];
-                                            if (!counts(rows, from_here, run)) return;
-                                            for (const Record& row : rows) run.add(row);
-                                          }});
+  ResultsReader reader(file);
+  while (auto line = reader.next()) {
+    if (const auto* session = std::get_if<Session>(&*line)) {
+      is_ours = same_build(*session, build);
+      from_here = same_machine(*session, build);
+    }
+    if (!is_ours) continue;
+    if (const auto* scene = std::get_if<SceneDescription>(&*line)) found.scenes.insert(scene->scene);
+    add(std::move(*line), from_here, found.read.runs);
+  }
+  found.read.warning = reader.warning();
+  found.complete = reader.complete();
   return found;
 }
 
 }  // namespace
 
-bool same_build(const Session& a, const Session& b) {
-  const auto facts = [](const Session& s) { return std::tie(s.compiler, s.flags, s.commit, s.version); };
-  return facts(a) == facts(b);
-}
-
-bool same_machine(const Session& a, const Session& b) { return a.machine == b.machine; }
-
-bool is_time(const Record& row) {
-  return row.unit == "s" ||
-         std::ranges::find(time_measures(), row.quantity, &TimeMeasure::id) != time_measures().end();
-}
-
-// Rows are counted first: growing the vector would need twice the memory.
 Results read_results(const std::filesystem::path& file) {
-  std::size_t count = 0;
-  for (LineReader line(file); line.next();) ++count;
   Results results;
-  results.records.reserve(count);
-  results.warning =
-      scan_results(file,
-                   {.session = [&](const Session& session, auto) { results.sessions.push_back(session); },
-                    .scene = [&](const SceneDescription& scene, auto) { results.scenes.push_back(scene); },
-                    .rows = [&](std::vector<Record> rows,
-                                auto) { std::ranges::move(rows, std::back_inserter(results.records)); }})
-          .warning;
+  std::vector<std::size_t> builds;  // for each session the first of the same build
+  std::map<std::pair<std::size_t, RunKey>, std::size_t> last;
+  ResultsReader reader(file);
+  while (auto line = reader.next()) {
+    if (auto* session = std::get_if<Session>(&*line)) {
+      const auto same = [&](const Session& other) { return same_build(other, *session); };
+      builds.push_back(
+          static_cast<std::size_t>(std::ranges::find_if(results.sessions, same) - results.sessions.begin()));
+      results.sessions.push_back(std::move(*session));
+    } else if (auto* scene = std::get_if<SceneDescription>(&*line)) {
+      results.scenes.push_back(std::move(*scene));
+    } else if (auto* run = std::get_if<Record>(&*line)) {
+      last.insert_or_assign({builds.back(), run->key}, results.records.size());
+      results.records.push_back(std::move(*run));
+    } else if (const auto* times = std::get_if<LaterTimes>(&*line)) {
+      const auto found = last.find({builds.back(), times->key});
+      if (found != last.end()) results.records[found->second].take(times->timing);
+    }
+  }
+  results.warning = reader.warning();
   return results;
 }
 
-RecordedRun recorded_of(const RecordedByKey& runs, const RunKey& run) {
+std::optional<Record> recorded_of(const RecordedByKey& runs, const RunKey& run) {
   const auto found = runs.find(run);
-  return found == runs.end() ? RecordedRun() : found->second;
+  return found == runs.end() ? std::nullopt : std::optional(found->second);
 }
 
 ReadRecorded read_recorded(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return {};
-  auto found = recorded_in(file, this_session());
-  return {std::move(found.runs), std::move(found.summary.warning)};
+  return std::filesystem::exists(file) ? recorded_in(file, this_session()).read : ReadRecorded();
 }
 
 ResultsFile::ResultsFile(std::filesystem::path file, std::chrono::seconds wait) : path_(std::move(file)) {
@@ -126,10 +127,10 @@ ResultsFile::ResultsFile(std::filesystem::path file, std::chrono::seconds wait) 
   try {
     if (!try_lock_for(wait, descriptor_)) throw cannot_be_written(path_, "another run is writing to it");
     auto found = recorded_in(path_, session_);
-    recorded_ = std::move(found.runs);
+    recorded_ = std::move(found.read.runs);
     described_ = std::move(found.scenes);
-    warning_ = std::move(found.summary.warning);
-    if (ftruncate(descriptor_, static_cast<off_t>(found.summary.valid)) != 0)
+    warning_ = std::move(found.read.warning);
+    if (ftruncate(descriptor_, static_cast<off_t>(found.complete)) != 0)
       throw cannot_be_written(path_, std::strerror(errno));
   } catch (...) {
     close(descriptor_);
@@ -139,11 +140,14 @@ ResultsFile::ResultsFile(std::filesystem::path file, std::chrono::seconds wait) 
 
 ResultsFile::~ResultsFile() { close(descriptor_); }
 
-void ResultsFile::append(const std::vector<Record>& rows) {
-  std::string lines;
-  for (const auto& row : rows) lines += line_of(row, &row == &rows.back());
-  write(lines);
-  for (const Record& row : rows) recorded_[row.key].add(row);
+void ResultsFile::append(const Record& run) {
+  write(line_of(run));
+  recorded_.insert_or_assign(run.key, without_details(run));
+}
+
+void ResultsFile::append_times(const Record& run) {
+  write(line_of(LaterTimes{run.key, run.timing}));
+  recorded_.insert_or_assign(run.key, without_details(run));
 }
 
 void ResultsFile::append(const SceneDescription& scene) {
@@ -151,14 +155,15 @@ void ResultsFile::append(const SceneDescription& scene) {
   write(line_of(scene));
 }
 
-void ResultsFile::write(const std::string& lines) {
+void ResultsFile::write(const std::string& line) {
   try {
-    require_readable(lines);
+    if (line.size() > most_line_bytes + 1) throw std::invalid_argument("too long");
+    parse_line(line);
   } catch (const std::exception& reason) {
-    throw UnreadableLines(
+    throw UnreadableLine(
         fmt::format("{}: not written, for no command could read it: {}", path_.string(), reason.what()));
   }
-  write_bytes(session_written_ ? lines : line_of(session_) + lines);
+  write_bytes(session_written_ ? line : line_of(session_) + line);
   session_written_ = true;
 }
 
@@ -171,14 +176,13 @@ void ResultsFile::write_bytes(const std::string& text) {
     if (count <= 0) {
       const int reason = errno;
       [[maybe_unused]] const int ignored =
-          ftruncate(descriptor_, before);  // incomplete rows are ignored by readers
+          ftruncate(descriptor_, before);  // an incomplete line is ignored by readers
       throw std::system_error(reason, std::generic_category(), path_.string() + ": cannot be written");
     }
     written += static_cast<std::size_t>(count);
   }
   struct stat file {};
-  if (fstat(descriptor_, &file) == 0 &&
-      file.st_nlink == 0) {  // the file has been unlinked: the rows are lost
+  if (fstat(descriptor_, &file) == 0 && file.st_nlink == 0) {  // the file has been unlinked: the line is lost
     throw std::system_error(ENOENT, std::generic_category(), path_.string() + ": cannot be written");
   }
 }

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <functional>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
-#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 
 namespace fde::bench {
+
+// The accuracies for which the cheapest run is wanted by default: the targets of the default sweep, and the
+// cells of the page.
+inline constexpr std::array default_accuracies{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
 
 // Which runs of a scene are accurate enough.
 struct AccuracyTarget {
@@ -23,12 +27,5 @@ struct AccuracyTarget {
 
 // Progress callback: `what` is being run, `part` in [0, 1] is the elapsed fraction of the time.
 using SearchProgress = std::function<void(const std::string& what, double part)>;
-
-// The indices of all columns of the scene.
-inline std::vector<Eigen::Index> all_columns(const Scene& scene) {
-  std::vector<Eigen::Index> columns(scene.outputs.names.size());
-  std::iota(columns.begin(), columns.end(), Eigen::Index{0});
-  return columns;
-}
 
 }  // namespace fde::bench

@@ -24,8 +24,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Configurations within this factor of the quickest, by few solves of each, are timed against it.
 constexpr double margin = 1.5;
 
@@ -99,10 +97,10 @@ class Search {
   [[nodiscard]] double quickest() const { return quickest_seconds(goal_, refinements_).front(); }
 
   std::vector<std::optional<StepsOrTolerance>> next_runs() {
-    constexpr double part_of_scan = 0.1, runs_of_scan = 25.0, long_run = 0.05;
+    constexpr double part_of_scan = 0.1, runs_of_scan = 25.0, long_solve = 0.05;
     goal_.most_seconds = most_of_rest * left();
     goal_.most_seconds_scanned = part_of_scan * left() / runs_of_scan;
-    goal_.closeness = quickest() < long_run ? 1.015 : 1.1;
+    goal_.closeness = quickest() < long_solve ? 1.015 : 1.1;
     return next_resolutions(goal_, refinements_);
   }
 
@@ -111,28 +109,15 @@ class Search {
            std::ranges::any_of(next_runs(), [](const auto& next) { return next.has_value(); });
   }
 
-  // The forecast seconds of the next run of a configuration.
-  [[nodiscard]] double expected_seconds(std::size_t i, const StepsOrTolerance& resolution) const {
-    if (const auto* steps = std::get_if<int>(&resolution))
-      return seconds_with(refinements_[i], *steps).value_or(0.0);
-    return refinements_[i].runs.empty() ? 0.0 : refinements_[i].runs.back().seconds.value_or(0.0);
-  }
-
-  // Makes the next runs that take about as long as the shortest of them, so that the quickest run within the
-  // accuracy is found before longer runs are made. Returns whether there was any.
+  // Makes the next runs that are due. Returns whether there was any.
   bool make_next_runs() {
-    constexpr double alike = 4.0, short_run = 5e-5;
     const auto next = next_runs();
-    double shortest = infinity;
-    for (std::size_t i = 0; i < next.size(); ++i)
-      if (next[i]) shortest = std::min(shortest, expected_seconds(i, *next[i]));
-    if (shortest == infinity) return false;
-    for (std::size_t i = 0; i < next.size(); ++i) {
+    const auto due = due_runs(goal_, refinements_, next);
+    for (const std::size_t i : due) {
       if (left() == 0.0) return false;
-      if (next[i] && expected_seconds(i, *next[i]) <= std::max(alike * shortest, short_run))
-        make_run(i, *next[i]);
+      make_run(i, *next[i]);
     }
-    return true;
+    return !due.empty();
   }
 
   void make_run(std::size_t i, const StepsOrTolerance& resolution) {

@@ -15,7 +15,7 @@
 #include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/files/unfinished.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde::bench {
 namespace {
@@ -24,13 +24,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view plan_name = "plan.json", shard_prefix = "shard-";
 
-// Bytes of a run: a row of usual length for each of its quantities.
+// Bytes of a run of usual length, in two lines.
 double bytes_of(const RunKey& run) {
-  constexpr double rows = 24.0, value = 0.1234567890123456;
-  return rows *
-         static_cast<double>(
-             line_of(Record{.key = run, .h = value, .quantity = "error_maximum", .value = value}, false)
-                 .size());
+  constexpr double values = 900.0;
+  return values + 2.0 * static_cast<double>(line_of(LaterTimes{.key = run}).size());
 }
 
 Json json_of(const PlannedWork& work) {
@@ -72,8 +69,7 @@ struct UnfinishedFolder {
   explicit UnfinishedFolder(const std::filesystem::path& beside) : path(unfinished_name(beside)) {
     std::filesystem::create_directory(path);
   }
-  UnfinishedFolder(const UnfinishedFolder&) = delete;
-  UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+  UnfinishedFolder& operator=(UnfinishedFolder&&) = delete;
   ~UnfinishedFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path, ignored);

@@ -15,9 +15,7 @@
 #include "fdebench/benchmarks/measures/total_variation.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/observers/drift.hpp"
-#include "fdebench/benchmarks/observers/energy_balance.hpp"
 #include "fdebench/benchmarks/observers/retained_columns.hpp"
-#include "fdebench/benchmarks/records/run_rows.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 #include "fdebench/schemes/stepping/setup_time.hpp"
 
@@ -133,25 +131,10 @@ Examined solve_and_judge(const Scene& scene, MemoizedReference& reference, const
   return {path.steps, judge(scene, path, columns, reference, observed)};
 }
 
-// A row without its value. For a grid `steps` is the requested number, also if the run stopped earlier.
-Record row_of(const SceneSettings& name, const Scene& scene, const Scheme& scheme, const RunSettings& setup,
-              std::int64_t made) {
-  const auto* requested = std::get_if<int>(&setup.resolution);
-  const int steps = requested != nullptr ? *requested : static_cast<int>(made);
-  return {.key = {.scene = name, .scheme = std::string(scheme.id), .setup = setup},
-          .steps = steps,
-          .h = steps > 0 ? scene.problem.end / steps : 0.0};
-}
-
-struct TimedRun {
-  std::int64_t steps = 0;
-  TimedSolves solves{};
-};
-
-TimedRun solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
-                          const Options& options, const TimingRepeats& repeats) {
-  TimedRun timed;
-  auto& seconds = timed.solves.seconds;
+TimedSolves solve_repeatedly(const Scheme& scheme, const Problem& problem, const Resolution& resolution,
+                             const Options& options, const TimingRepeats& repeats) {
+  TimedSolves timed;
+  auto& seconds = timed.seconds;
   const TimingWatch watch;
   double total = 0.0;
   while (total < repeats.min_seconds ||
@@ -159,35 +142,39 @@ TimedRun solve_repeatedly(const Scheme& scheme, const Problem& problem, const Re
     const SetupTime setup;
     const double ran_before = thread_seconds();
     const auto start = std::chrono::steady_clock::now();
-    const auto path = scheme.solve(problem, resolution, options);
+    scheme.solve(problem, resolution, options);
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    timed.solves.waited.push_back(std::max(0.0, seconds.back() - (thread_seconds() - ran_before)));
-    timed.solves.setup_seconds = setup.seconds();
+    timed.waited.push_back(std::max(0.0, seconds.back() - (thread_seconds() - ran_before)));
+    timed.setup_seconds = setup.seconds();
     total += seconds.back();
-    timed.steps = path.steps;
   }
-  timed.solves.conditions = watch.conditions();
+  timed.conditions = watch.conditions();
   return timed;
 }
 
 }  // namespace
 
-std::vector<Record> examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
-                            const Scheme& scheme, const RunSettings& setup) {
+// Over a grid the steps are the requested ones, also if the run stopped earlier.
+Record examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
+               const Scheme& scheme, const RunSettings& setup) {
   const auto [steps, judgement] = solve_and_judge(scene, reference, scheme, setup);
-  return rows_of_examination(row_of(name, scene, scheme, setup, steps), judgement);
+  const auto* requested = std::get_if<int>(&setup.resolution);
+  return assessed({.key = {.scene = name, .scheme = std::string(scheme.id), .setup = setup},
+                   .steps = requested != nullptr ? *requested : static_cast<int>(steps),
+                   .end = scene.problem.end},
+                  judgement);
 }
 
-std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
-                                const RunSettings& setup, const TimingRepeats& repeats) {
+Timing time_solves(const Scene& scene, const Scheme& scheme, const RunSettings& setup,
+                   const TimingRepeats& repeats) {
   Options options = setup.options();
   options.budget = std::numeric_limits<double>::infinity();  // the examined run has finished
   options.output_times = {scene.problem.end};
   const auto resolution = resolution_of(setup, scene.problem.end);
-  TimedRun timed;
-  for (int attempt = 0; attempt < repeats.attempts && (attempt == 0 || is_disturbed(timed.solves)); ++attempt)
+  TimedSolves timed;
+  for (int attempt = 0; attempt < repeats.attempts && (attempt == 0 || is_disturbed(timed)); ++attempt)
     timed = solve_repeatedly(scheme, scene.problem, resolution, options, repeats);
-  return rows_of_times(row_of(name, scene, scheme, setup, timed.steps), timed.solves);
+  return timing_of(timed);
 }
 
 }  // namespace fde::bench

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
@@ -10,11 +8,11 @@
 
 namespace fde::bench {
 
-// All records of one run except its time: solves once within the budget, compares the run with the reference
-// at comparison_times, and returns one row per measure, the status of the run last. `name` is the scene's key
-// in the rows. Thread safe if each thread has its own MemoizedReference.
-std::vector<Record> examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
-                            const Scheme& scheme, const RunSettings& setup);
+// The record of one run except its times: solves once within the budget and compares the run with the
+// reference at comparison_times. `name` is the scene's key in the record. Thread safe if each thread has its
+// own MemoizedReference.
+Record examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
+               const Scheme& scheme, const RunSettings& setup);
 
 // The number of timed repeats of a run: `most`; more while they take less than `min_seconds` in total, no
 // more once they have taken `enough_seconds`. Where other work disturbs them, all are repeated, `attempts`
@@ -25,9 +23,9 @@ struct TimingRepeats {
   int attempts = 1;
 };
 
-// The time records of a run; of several attempts the last. The solves store the last step only.
-// Preconditions: is_compared(ending) of the run, and no other work on the machine during the call.
-std::vector<Record> time_solves(const SceneSettings& name, const Scene& scene, const Scheme& scheme,
-                                const RunSettings& setup, const TimingRepeats& repeats);
+// The times of a run; of several attempts the last. The solves store the last step only. Preconditions:
+// is_compared(ending) of the run, and no other work on the machine during the call.
+Timing time_solves(const Scene& scene, const Scheme& scheme, const RunSettings& setup,
+                   const TimingRepeats& repeats);
 
 }  // namespace fde::bench

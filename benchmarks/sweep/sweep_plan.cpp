@@ -15,7 +15,7 @@ constexpr std::array hopeless{
     OutcomeKind(Verdict::overflow),          OutcomeKind(Verdict::passed_singularity),
     OutcomeKind(Verdict::program_failed)};
 
-RunError error_of(const RecordedRun& run, Norm norm) {
+RunError error_of(const Record& run, Norm norm) {
   const ErrorKind kind{.norm = norm, .scale = Scale::mixed};
   RunError error;
   error.value = run[error_measure(kind)].value_or(error.value);
@@ -40,27 +40,15 @@ std::vector<StepsOrTolerance> resolutions_for(const SweepPlan& plan, const Capab
   return own.empty() ? plan.resolutions : own;
 }
 
-RefinementRun refinement_run(const RunSettings& setup, const RecordedRun& run) {
-  const auto* steps = std::get_if<int>(&setup.resolution);
-  return {
-      .resolution = setup.resolution,
-      .steps = steps != nullptr ? *steps : 0,
-      .seconds = run["time_minimum"],
-      .fails_with_more_steps = run.ending() && std::ranges::find(hopeless, *run.ending()) != hopeless.end(),
-      .is_whole_process = run.wall_clock(),
-      .errors = {error_of(run, Norm::end), error_of(run, Norm::maximum)}};
-}
-
-std::vector<std::optional<StepsOrTolerance>> next_runs(const SweepPlan& plan,
-                                                       std::span<const std::vector<StepsOrTolerance>> listed,
-                                                       std::span<const Refinement> of_scene) {
-  if (plan.goal) return next_resolutions(*plan.goal, of_scene);
-  std::vector<std::optional<StepsOrTolerance>> next(of_scene.size());
-  for (std::size_t i = 0; i < of_scene.size(); ++i) {
-    const std::size_t made = of_scene[i].runs.size();
-    if (made < listed[i].size()) next[i] = listed[i][made];
-  }
-  return next;
+RefinementRun refinement_run(const Record& run) {
+  const auto& resolution = run.key.setup.resolution;
+  const auto* steps = std::get_if<int>(&resolution);
+  return {.resolution = resolution,
+          .steps = steps != nullptr ? *steps : 0,
+          .seconds = run["time_minimum"],
+          .fails_with_more_steps = std::ranges::find(hopeless, run.ending.kind) != hopeless.end(),
+          .is_whole_process = run.timing.wall_clock,
+          .errors = {error_of(run, Norm::end), error_of(run, Norm::maximum)}};
 }
 
 }  // namespace fde::bench

@@ -2,18 +2,17 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "fdebench/benchmarks/records/recorded_run.hpp"
-#include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/search/next_resolution.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
 
 // Which runs of each refinement (a scheme with a grading, or a program) a sweep makes: with a goal those that
-// next_resolutions() chooses; otherwise these resolutions (numbers of steps, tolerances), in this order.
+// next_resolutions() and due_runs() choose; otherwise these resolutions (numbers of steps, tolerances), in
+// this order.
 struct SweepPlan {
   std::vector<StepsOrTolerance> resolutions{};
   std::optional<SearchGoal> goal{};
@@ -28,11 +27,6 @@ std::vector<StepsOrTolerance> resolutions_for(const SweepPlan& plan, const Capab
 inline constexpr std::size_t error_at_end = 0, error_maximum = 1;
 
 // A recorded run as the choice of the next one sees it.
-RefinementRun refinement_run(const RunSettings& setup, const RecordedRun& run);
-
-// The next run of each refinement of a scene; nullopt where it has ended. `listed`: its resolutions_for().
-std::vector<std::optional<StepsOrTolerance>> next_runs(const SweepPlan& plan,
-                                                       std::span<const std::vector<StepsOrTolerance>> listed,
-                                                       std::span<const Refinement> of_scene);
+RefinementRun refinement_run(const Record& run);
 
 }  // namespace fde::bench

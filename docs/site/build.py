@@ -91,7 +91,7 @@ def map_page(results):
     """The page that leads to the report, with what its results were measured on."""
     rows = [json.loads(line) for line in results.read_text().splitlines()]
     session = next(row["session"] for row in rows if "session" in row)
-    scenes, schemes = ({row[key] for row in rows if "quantity" in row} for key in ("scene", "scheme"))
+    scenes, schemes = ({row[key] for row in rows if "ending" in row} for key in ("scene", "scheme"))
     return f"""---
 hide: [navigation, toc]
 ---

@@ -14,7 +14,7 @@ namespace fde::bench {
 namespace {
 
 // The uncertainty of an error of a run in this norm, on the absolute scale.
-double uncertainty(const MeasuredRun& run, Norm norm) {
+double uncertainty(const Record& run, Norm norm) {
   constexpr double samples = 4.0;
   const double at_end = run["reference_bound"].value_or(0.0);  // older results have this bound only
   const double bound = norm == Norm::maximum ? run["reference_bound_maximum"].value_or(at_end) : at_end;
@@ -22,7 +22,7 @@ double uncertainty(const MeasuredRun& run, Norm norm) {
 }
 
 // The ratio of an error on this scale to the absolute error at the end; 1 for absolute errors.
-double unit_of(const MeasuredRun& run, Scale scale, double error) {
+double unit_of(const Record& run, Scale scale, double error) {
   const double at_end = run["error_end"].value_or(0.0);
   return scale == Scale::absolute || at_end == 0.0 ? 1.0 : error / at_end;
 }
@@ -57,7 +57,7 @@ void compare_times(const CommonRun& run, Comparison& of) {
   const auto before = time_of(*run.before), now = time_of(*run.now);
   if (before && !now) ++of.timed_before;
   if (!before || !now || before->low <= 0.0 || now->low <= 0.0) return;
-  if (run.before->wall_clock != run.now->wall_clock) return;
+  if (run.before->timing.wall_clock != run.now->timing.wall_clock) return;
   of.times.push_back({.run = run,
                       .before = *before,
                       .now = *now,
@@ -86,10 +86,10 @@ void put_worst_first(Comparison& comparison) {
 }
 
 // All runs, finished and failed, by key.
-std::map<RunKey, const MeasuredRun*> by_key(const Runs& runs) {
-  std::map<RunKey, const MeasuredRun*> all;
+std::map<RunKey, const Record*> by_key(const Runs& runs) {
+  std::map<RunKey, const Record*> all;
   for (const auto* some : {&runs.finished, &runs.failed}) {
-    for (const MeasuredRun& run : *some) all.emplace(run.key, &run);
+    for (const Record& run : *some) all.emplace(run.key, &run);
   }
   return all;
 }

@@ -14,7 +14,7 @@ namespace fde::bench {
 
 // A run that is in both sets of results.
 struct CommonRun {
-  const MeasuredRun *before, *now;
+  const Record *before, *now;
 };
 
 // The ratio of two times, now / before, with the interval that follows from the intervals of both medians. A

@@ -35,7 +35,7 @@ std::string table(const std::string& heading, const std::vector<Row>& rows, cons
 }
 
 std::string ending_text(const EndingChange& change) {
-  const auto words = [](const MeasuredRun& run, const TrialResult& verdict) {
+  const auto words = [](const Record& run, const TrialResult& verdict) {
     return fmt::format("{} ({})", verdict.word, sentence(run.ending));
   };
   return fmt::format("{:<7}  {} -> {} :", change.is_worse() ? "worse" : "changed",

@@ -70,9 +70,9 @@ Runs take_families(Runs& runs) {
     for (const auto& [scene, numbers] : scenes) wanted.insert(scene);
   }
   Runs taken;
-  const auto take = [&](std::vector<MeasuredRun>& from, std::vector<MeasuredRun>& to) {
+  const auto take = [&](std::vector<Record>& from, std::vector<Record>& to) {
     const auto kept = std::stable_partition(
-        from.begin(), from.end(), [&](const MeasuredRun& run) { return !wanted.contains(run.key.scene); });
+        from.begin(), from.end(), [&](const Record& run) { return !wanted.contains(run.key.scene); });
     to.assign(std::make_move_iterator(kept), std::make_move_iterator(from.end()));
     from.erase(kept, from.end());
   };

@@ -44,9 +44,9 @@ int finest_common(const ConstrainedScene& scene) {
     for (const RunSpan line : by_line(formulation.runs)) lines.push_back(line);
   }
   int finest = 0;
-  for (const MeasuredRun& run : lines.front()) {
+  for (const Record& run : lines.front()) {
     const bool common = std::ranges::all_of(lines, [&](RunSpan line) {
-      return std::ranges::find(line, run.steps, &MeasuredRun::steps) != line.end();
+      return std::ranges::find(line, run.steps, &Record::steps) != line.end();
     });
     if (common) finest = std::max(finest, run.steps);
   }
@@ -54,12 +54,12 @@ int finest_common(const ConstrainedScene& scene) {
 }
 
 // Sort key of runs: drift, then error.
-std::pair<double, double> rank_of(const MeasuredRun& run) {
+std::pair<double, double> rank_of(const Record& run) {
   return {std::max(effective_drift(run), rounding_drift),
           run["error_end"].value_or(std::numeric_limits<double>::infinity())};
 }
 
-double seconds_of(const MeasuredRun& run) {
+double seconds_of(const Record& run) {
   return run["time_minimum"].value_or(std::numeric_limits<double>::infinity());
 }
 
@@ -68,7 +68,7 @@ double seconds_of(const MeasuredRun& run) {
 std::vector<ConstrainedScene> constrained_scenes(const Runs& runs) {
   std::vector<ConstrainedScene> scenes;
   for (const auto* some : {&runs.finished, &runs.failed}) {
-    for (const MeasuredRun& run : *some) {
+    for (const Record& run : *some) {
       if (!run["drift_internal"]) continue;
       const SceneSettings& scene = run.key.scene;
       auto& of = named(scenes, &ConstrainedScene::scene, without_formulation(scene)).formulations;
@@ -79,7 +79,7 @@ std::vector<ConstrainedScene> constrained_scenes(const Runs& runs) {
   return scenes;
 }
 
-double effective_drift(const MeasuredRun& run) {
+double effective_drift(const Record& run) {
   const auto independent = run["drift_independent"];
   return independent ? *independent : run["drift_internal"].value_or(0.0);
 }
@@ -94,7 +94,7 @@ BestInTimes best_in_time(const ConstrainedScene& scene) {
     best.seconds = std::min(best.seconds, longest);
   }
   for (const auto& formulation : scene.formulations) {
-    const MeasuredRun* least = nullptr;
+    const Record* least = nullptr;
     for (const auto& run : formulation.runs) {
       const bool better = least == nullptr || rank_of(run) < rank_of(*least);
       if (seconds_of(run) <= best.seconds && better) least = &run;

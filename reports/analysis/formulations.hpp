@@ -12,7 +12,7 @@ namespace fde::bench {
 // included.
 struct FormulationRuns {
   std::string formulation;  // empty: the scene has one formulation only
-  std::vector<MeasuredRun> runs{};
+  std::vector<Record> runs{};
 };
 
 // A scene in all its formulations.
@@ -27,7 +27,7 @@ std::vector<ConstrainedScene> constrained_scenes(const Runs& runs);
 
 // The independent drift of a run, or the internal one if the independent one was not measured; 0 if neither
 // was.
-double effective_drift(const MeasuredRun& run);
+double effective_drift(const Record& run);
 
 // Drifts below this are rounding and compare as equal.
 inline constexpr double rounding_drift = 1e-12;
@@ -36,7 +36,7 @@ inline constexpr double rounding_drift = 1e-12;
 // error.
 struct BestInTime {
   std::string formulation;
-  MeasuredRun run;
+  Record run;
 };
 
 // The best run of each formulation within `seconds`, the longest time up to which every formulation has runs;

@@ -35,7 +35,7 @@ bool differ_by_scene_only(const Runs& runs) {
   std::map<std::string, double> of_schemes;
   bool differ = false;
   for (const auto* some : {&runs.finished, &runs.failed}) {
-    for (const MeasuredRun& run : *some) {
+    for (const Record& run : *some) {
       const double grading = run.key.setup.grading;
       if (grading == 1.0) continue;
       const auto [first, is_new] = gradings.try_emplace({run.key.scene, run.key.scheme}, grading);
@@ -49,9 +49,9 @@ bool differ_by_scene_only(const Runs& runs) {
 }  // namespace
 
 LineNames::LineNames(const Runs& runs) {
-  const MeasuredRun* first = nullptr;
+  const Record* first = nullptr;
   for (const auto* some : {&runs.finished, &runs.failed}) {
-    for (const MeasuredRun& run : *some) {
+    for (const Record& run : *some) {
       if (run.key.external) {
         external_.insert(run.key.scheme);
         continue;

@@ -24,9 +24,9 @@ std::optional<double> NormRate::deviation() const {
 
 Fit observed_rate(RunSpan line, std::string_view quantity) {
   std::vector<ErrorSample> points;
-  for (const MeasuredRun& run : finest(line)) {
+  for (const Record& run : finest(line)) {
     const auto value = run[quantity];
-    if (value && run.h > 0.0) points.push_back({run.h, *value});
+    if (value && run.h() > 0.0) points.push_back({run.h(), *value});
   }
   return fit_rate(points);
 }

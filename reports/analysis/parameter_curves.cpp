@@ -45,7 +45,7 @@ std::map<Line, std::set<int>> common_steps(const ScenesByValue& family) {
       if (!std::holds_alternative<int>(runs.front().key.setup.resolution)) continue;
       const Line line = line_of(runs.front().key);
       std::set<int> here, both;
-      for (const MeasuredRun& run : runs) here.insert(run.steps);
+      for (const Record& run : runs) here.insert(run.steps);
       if (values[line]++ == 0) steps[line] = here;
       std::ranges::set_intersection(steps[line], here, std::inserter(both, both.end()));
       steps[line] = both;
@@ -69,7 +69,7 @@ std::vector<CurvePoint> points_of(const ScenesByValue& family, const std::map<Li
                                   int steps) {
   std::vector<CurvePoint> points;
   for (const auto& [value, scene] : family) {
-    for (const MeasuredRun& run : scene) {
+    for (const Record& run : scene) {
       if (run.steps == steps && lines.contains(line_of(run.key))) points.push_back({value, &run});
     }
   }

@@ -11,7 +11,7 @@ namespace fde::bench {
 // A run at one value of the parameter.
 struct CurvePoint {
   double value = 0.0;
-  const MeasuredRun* run = nullptr;
+  const Record* run = nullptr;
 };
 
 // The runs of scenes that differ in one parameter, all with the same number of steps: the largest that every

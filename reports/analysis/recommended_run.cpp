@@ -14,26 +14,26 @@ namespace fde::bench {
 namespace {
 
 // The error of a run; in the maximum norm at least the variation that one of its steps contains.
-std::optional<double> counted_error(const MeasuredRun& run, const ErrorKind& kind) {
+std::optional<double> counted_error(const Record& run, const ErrorKind& kind) {
   const auto error = run[error_measure(kind)];
   if (!error || kind.norm == Norm::end) return error;
   return std::max(*error, run[unresolved_measure(kind.scale)].value_or(0.0));
 }
 
 // nullopt if the run has no error of this kind.
-std::optional<RecommendedRun> option_of(const MeasuredRun& run, const ErrorKind& kind) {
+std::optional<RecommendedRun> option_of(const Record& run, const ErrorKind& kind) {
   const auto error = counted_error(run, kind);
   if (!error) return std::nullopt;
   RecommendedRun option{.schemes = {run.key.scheme},
                         .setup = run.key.setup,
                         .steps = run.steps,
                         .error = *error,
-                        .session = run.session,
+                        .session = run.last_session(),
                         .external = run.key.external,
-                        .wall_clock = run.wall_clock};
+                        .wall_clock = run.timing.wall_clock};
   option.time = time_of(run).value_or(MedianInterval{});
   option.setup_seconds = run["time_setup"].value_or(0.0);
-  option.first_run = run.first_run;
+  option.first_run = run.timing.first_run;
   return option;
 }
 
@@ -44,12 +44,12 @@ bool is_quicker(const RecommendedRun& a, const RecommendedRun& b) {
 }
 
 // Whether the run is better than the baseline: the baseline's error is recorded only if it is not.
-bool counts(const MeasuredRun& run, const ErrorKind& kind) { return !run[baseline_measure(kind)]; }
+bool counts(const Record& run, const ErrorKind& kind) { return !run[baseline_measure(kind)]; }
 
 // The errors with fewer than `below` steps; empty with adaptive step size, which has no rate.
 std::vector<TrialError> errors_of(RunSpan line, const ErrorKind& kind, int below) {
   std::vector<TrialError> errors;
-  for (const MeasuredRun& run : line) {
+  for (const Record& run : line) {
     if (!std::holds_alternative<int>(run.key.setup.resolution)) continue;
     const auto error = run[error_measure(kind)];
     if (error && run.steps > 0 && run.steps < below) errors.push_back({run.steps, *error});
@@ -59,7 +59,7 @@ std::vector<TrialError> errors_of(RunSpan line, const ErrorKind& kind, int below
 
 std::optional<RecommendedRun> quickest_within(RunSpan line, const ErrorKind& kind, double accuracy) {
   std::optional<RecommendedRun> best;
-  for (const MeasuredRun& run : line) {
+  for (const Record& run : line) {
     const auto option = option_of(run, kind);
     if (!option || option->error > accuracy || !is_timed(*option) || !counts(run, kind)) continue;
     if (!best || is_quicker(*option, *best)) best = option;
@@ -70,7 +70,7 @@ std::optional<RecommendedRun> quickest_within(RunSpan line, const ErrorKind& kin
 // The runs of a line as the search sees them, to ask whether two lines are one algorithm.
 Refinement refinement_of(RunSpan line) {
   Refinement refinement;
-  for (const MeasuredRun& run : line) {
+  for (const Record& run : line) {
     refinement.is_adaptive = !std::holds_alternative<int>(run.key.setup.resolution);
     RefinementRun seen{.resolution = run.steps, .steps = run.steps};
     for (const auto* error : {"error_end", "error_maximum"})
@@ -104,7 +104,7 @@ std::vector<NamedLine> named_lines(RunSpan runs) {
 }
 
 std::size_t count_untimed(RunSpan runs, const ErrorKind& kind, double accuracy) {
-  return static_cast<std::size_t>(std::ranges::count_if(runs, [&](const MeasuredRun& run) {
+  return static_cast<std::size_t>(std::ranges::count_if(runs, [&](const Record& run) {
     const auto option = option_of(run, kind);
     return option && option->error <= accuracy && counts(run, kind) && !is_timed(*option);
   }));
@@ -144,7 +144,7 @@ RecommendedRun with_prediction(RecommendedRun option, const Runs& runs, const Sc
 std::vector<ErrorForecast> SceneLines::forecasts(const ErrorKind& kind) const {
   std::vector<ErrorForecast> all;
   for (const auto& [line, names] : lines_) {
-    const MeasuredRun& finest = line.back();
+    const Record& finest = line.back();
     ErrorModel errors(errors_of(line, kind, finest.steps + 1));
     if (errors.empty()) continue;
     all.push_back({finest.steps,
@@ -156,13 +156,15 @@ std::vector<ErrorForecast> SceneLines::forecasts(const ErrorKind& kind) const {
 
 std::optional<Shortfall> SceneLines::shortfall(const ErrorKind& kind, double accuracy,
                                                std::span<const ErrorForecast> forecasts) const {
-  std::optional<RecommendedRun> best;
-  for (const MeasuredRun& run : runs_) {
-    const auto option = option_of(run, kind);
-    if (option && (!best || option->error < best->error)) best = option;
-  }
-  if (!best) return std::nullopt;
-  Shortfall found{.best = *best, .untimed = count_untimed(runs_, kind, accuracy)};
+  constexpr double part_of_rounding = 0.25, part_of_reference = 0.1;
+  const auto best = std::ranges::min_element(
+      runs_, {}, [&](const Record& run) { return counted_error(run, kind).value_or(INFINITY); });
+  const auto error = best == runs_.end() ? std::nullopt : option_of(*best, kind);
+  if (!error) return std::nullopt;
+  Shortfall found{.best = *error, .untimed = count_untimed(runs_, kind, accuracy)};
+  const auto bound = (*best)[kind.norm == Norm::end ? "reference_bound" : "reference_bound_maximum"];
+  found.is_rounding = (*best)["rounding"].value_or(0.0) >= part_of_rounding * error->error;
+  if (!found.is_rounding && bound && *bound >= part_of_reference * error->error) found.known_up_to = bound;
   for (const auto& [finest, line, errors] : forecasts) {
     Prediction needed = errors.steps(accuracy);
     needed.value = std::max(needed.value, finest + 1.0);

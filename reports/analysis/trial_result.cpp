@@ -8,7 +8,7 @@ constexpr double surviving = 1e-2;
 
 }  // namespace
 
-TrialResult trial_result(const MeasuredRun& run) {
+TrialResult trial_result(const Record& run) {
   const OutcomeKind& kind = run.ending.kind;
   if (kind == SolveStatus::finished) {
     const auto error = run["error_relative"];

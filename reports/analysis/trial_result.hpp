@@ -17,6 +17,6 @@ struct TrialResult {
 inline constexpr TrialResult survives{"survives"}, inaccurate{"inaccurate"}, stops{"stops rightly"},
     fails{"fails"}, refuses{"refuses"}, not_judged{"not judged"};
 
-TrialResult trial_result(const MeasuredRun& run);
+TrialResult trial_result(const Record& run);
 
 }  // namespace fde::bench

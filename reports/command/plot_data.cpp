@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_members = 24;  // of a family in one chart
-constexpr std::ptrdiff_t most_times = 8000;
+constexpr std::ptrdiff_t most_drawn_times = 8000;
 constexpr int points = 48;  // of a stability curve
 
 json page_of(json section) {
@@ -30,7 +30,7 @@ json page_of(json section) {
 }
 
 json solution(const SceneVariant& of, bool with_all_columns) {
-  SampleLimits limits{.times = most_times};
+  SampleLimits limits{.times = most_drawn_times};
   if (with_all_columns) limits.columns = std::numeric_limits<Eigen::Index>::max();
   Scene scene = make_scene_unchecked(*of.maker, of.values);
   if (of.until) set_end(scene, *of.until);
@@ -67,7 +67,7 @@ json member(const SceneVariant& of, const std::string& parameter, bool with_all_
 
 json data_of_runs(ReadRuns read, const SceneSettings& scene) {
   for (auto* some : {&read.runs.finished, &read.runs.failed})
-    std::erase_if(*some, [&](const MeasuredRun& run) { return run.key.scene != scene; });
+    std::erase_if(*some, [&](const Record& run) { return run.key.scene != scene; });
   if (read.runs.finished.empty())
     throw std::invalid_argument(fmt::format("--results: has no run of {} that finished", label_of(scene)));
   json data = page_data(std::move(read));

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/export/csv_tables.hpp"
-
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <fstream>
 #include <iterator>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/files/unfinished.hpp"
+#include "fdebench/reports/export/tables.hpp"
 
 namespace fde::bench {
 namespace {
@@ -36,43 +38,55 @@ void append(std::string& line, const Cell& cell) {
   }
 }
 
+class CsvTables : public TableWriter {
+ public:
+  CsvTables(const std::filesystem::path& folder, std::filesystem::path name) : name_(std::move(name)) {
+    std::error_code problem;
+    std::filesystem::create_directory(folder, problem);
+    if (problem) cannot_write(name_, problem);
+    for (const SqlTable& table : tables()) {
+      auto& file = files_.emplace_back(folder / fmt::format("{}.csv", table.name), std::ios::binary);
+      std::string_view separator;
+      for (const auto& column : table.columns) file << std::exchange(separator, ",") << column.name;
+      file << line_end;
+      check(file);
+    }
+  }
+
+  void add(TableId table, std::span<const Cell> row) override {
+    line_.clear();
+    for (const Cell& cell : row) {
+      if (&cell != row.data()) line_ += ',';
+      append(line_, cell);
+    }
+    line_ += line_end;
+    auto& file = files_[static_cast<std::size_t>(table)];
+    file.write(line_.data(), static_cast<std::streamsize>(line_.size()));
+    check(file);
+  }
+
+  void finish() override {
+    for (auto& file : files_) {
+      file.close();
+      check(file);
+    }
+  }
+
+ private:
+  void check(const std::ofstream& stream) const {
+    if (!stream) cannot_write(name_, {errno, std::generic_category()});
+  }
+
+  std::filesystem::path name_;
+  std::vector<std::ofstream> files_{};
+  std::string line_{};
+};
+
 }  // namespace
 
-CsvTables::CsvTables(const std::filesystem::path& folder, std::filesystem::path name)
-    : name_(std::move(name)) {
-  std::error_code problem;
-  std::filesystem::create_directory(folder, problem);
-  if (problem) cannot_write(name_, problem);
-  for (const SqlTable& table : tables()) {
-    auto& file = files_.emplace_back(folder / fmt::format("{}.csv", table.name), std::ios::binary);
-    std::string_view separator;
-    for (const auto& column : table.columns) file << std::exchange(separator, ",") << column.name;
-    file << line_end;
-    check(file);
-  }
-}
-
-void CsvTables::add(TableId table, std::span<const Cell> row) {
-  line_.clear();
-  for (const Cell& cell : row) {
-    if (&cell != row.data()) line_ += ',';
-    append(line_, cell);
-  }
-  line_ += line_end;
-  auto& file = files_[static_cast<std::size_t>(table)];
-  file.write(line_.data(), static_cast<std::streamsize>(line_.size()));
-  check(file);
-}
-
-void CsvTables::finish() {
-  for (auto& file : files_) {
-    file.close();
-    check(file);
-  }
-}
-
-void CsvTables::check(const std::ofstream& stream) const {
-  if (!stream) cannot_write(name_, {errno, std::generic_category()});
+std::unique_ptr<TableWriter> csv_tables(const std::filesystem::path& folder,
+                                        const std::filesystem::path& name) {
+  return std::make_unique<CsvTables>(folder, name);
 }
 
 }  // namespace fde::bench

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/export/sqlite_tables.hpp"
-
 #include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <cerrno>
+#include <memory>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/files/unfinished.hpp"
+#include "fdebench/reports/export/tables.hpp"
 
 namespace fde::bench {
 namespace {
@@ -51,55 +53,71 @@ int bind(sqlite3_stmt* statement, int place, const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return sqlite3_bind_double(statement, place, *number);
   const auto* text = std::get_if<std::string_view>(&cell);
   if (text == nullptr) return sqlite3_bind_null(statement, place);
-  return sqlite3_bind_text(statement, place, text->data(), static_cast<int>(text->size()), nullptr);
+  const char* const begin = text->empty() ? "" : text->data();  // a null pointer would be NULL
+  return sqlite3_bind_text(statement, place, begin, static_cast<int>(text->size()), nullptr);
 }
+
+class SqliteTables : public TableWriter {
+ public:
+  SqliteTables(const std::filesystem::path& file, std::filesystem::path name) : name_(std::move(name)) {
+    sqlite3* opened = nullptr;
+    const int code =
+        sqlite3_open_v2(file.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+    database_.reset(opened);
+    check(code);
+    run(settings);
+    for (const SqlTable& table : tables()) {
+      run(creation(table));
+      sqlite3_stmt* insert = nullptr;
+      check(sqlite3_prepare_v2(opened, insertion(table).c_str(), -1, &insert, nullptr));
+      inserts_.emplace_back(insert);
+    }
+  }
+
+  void add(TableId table, std::span<const Cell> row) override {
+    sqlite3_stmt* const insert = inserts_[static_cast<std::size_t>(table)].get();
+    int place = 0;
+    for (const Cell& cell : row) check(bind(insert, ++place, cell));
+    const int code = sqlite3_step(insert);
+    check(code == SQLITE_DONE ? SQLITE_OK : code);
+    check(sqlite3_reset(insert));
+  }
+
+  void finish() override {
+    inserts_.clear();
+    run(indices_and_view);
+    check(sqlite3_close(database_.release()));
+  }
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+  };
+
+  void run(const std::string& sql) {
+    check(sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr));
+  }
+
+  void check(int code) const {
+    if (code == SQLITE_OK) return;
+    if (code == SQLITE_NOMEM) throw std::bad_alloc();
+    const int reason = sqlite3_system_errno(database_.get());
+    if (reason != 0) cannot_write(name_, {reason, std::generic_category()});
+    throw std::invalid_argument(
+        fmt::format("{}: cannot be written: {}", name_.string(), sqlite3_errstr(code)));
+  }
+
+  std::filesystem::path name_;
+  std::unique_ptr<sqlite3, Close> database_;
+  std::vector<std::unique_ptr<sqlite3_stmt, Close>> inserts_{};  // by table
+};
 
 }  // namespace
 
-void SqliteTables::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
-void SqliteTables::Close::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-
-SqliteTables::SqliteTables(const std::filesystem::path& file, std::filesystem::path name)
-    : name_(std::move(name)) {
-  sqlite3* opened = nullptr;
-  const int code =
-      sqlite3_open_v2(file.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
-  database_.reset(opened);
-  check(code);
-  run(settings);
-  for (const SqlTable& table : tables()) {
-    run(creation(table));
-    sqlite3_stmt* insert = nullptr;
-    check(sqlite3_prepare_v2(opened, insertion(table).c_str(), -1, &insert, nullptr));
-    inserts_.emplace_back(insert);
-  }
-}
-
-void SqliteTables::add(TableId table, std::span<const Cell> row) {
-  sqlite3_stmt* const insert = inserts_[static_cast<std::size_t>(table)].get();
-  int place = 0;
-  for (const Cell& cell : row) check(bind(insert, ++place, cell));
-  const int code = sqlite3_step(insert);
-  check(code == SQLITE_DONE ? SQLITE_OK : code);
-  check(sqlite3_reset(insert));
-}
-
-void SqliteTables::finish() {
-  inserts_.clear();
-  run(indices_and_view);
-  check(sqlite3_close(database_.release()));
-}
-
-void SqliteTables::run(const std::string& sql) {
-  check(sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr));
-}
-
-void SqliteTables::check(int code) const {
-  if (code == SQLITE_OK) return;
-  if (code == SQLITE_NOMEM) throw std::bad_alloc();
-  const int reason = sqlite3_system_errno(database_.get());
-  if (reason != 0) cannot_write(name_, {reason, std::generic_category()});
-  throw std::invalid_argument(fmt::format("{}: cannot be written: {}", name_.string(), sqlite3_errstr(code)));
+std::unique_ptr<TableWriter> sqlite_tables(const std::filesystem::path& file,
+                                           const std::filesystem::path& name) {
+  return std::make_unique<SqliteTables>(file, name);
 }
 
 }  // namespace fde::bench

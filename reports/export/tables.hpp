@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,13 +36,23 @@ class TableWriter {
   virtual void finish() = 0;  // after the last row
 };
 
+// A new folder with a file TABLE.csv for each table, as RFC 4180 has it: lines end with CR LF, quotes are
+// doubled, numbers are those of the results file to the last bit, NULL is an empty field. `name` is the
+// folder in messages.
+std::unique_ptr<TableWriter> csv_tables(const std::filesystem::path& folder,
+                                        const std::filesystem::path& name);
+
+// A new SQLite database with the tables, their keys and indices, and the view `measurements`. `name` is the
+// file in messages.
+std::unique_ptr<TableWriter> sqlite_tables(const std::filesystem::path& file,
+                                           const std::filesystem::path& name);
+
 struct ExportCounts {
   std::size_t sessions = 0, scenes = 0, runs = 0, results = 0;
-  std::string warning{};  // of lines that are left out (ScanSummary)
+  std::string warning{};  // of lines that are left out
 };
 
-// Writes the contents of a results file as rows of the tables. The rows of `results` and `courses` are not
-// stored. Throws as scan_results and the writer do.
+// Writes the contents of a results file as rows of the tables. Throws as read_results and the writer do.
 ExportCounts write_tables(const std::filesystem::path& file, TableWriter& writer);
 
 }  // namespace fde::bench

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <exception>
+#include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
-#include "fdebench/benchmarks/records/results_scan.hpp"
+#include "fdebench/benchmarks/records/record_validation.hpp"
+#include "fdebench/benchmarks/records/results_file.hpp"
 #include "fdebench/reports/export/tables.hpp"
 
 namespace fde::bench {
@@ -22,123 +21,43 @@ Cell flag(bool value) { return std::int64_t{value ? 1 : 0}; }
 Cell or_null(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 Cell or_null(std::string_view text) { return text.empty() ? Cell() : Cell(text); }
 
-// An examination of a run, or the times of a run without one.
-struct ExportedRun {
-  const RunKey* key;
-  std::size_t scene, session;
-  int steps;
-  double h;
-  std::optional<RunOutcome> ending{};
-  ProgramFacts program{};
-  double ended_at = 0.0;
-  bool latest = false;
-};
-
-// For each build that made a run its last examination, as an index; the build that measured last is last.
-using LastOfBuilds = std::vector<std::pair<std::size_t, std::size_t>>;
-
-// What the writer threw: scan_results would take another exception for a fault of the line that it reads.
-struct WriterFailure {
-  std::exception_ptr reason;
-};
-
+// The contents of a results file as rows of the tables.
 class TablesOfResults {
  public:
-  explicit TablesOfResults(TableWriter& writer) : writer_(writer) {}
-
-  void add(const Session& session) {
-    const auto same =
-        std::ranges::find_if(builds_, [&](const auto& of) { return same_build(of.first, session); });
-    const std::size_t build = same == builds_.end() ? counts_.sessions : same->second;
-    if (same == builds_.end()) builds_.emplace_back(session, build);
-    build_ = build;
-    put(TableId::sessions,
-        std::vector<Cell>{number(counts_.sessions++), session.date, session.machine, number(session.cores),
-                          session.system, session.compiler, session.flags, session.commit, session.version,
-                          or_null(session.node), number(build)});
+  TablesOfResults(const Results& of, TableWriter& writer) : results_(of), writer_(writer) {
+    for (const auto& scene : of.scenes) described_[scene.scene] = &scene;
+    for (const auto& run : of.records) described_.try_emplace(run.key.scene, nullptr);
+    for (const auto& [scene, description] : described_) scenes_.emplace(scene, scenes_.size());
+    for (std::size_t id = 0; id < of.records.size(); ++id) latest_[of.records[id].key] = id;
   }
 
-  void add(const SceneDescription& scene) { descriptions_[scene_of(scene.scene)] = scene; }
-
-  void add(const std::vector<Record>& rows) {
-    const std::size_t run = run_of(rows);
-    for (const Record& row : rows) {
-      if (row.ending) {
-        runs_[run].ending = row.ending;
-        runs_[run].program = row.program;
-        runs_[run].ended_at = row.value;
-        continue;
-      }
-      put(TableId::results, std::vector<Cell>{number(counts_.results), number(run), number(row.session),
-                                              row.quantity, row.value, row.unit, flag(row.wall_clock)});
-      for (std::size_t i = 0; i < row.course.t.size(); ++i) {
-        put(TableId::courses,
-            std::vector<Cell>{number(counts_.results), row.course.t[i], row.course.value[i]});
-      }
-      ++counts_.results;
-    }
-  }
-
-  ExportCounts finish() && {
-    std::vector<const SceneSettings*> by_id(scenes_.size());
-    for (const auto& [scene, id] : scenes_) by_id[id] = &scene;
-    for (std::size_t id = 0; id < by_id.size(); ++id) write(*by_id[id], id);
-    for (const auto& [key, made] : made_) {
-      const auto latest = std::find_if(made.rbegin(), made.rend(),
-                                       [&](const auto& of) { return runs_[of.second].ending.has_value(); });
-      if (latest != made.rend()) runs_[latest->second].latest = true;
-    }
-    for (std::size_t id = 0; id < runs_.size(); ++id) write(runs_[id], id);
+  ExportCounts write() && {
+    for (std::size_t id = 0; id < results_.sessions.size(); ++id) write(results_.sessions[id], id);
+    for (const auto& [scene, id] : scenes_) write(scene, id);
+    for (std::size_t id = 0; id < results_.records.size(); ++id) write(results_.records[id], id);
     writer_.finish();
-    counts_.scenes = scenes_.size();
-    counts_.runs = runs_.size();
-    return counts_;
+    return {results_.sessions.size(), scenes_.size(), results_.records.size(), written_, results_.warning};
   }
 
  private:
-  void put(TableId table, const std::vector<Cell>& row) {
-    try {
-      writer_.add(table, row);
-    } catch (...) {
-      throw WriterFailure{std::current_exception()};
-    }
-  }
+  void put(TableId table, std::initializer_list<Cell> row) { writer_.add(table, row); }
 
-  std::size_t scene_of(const SceneSettings& scene) {
-    return scenes_.try_emplace(scene, scenes_.size()).first->second;
-  }
-
-  // The run that rows written together belong to: times to the last examination by the same build.
-  std::size_t run_of(const std::vector<Record>& rows) {
-    const Record& first = rows.front();
-    const auto place = made_.try_emplace(first.key).first;
-    LastOfBuilds& made = place->second;
-    const auto found = std::ranges::find(made, build_, &LastOfBuilds::value_type::first);
-    std::optional<std::size_t> run;
-    if (found != made.end()) {
-      run = found->second;
-      made.erase(found);
-    }
-    if (!run || !std::ranges::all_of(rows, is_time)) {
-      run = runs_.size();
-      runs_.push_back({.key = &place->first,
-                       .scene = scene_of(first.key.scene),
-                       .session = first.session,
-                       .steps = first.steps,
-                       .h = first.h});
-    }
-    made.emplace_back(build_, *run);
-    return *run;
+  void write(const Session& session, std::size_t id) {
+    const auto first = std::ranges::find_if(results_.sessions,
+                                            [&](const Session& other) { return same_build(other, session); });
+    put(TableId::sessions,
+        {number(id), session.date, session.machine, number(session.cores), session.system, session.compiler,
+         session.flags, session.commit, session.version, or_null(session.node),
+         number(static_cast<std::size_t>(first - results_.sessions.begin()))});
   }
 
   void write(const SceneSettings& scene, std::size_t id) {
-    const auto found = descriptions_.find(id);
     static const SceneDescription nothing;
-    const auto& described = found == descriptions_.end() ? nothing : found->second;
-    std::string line = found == descriptions_.end() ? "" : line_of(described);
+    const auto* found = described_.at(scene);
+    const auto& described = found == nullptr ? nothing : *found;
+    std::string line = found == nullptr ? "" : line_of(described);
     if (!line.empty()) line.pop_back();
-    put(TableId::scenes,
-        std::vector<Cell>{number(id), scene.id, or_null(scene.checksum), or_null(scene.until),
+    put(TableId::scenes, {number(id), scene.id, or_null(scene.checksum), or_null(scene.until),
                           or_null(described.title), or_null(described.source), or_null(described.evidence),
                           or_null(described.reference_seconds), or_null(line)});
     ParameterValues defaults;
@@ -157,62 +76,63 @@ class TablesOfResults {
     const std::string text = word != nullptr   ? *word
                              : list != nullptr ? nlohmann::json(*list).dump()
                                                : std::string();
-    put(TableId::parameters, std::vector<Cell>{number(scene), name, one == nullptr ? Cell() : Cell(*one),
-                                               one == nullptr ? Cell(text) : Cell(), flag(given)});
+    put(TableId::parameters, {number(scene), name, one == nullptr ? Cell() : Cell(*one),
+                              one == nullptr ? Cell(text) : Cell(), flag(given)});
   }
 
-  void write(const ExportedRun& run, std::size_t id) {
-    const auto& [resolution, grading, history, tolerance, budget] = run.key->setup;
+  void write(const Record& run, std::size_t id) {
+    const auto& [resolution, grading, history, tolerance, budget] = run.key.setup;
     const auto* accuracy = std::get_if<Tolerance>(&resolution);
-    const bool ours = !run.key->external;
-    const std::string ending(run.ending ? name(run.ending->kind) : "");
-    put(TableId::runs, std::vector<Cell>{number(id),
-                                         number(run.session),
-                                         number(run.scene),
-                                         run.key->scheme,
-                                         flag(!ours),
-                                         or_null(run.program.code),
-                                         or_null(run.program.version),
-                                         or_null(run.program.language),
-                                         std::int64_t{run.steps},
-                                         run.h,
-                                         accuracy == nullptr ? Cell() : Cell(accuracy->rtol),
-                                         accuracy == nullptr ? Cell() : Cell(accuracy->atol),
-                                         grading,
-                                         ours ? Cell(name(history)) : Cell(),
-                                         ours ? Cell(tolerance) : Cell(),
-                                         ours && std::isfinite(budget) ? Cell(budget) : Cell(),
-                                         or_null(ending),
-                                         run.ending ? or_null(run.ending->detail) : Cell(),
-                                         run.ending ? Cell(run.ended_at) : Cell(),
-                                         flag(run.latest)});
+    const bool ours = !run.key.external;
+    put(TableId::runs, {number(id),
+                        number(run.session),
+                        number(scenes_.at(run.key.scene)),
+                        run.key.scheme,
+                        flag(!ours),
+                        or_null(run.program.code),
+                        or_null(run.program.version),
+                        or_null(run.program.language),
+                        std::int64_t{run.steps},
+                        run.h(),
+                        accuracy == nullptr ? Cell() : Cell(accuracy->rtol),
+                        accuracy == nullptr ? Cell() : Cell(accuracy->atol),
+                        grading,
+                        ours ? Cell(name(history)) : Cell(),
+                        ours ? Cell(tolerance) : Cell(),
+                        ours && std::isfinite(budget) ? Cell(budget) : Cell(),
+                        name(run.ending.kind),
+                        or_null(run.ending.detail),
+                        run.ended_at,
+                        flag(latest_.at(run.key) == id)});
+    write(run, id, run.values, run.session);
+    write(run, id, run.timing.values, run.timing.session);
   }
 
+  void write(const Record& run, std::size_t id, const QuantityValues& values, std::size_t session) {
+    for (const auto& [quantity, value] : values) {
+      const bool wall_clock = run.timing.wall_clock && &values == &run.timing.values;
+      put(TableId::results, {number(written_), number(id), number(session), quantity, value,
+                             unit_of(quantity), flag(wall_clock)});
+      const auto course = run.courses.find(quantity);
+      for (std::size_t i = 0; course != run.courses.end() && i < course->second.t.size(); ++i)
+        put(TableId::courses, {number(written_), course->second.t[i], course->second.value[i]});
+      ++written_;
+    }
+  }
+
+  const Results& results_;
   TableWriter& writer_;
-  ExportCounts counts_{};
-  std::vector<std::pair<Session, std::size_t>> builds_{};  // with the number of the first session of each
-  std::size_t build_ = 0;                                  // of the session that is read
+  std::map<SceneSettings, const SceneDescription*> described_{};  // all scenes; nullptr: not described
   std::map<SceneSettings, std::size_t> scenes_{};
-  std::map<std::size_t, SceneDescription> descriptions_{};
-  std::map<RunKey, LastOfBuilds> made_{};
-  std::vector<ExportedRun> runs_{};
+  std::map<RunKey, std::size_t> latest_{};
+  std::size_t written_ = 0;  // rows of the table of results
 };
 
 }  // namespace
 
 ExportCounts write_tables(const std::filesystem::path& file, TableWriter& writer) {
-  try {
-    TablesOfResults made(writer);
-    const auto summary =
-        scan_results(file, {.session = [&](const Session& session, auto) { made.add(session); },
-                            .scene = [&](const SceneDescription& scene, auto) { made.add(scene); },
-                            .rows = [&](const std::vector<Record>& rows, auto) { made.add(rows); }});
-    auto counts = std::move(made).finish();
-    counts.warning = summary.warning;
-    return counts;
-  } catch (const WriterFailure& failure) {
-    std::rethrow_exception(failure.reason);
-  }
+  const Results read = read_results(file);
+  return TablesOfResults(read, writer).write();
 }
 
 }  // namespace fde::bench

@@ -50,12 +50,11 @@ json ending_facts(const RunOutcome& outcome) {
   return {{"ending", name(outcome.kind)}, {"detail", outcome.detail}};
 }
 
-json run_facts(const PageInput& page, const MeasuredRun& run,
-               std::initializer_list<std::string_view> quantities) {
+json run_facts(const PageInput& page, const Record& run, std::initializer_list<std::string_view> quantities) {
   json facts{{"line", page.label(run.key)},
              {"grid", page.grid(run.key.setup)},
              {"steps", run.steps},
-             {"wall_clock", run.wall_clock}};
+             {"wall_clock", run.timing.wall_clock}};
   for (const auto quantity : quantities) facts[std::string(quantity)] = fact(run[quantity]);
   return facts;
 }

@@ -19,7 +19,7 @@ nlohmann::json fact(const std::optional<double>& value);
 nlohmann::json compact(nlohmann::json value);
 
 // A run: `line`, `grid` if the line's name omits it, `steps`, `wall_clock`, and the named quantities.
-nlohmann::json run_facts(const PageInput& page, const MeasuredRun& run,
+nlohmann::json run_facts(const PageInput& page, const Record& run,
                          std::initializer_list<std::string_view> quantities);
 
 // The same of a recommended run, with `error`, `requested` (tolerance, with adaptive step size), the time

@@ -48,17 +48,16 @@ bool is_trial(const Runs& runs, const RunKey& run) {
 }
 
 // Returns the runs of trials, and removes those of scenes without other runs from `runs`.
-std::vector<MeasuredRun> take_trials(Runs& runs) {
-  std::vector<MeasuredRun> taken;
+std::vector<Record> take_trials(Runs& runs) {
+  std::vector<Record> taken;
   std::set<SceneSettings> swept;
   for (auto* some : {&runs.finished, &runs.failed}) {
     for (const auto& run : *some)
       is_trial(runs, run.key) ? taken.push_back(run) : void(swept.insert(run.key.scene));
   }
   for (auto* some : {&runs.finished, &runs.failed}) {
-    std::erase_if(*some, [&](const MeasuredRun& run) {
-      return is_trial(runs, run.key) && !swept.contains(run.key.scene);
-    });
+    std::erase_if(
+        *some, [&](const Record& run) { return is_trial(runs, run.key) && !swept.contains(run.key.scene); });
   }
   return taken;
 }
@@ -67,7 +66,7 @@ std::vector<MeasuredRun> take_trials(Runs& runs) {
 bool at_rounding(const ConstrainedScene& scene) {
   return std::ranges::all_of(scene.formulations, [](const FormulationRuns& of) {
     return std::ranges::all_of(of.runs,
-                               [](const MeasuredRun& run) { return effective_drift(run) <= rounding_drift; });
+                               [](const Record& run) { return effective_drift(run) <= rounding_drift; });
   });
 }
 
@@ -83,12 +82,12 @@ json regions_section() { return {{"id", "regions"}, {"regions", json::parse(asse
 
 std::vector<std::string> PageInput::labels(RunSpan of) const {
   std::vector<std::string> found;
-  const auto add = [&](const MeasuredRun& run) {
+  const auto add = [&](const Record& run) {
     auto name = label(run.key);
     if (std::ranges::find(found, name) == found.end()) found.push_back(std::move(name));
   };
   for (const Scheme& scheme : schemes()) {
-    for (const MeasuredRun& run : of) {
+    for (const Record& run : of) {
       if (run.key.scheme == scheme.id) add(run);
     }
   }

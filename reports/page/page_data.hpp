@@ -23,9 +23,9 @@ nlohmann::json page_data(ReadRuns read, const std::optional<ReadRuns>& before = 
 // The input of the sections.
 struct PageInput {
   std::vector<Session> sessions{};
-  Runs runs{};                        // without runs that belong to trials only, or to families
-  Runs families{};                    // the runs of families
-  std::vector<MeasuredRun> trials{};  // the runs of trials, finished or not
+  Runs runs{};                   // without runs that belong to trials only, or to families
+  Runs families{};               // the runs of families
+  std::vector<Record> trials{};  // the runs of trials, finished or not
   std::vector<RateRow> rates{};
   LineNames names;
 

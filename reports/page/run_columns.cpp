@@ -29,10 +29,10 @@ constexpr int few_digits = 3;
 json number(const std::optional<double>& value) { return value ? json(rounded_for_chart(*value)) : json(); }
 
 // h * steps if it is equal for all runs; otherwise nullopt.
-std::optional<double> common_end(const std::vector<const MeasuredRun*>& runs) {
+std::optional<double> common_end(const std::vector<const Record*>& runs) {
   std::optional<double> end;
-  for (const MeasuredRun* run : runs) {
-    const double end_of_run = run->h * run->steps;
+  for (const Record* run : runs) {
+    const double end_of_run = run->h() * run->steps;
     if (!end) end = end_of_run;
     if (std::abs(end_of_run - *end) > 1e-9 * *end) return std::nullopt;
   }
@@ -43,49 +43,48 @@ json few(const std::optional<double>& value) {
   return value ? json(rounded_for_chart(*value, few_digits)) : json();
 }
 
-json requested_tolerance(const MeasuredRun& run) {
+json requested_tolerance(const Record& run) {
   const auto* accuracy = std::get_if<Tolerance>(&run.key.setup.resolution);
   return accuracy != nullptr ? json(accuracy->rtol) : json();
 }
 
 }  // namespace
 
-json run_columns(const PageInput& page, const std::vector<const MeasuredRun*>& runs) {
+json run_columns(const PageInput& page, const std::vector<const Record*>& runs) {
   json columns;
-  const auto add = [&](const std::string& name, const std::function<json(const MeasuredRun&)>& of) {
+  const auto add = [&](const std::string& name, const std::function<json(const Record&)>& of) {
     json column = json::array();
-    for (const MeasuredRun* run : runs) column.push_back(of(*run));
+    for (const Record* run : runs) column.push_back(of(*run));
     if (std::ranges::any_of(column, [](const json& value) { return !value.is_null(); }))
       columns[name] = column;
   };
   std::vector<std::string> lines;
-  add("line", [&](const MeasuredRun& run) {
+  add("line", [&](const Record& run) {
     const auto found = std::ranges::find(lines, page.label(run.key));
     if (found != lines.end()) return json(found - lines.begin());
     lines.push_back(page.label(run.key));
     return json(lines.size() - 1);
   });
   columns["lines"] = lines;
-  add("steps", [](const MeasuredRun& run) { return json(run.steps); });
+  add("steps", [](const Record& run) { return json(run.steps); });
   if (const auto end = common_end(runs)) {
     columns["end"] = rounded_for_chart(*end, 10);
   } else {
-    add("h", [](const MeasuredRun& run) { return json(rounded_for_chart(run.h)); });
+    add("h", [](const Record& run) { return json(rounded_for_chart(run.h())); });
   }
   add("requested", requested_tolerance);
   for (const ErrorKind& kind : error_kinds) {
     const auto name = error_measure(kind);
-    add(std::string(name), [&](const MeasuredRun& run) { return number(run[name]); });
+    add(std::string(name), [&](const Record& run) { return number(run[name]); });
   }
-  for (const auto name : drawn)
-    add(std::string(name), [&](const MeasuredRun& run) { return number(run[name]); });
+  for (const auto name : drawn) add(std::string(name), [&](const Record& run) { return number(run[name]); });
   for (const auto name : cost_names)
-    add(std::string(name), [&](const MeasuredRun& run) { return few(run[name]); });
-  add("grading", [](const MeasuredRun& run) {
-    return run.key.setup.grading == 1.0 ? json() : json(run.key.setup.grading);
-  });
-  add("wall_clock", [](const MeasuredRun& run) { return run.wall_clock ? json(true) : json(); });
-  if (page.sessions.size() > 1) add("session", [](const MeasuredRun& run) { return json(run.session + 1); });
+    add(std::string(name), [&](const Record& run) { return few(run[name]); });
+  add("grading",
+      [](const Record& run) { return run.key.setup.grading == 1.0 ? json() : json(run.key.setup.grading); });
+  add("wall_clock", [](const Record& run) { return run.timing.wall_clock ? json(true) : json(); });
+  if (page.sessions.size() > 1)
+    add("session", [](const Record& run) { return json(run.last_session() + 1); });
   return columns;
 }
 

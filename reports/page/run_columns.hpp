@@ -13,6 +13,6 @@ namespace fde::bench {
 // and the quantities that charts and tooltips show, to five digits or less. null where a run has no value;
 // columns of nulls are left out. `session` if there are several, `wall_clock` if times are of whole
 // processes.
-nlohmann::json run_columns(const PageInput& page, const std::vector<const MeasuredRun*>& runs);
+nlohmann::json run_columns(const PageInput& page, const std::vector<const Record*>& runs);
 
 }  // namespace fde::bench

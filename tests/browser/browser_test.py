@@ -49,14 +49,14 @@ def earlier(file):
     """Results of another machine before those: l1 had half of the error on the pendulum, bdf4 failed on relaxation."""
     before = FOLDER / "before.jsonl"
     with before.open("w") as lines:
-        for row in map(json.loads, file.read_text().splitlines()):
-            if "session" in row:
-                row["session"]["machine"] = "an older machine"
-            elif row["scene"] == "pendulum" and row["scheme"] == "l1" and row["quantity"].startswith("error_"):
-                row["value"] /= 2
-            elif row["scene"] == "relaxation" and not row["settings"] and row["scheme"] == "bdf4" and row["quantity"] == "ending":
-                row.update(ending="not_finite", value=0.5, detail="at step 32, t = 0.5")
-            lines.write(json.dumps(row) + "\n")
+        for line in map(json.loads, file.read_text().splitlines()):
+            if "session" in line:
+                line["session"]["machine"] = "an older machine"
+            elif line["scene"] == "pendulum" and line["scheme"] == "l1" and "values" in line:
+                line["values"].update({name: value / 2 for name, value in line["values"].items() if name.startswith("error_")})
+            elif line["scene"] == "relaxation" and "settings" not in line and line["scheme"] == "bdf4" and "ending" in line:
+                line.update(ending="not_finite", ended_at=0.5, detail="at step 32, t = 0.5")
+            lines.write(json.dumps(line) + "\n")
     return before
 
 

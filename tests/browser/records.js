@@ -8,16 +8,16 @@ const labelOf = (scene, settings = {}) =>
 // A trial has as many steps as no other run of these results.
 const trialSteps = 4096;
 
-// Each run once: {scene, scheme, steps, requested, ending, <quantity>: value, ...}.
+// Each run once: {scene, scheme, steps, requested, ending, <measure>: value, ...}.
 export function runsOf(file) {
   const runs = new Map();
   for (const line of readFileSync(file, "utf8").trim().split("\n")) {
-    const row = JSON.parse(line);
-    if (!row.quantity) continue;
-    const scene = labelOf(row.scene, row.settings);
-    const key = JSON.stringify([scene, row.scheme, row.accuracy ?? row.steps]);
-    if (!runs.has(key)) runs.set(key, { scene, scheme: row.scheme, steps: row.steps, h: row.h, requested: row.accuracy?.relative });
-    Object.assign(runs.get(key), { [row.quantity]: row.value, ...(row.ending && { ending: row.ending }) });
+    const { session, scene, settings, scheme, steps, accuracy, end, ending, values, time } = JSON.parse(line);
+    if (session || typeof scene !== "string") continue;
+    const label = labelOf(scene, settings);
+    const key = JSON.stringify([label, scheme, accuracy ?? steps]);
+    if (ending) runs.set(key, { scene: label, scheme, steps, h: end / steps, requested: accuracy?.relative, ending });
+    Object.assign(runs.get(key), values, time);
   }
   return [...runs.values()];
 }

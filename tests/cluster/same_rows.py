@@ -9,25 +9,24 @@ times of the same runs. Prints what differs, or how much is the same.
 import collections
 import json
 import sys
+from pathlib import Path
 
-OF_TIMING = {"load", "switches", "frequency", "disturbed"}
-VALUES = {"quantity", "value", "unit", "last"}
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks" / "programs" / "records"))
+from recorded_runs import joined, key_of  # noqa: E402
 
 
 def contents(path):
-    """How often each row and scene is in the file; the timed runs; the number of timings that were disturbed."""
-    lines, timed, disturbed = collections.Counter(), collections.Counter(), 0
+    """How often each run and scene is in the file; the timed runs; the number of timings that were disturbed."""
+    lines, timed, disturbed = collections.Counter(), set(), 0
     with open(path, encoding="utf-8") as file:
-        for line in map(json.loads, file):
+        for line in joined(map(json.loads, file)):
             if "session" in line:
                 continue
             if isinstance(line["scene"], dict):
                 line["scene"].pop("reference_seconds", None)
-            elif line["unit"] == "s" or line["quantity"] in OF_TIMING:
-                disturbed += line["quantity"] == "disturbed" and line["value"] > 0
-                if line["quantity"] == "time_minimum":
-                    timed[json.dumps({key: line[key] for key in line.keys() - VALUES}, sort_keys=True)] += 1
-                continue
+            elif times := line.pop("time", None):
+                timed.add(key_of(line))
+                disturbed += times.get("disturbed", 0) > 0
             lines[json.dumps(line, sort_keys=True)] += 1
     return lines, timed, disturbed
 
@@ -37,7 +36,7 @@ def differences(first, second):
     (lines, timed, _), (other_lines, other_timed, _) = contents(first), contents(second)
     found = [f"only in {first}: {line[:300]}" for line in (lines - other_lines)]
     found += [f"only in {second}: {line[:300]}" for line in (other_lines - lines)]
-    found += [f"timed in one file only: {run[:300]}" for run in timed.keys() ^ other_timed.keys()]
+    found += [f"timed in one file only: {run[:300]}" for run in timed ^ other_timed]
     return found
 
 
@@ -46,5 +45,5 @@ if __name__ == "__main__":
     print(*wrong[:10], sep="\n")
     if wrong:
         sys.exit(f"{len(wrong)} differences")
-    rows, runs, shaken = contents(sys.argv[2])
-    print(f"the same {sum(rows.values())} rows and scenes, {len(runs)} timed runs; {shaken} of {sum(runs.values())} timings disturbed")
+    lines, runs, shaken = contents(sys.argv[2])
+    print(f"the same {sum(lines.values())} runs and scenes, {len(runs)} timed runs; {shaken} of {len(runs)} timings disturbed")

@@ -44,7 +44,7 @@ TEST(Examination, TellsStopsAtASingularityFromWrongOnesAndFromNone) {
     const Scene scene =
         make_scene({.maker = &maker("extensible_pendulum"), .values = values, .until = until});
     MemoizedReference reference(scene);
-    return examine({}, scene, reference, *find_scheme(scheme), {steps}).back().ending->kind;
+    return examine({}, scene, reference, *find_scheme(scheme), {steps}).ending.kind;
   };
   const ParameterValues falls{{"phi0", 0.0}, {"xi0", 3.0}, {"K_over_m", 5.0}, {"g_over_L", 0.1}};
   EXPECT_EQ(ending(falls, 2.0, "l1", 1024), SolveStatus::left_domain);

@@ -3,7 +3,6 @@
 """examples.py FDEBENCH SCHEME WORD...: the program of docs/examples run by these words has the errors of this scheme, and is
 listed with it in results, on the page and in recommendations."""
 
-import json
 import shlex
 import subprocess
 import sys
@@ -13,6 +12,9 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 from page_data import data_of  # noqa: E402
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks" / "programs" / "records"))
+from recorded_runs import runs_in  # noqa: E402
 
 PROGRAM, SCHEME, *WORDS = sys.argv[1:]
 NAME = "theirs λ"
@@ -32,7 +34,7 @@ class Examples(unittest.TestCase):
         run = fdebench("run", *scenes, "--steps", STEPS, "--repeat", 1, "--scheme", SCHEME, "--external", f"{NAME}={shlex.join(WORDS)}", "--out",
                        cls.results)  # fmt: skip
         assert run.returncode == 0, run.stderr
-        cls.rows = [json.loads(line) for line in cls.results.read_text().splitlines() if "quantity" in json.loads(line)]
+        cls.runs = runs_in(cls.results)
 
     @classmethod
     def tearDownClass(cls):
@@ -40,10 +42,9 @@ class Examples(unittest.TestCase):
 
     def values(self, scheme, quantity, settings):
         return {
-            row["steps"]: row["value"]
-            for row in self.rows
-            if row["scheme"] == scheme and row["quantity"] == quantity and row["settings"] == settings
-            and row["scene"] == "relaxation"
+            run["steps"]: {**run["values"], **run["time"]}[quantity]
+            for run in self.runs
+            if run["scheme"] == scheme and run["settings"] == settings and run["scene"] == "relaxation"
         }  # fmt: skip
 
     def test_has_the_errors_of_the_same_rule_of_ours(self):
@@ -58,11 +59,11 @@ class Examples(unittest.TestCase):
         times = self.values(NAME, "time_minimum", {})
         self.assertEqual(len(times), 4)
         self.assertTrue(all(0.0 < seconds < 1.0 for seconds in times.values()))
-        self.assertFalse(any("wall_clock" in row for row in self.rows))
+        self.assertFalse(any("wall_clock" in run for run in self.runs))
 
     def test_says_what_it_does_not_take(self):
-        endings = [row for row in self.rows if row["scene"] == "brusselator" and row["scheme"] == NAME]
-        self.assertEqual({row["ending"] for row in endings}, {"refused"})
+        endings = [run for run in self.runs if run["scene"] == "brusselator" and run["scheme"] == NAME]
+        self.assertEqual({run["ending"] for run in endings}, {"refused"})
         self.assertIn("solves relaxation", endings[0]["detail"])
 
     def test_stands_beside_ours(self):

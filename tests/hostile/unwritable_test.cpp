@@ -57,15 +57,10 @@ TEST_F(Unwritable, AFolderThatVanishesDuringARun) {
   folder_.write("here/nothing", "");
   const fs::path file = folder_.path() / "here" / "r.jsonl";
   ResultsFile results(file);
-  const Record ending{.key = {.scene = {"power"}, .scheme = "l1", .setup = {8}},
-                      .steps = 8,
-                      .h = 1.0,
-                      .quantity = "ending",
-                      .unit = "t",
-                      .ending = RunOutcome{}};
-  results.append({ending});
+  const Record run{.key = {.scene = {"power"}, .scheme = "l1", .setup = {8}}, .steps = 8};
+  results.append(run);
   fs::remove_all(folder_.path() / "here");
-  EXPECT_THAT([&] { results.append({ending}); },
+  EXPECT_THAT([&] { results.append(run); },
               testing::ThrowsMessage<std::system_error>(file.string() +
                                                         ": cannot be written: No such file or directory"));
 }

@@ -66,7 +66,7 @@ class Page(unittest.TestCase):
         sections = {section["id"]: section for section in data_of(self.page("shown").decode())["sections"]}
         lines = [json.loads(line) for line in self.file.read_text().splitlines()]
         for scene in (line["scene"] for line in lines if isinstance(line.get("scene"), dict)):
-            settings = ",".join(f"{name}={value}" for name, value in scene["settings"].items())
+            settings = ",".join(f"{name}={value}" for name, value in scene.get("settings", {}).items())
             label = ":".join(filter(None, [scene["scene"], settings])) + scene.get("checksum", "")[:8]
             if scene["scene"] == "stiff_relaxation":
                 self.assertEqual(scene["trial"]["kind"], "Stiff")
@@ -74,7 +74,7 @@ class Page(unittest.TestCase):
                 continue
             solution = sections[f"scene-{label}"]["solution"]
             self.assertEqual(sections[solution["of"]]["solution"] if "of" in solution else solution, scene["solution"])
-        courses = [line["course"] for line in lines if "course" in line]
+        courses = [course for line in lines for course in line.get("courses", {}).values()]
         shown = sections["drift"]["drifts"][0]["courses"]
         self.assertEqual(len(shown), 2, "the best run of each formulation")
         for course in shown:
@@ -96,8 +96,8 @@ class Tomorrow(Page):
                 scene["news"] = "ignored"
             if line.get("scheme") == "l1":
                 line["scheme"] = "better_l1"
-            if line.get("quantity") == "rounding":
-                line.update(quantity="beauty", unit="m", value=-1.0)
+            if "rounding" in line.get("values", {}):
+                line["values"]["beauty"] = -line["values"].pop("rounding")
             if line.get("ending") == "refused":
                 line["ending"] = "went_home"
         cls.file = cls.folder / "tomorrow.jsonl"

@@ -39,14 +39,13 @@ FORMULAS = {
 
 
 def endings(fdebench, scene, steps, name, command, folder):
-    """The rows `ending` and `error_end` of a run of this command."""
+    """The runs of this command."""
     with tempfile.TemporaryDirectory() as out:
         file = Path(out) / "results.jsonl"
         words = ["run", "--scene", scene, "--steps", steps, "--repeat", "1", "--external", f"{name}={command}", "--out", str(file), "--quiet"]
         run = subprocess.run([fdebench, *words], capture_output=True, text=True, env=os.environ | {"FDEBENCH_PEERS": str(folder)})
         assert run.returncode == 0, run.stderr
-        rows = [json.loads(line) for line in file.read_text().splitlines()]
-    return [row for row in rows if row.get("quantity") in ("ending", "error_end")]
+        return peers.runs_in(file)
 
 
 class Facts(unittest.TestCase):
@@ -78,8 +77,8 @@ class Facts(unittest.TestCase):
         for code in filter(peers.is_found, peers.CODES.values()):
             with self.subTest(code["name"]):
                 setting = code["settings"][0]
-                rows = endings(WORDS[0], "relaxation", "16", peers.line_name(code, setting), peers.command(code, setting), peers.folder_of_codes())
-                self.assertIn(rows[-1].get("ending", rows[0].get("ending")), ("finished", "refused"))
+                (ran,) = endings(WORDS[0], "relaxation", "16", peers.line_name(code, setting), peers.command(code, setting), peers.folder_of_codes())
+                self.assertIn(ran["ending"], ("finished", "refused"))
 
 
 class Octave(unittest.TestCase):
@@ -91,10 +90,9 @@ class Octave(unittest.TestCase):
 
     def test_stand_in(self):
         command = f"{WORDS[1]} --norc --quiet --no-history {PEERS}/octave/peer.m fde12 mu 1"
-        rows = endings(WORDS[0], "relaxation", "64,128", "fde12", command, HERE / "codes")
-        self.assertEqual({row["ending"] for row in rows if "ending" in row}, {"finished"})
-        self.assertEqual(next(row for row in rows if "program" in row)["program"]["code"], "fde12")
-        first, second = (row["value"] for row in rows if row["quantity"] == "error_end")
+        runs = endings(WORDS[0], "relaxation", "64,128", "fde12", command, HERE / "codes")
+        self.assertEqual({(run["ending"], run["program"]["code"]) for run in runs}, {("finished", "fde12")})
+        first, second = (run["values"]["error_end"] for run in runs)
         self.assertAlmostEqual(math.log2(first / second), 1, delta=0.2)  # a rule of order 1
         refused = endings(WORDS[0], "bagley_torvik", "16", "fde12", command, HERE / "codes")
         self.assertEqual(refused[-1]["ending"], "refused")

@@ -13,11 +13,9 @@ namespace fde::bench {
 // A timed run of a scheme on relaxation with these parameters.
 inline void add_run_at(Results& results, const ParameterValues& values, const std::string& scheme,
                        double error, double seconds) {
-  const auto rows = std::ssize(results.records);
-  add_row(results, {"relaxation", scheme, 64}, "error_maximum_mixed", error);
+  add_value(results, {"relaxation", scheme, 64}, "error_maximum_mixed", error);
   add_run(results, {"relaxation", scheme, 64}, error, seconds);
-  for (auto row = results.records.begin() + rows; row != results.records.end(); ++row)
-    row->key.scene.values = values;
+  results.records.back().key.scene.values = values;
 }
 
 // Over gamma x lambda: l1 takes 1 s everywhere; adams_pc takes 0.5 s for lambda >= -10, 4 s below, and is

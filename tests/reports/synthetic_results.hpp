@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -29,26 +31,35 @@ struct SyntheticRun {
   int steps;
 };
 
-inline void add_row(Results& results, const SyntheticRun& run, const std::string& quantity, double value) {
-  results.records.push_back(
-      {.key = {.scene = {run.scene}, .scheme = run.scheme, .setup = {.resolution = run.steps}},
-       .steps = run.steps,
-       .h = end_time / run.steps,
-       .quantity = quantity,
-       .value = value,
-       .session = results.sessions.size() - 1});
+// The record of the run in the last session, which is added if there is none.
+inline Record& record_of(Results& results, const SyntheticRun& run) {
+  const RunKey key{.scene = {run.scene}, .scheme = run.scheme, .setup = {.resolution = run.steps}};
+  const std::size_t session = results.sessions.size() - 1;
+  const auto found = std::ranges::find_if(
+      results.records, [&](const Record& other) { return other.key == key && other.session == session; });
+  if (found != results.records.end()) return *found;
+  return results.records.emplace_back(Record{.key = key,
+                                             .steps = run.steps,
+                                             .end = end_time,
+                                             .ended_at = end_time,
+                                             .timing = {.session = session},
+                                             .session = session});
 }
 
-inline void add_ending(Results& results, const SyntheticRun& run, double until,
-                       const RunOutcome& ending = {}) {
-  add_row(results, run, "ending", until);
-  results.records.back().ending = ending;
+inline void add_value(Results& results, const SyntheticRun& run, const std::string& quantity, double value) {
+  Record& of = record_of(results, run);
+  (quantity.starts_with("time_") ? of.timing.values : of.values).set(quantity, value);
+}
+
+inline void add_ending(Results& results, const SyntheticRun& run, double until, const RunOutcome& ending) {
+  Record& of = record_of(results, run);
+  of.ended_at = until;
+  of.ending = ending;
 }
 
 inline void add_run(Results& results, const SyntheticRun& run, double error, double seconds) {
-  add_row(results, run, "error_end", error);
-  add_row(results, run, "time_minimum", seconds);
-  add_ending(results, run, end_time);
+  add_value(results, run, "error_end", error);
+  add_value(results, run, "time_minimum", seconds);
 }
 
 // Adds runs with errors 0.01 h^rate at the end and h in the maximum norm, and times proportional to N.
@@ -56,11 +67,11 @@ inline void add_line(Results& results, const std::string& scheme, double rate, d
   for (const int steps : all_steps) {
     const SyntheticRun run{"pendulum", scheme, steps};
     const double h = end_time / steps;
-    add_row(results, run, "error_maximum", h);
-    add_row(results, run, "reference_bound", 1e-15);
-    add_row(results, run, "reference_bound_maximum", 1e-14);
-    add_row(results, run, "expected_rate_end", rate);
-    add_row(results, run, "expected_rate_maximum", 2.0);
+    add_value(results, run, "error_maximum", h);
+    add_value(results, run, "reference_bound", 1e-15);
+    add_value(results, run, "reference_bound_maximum", 1e-14);
+    add_value(results, run, "expected_rate_end", rate);
+    add_value(results, run, "expected_rate_maximum", 2.0);
     add_run(results, run, 0.01 * std::pow(h, rate), seconds_a_step * steps);
   }
 }

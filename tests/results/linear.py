@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""linear.py FDEBENCH COUNTER: twice the rows take twice the work, and the memory stays a small multiple of the file.
+"""linear.py FDEBENCH COUNTER: twice the runs take twice the work, and the memory stays a small multiple of the file.
 
 The work is the bytes that a command allocates, which COUNTER, a preloaded library, counts: a busy machine changes nothing. The
 memory is the largest resident set.
@@ -15,7 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks" / "programs" / "records"))
-from many_rows import measured, write_copies  # noqa: E402
+from many_runs import measured, write_copies  # noqa: E402
 
 PROGRAM, COUNTER = sys.argv[1:3]
 del sys.argv[1:3]
@@ -36,7 +36,7 @@ class Linear(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.folder = Path(cls.temporary.name)
         lines = measured(PROGRAM, "16,32")
-        of_copy = sum('"quantity":' in line for line in lines)
+        of_copy = sum('"ending":' in line for line in lines)
         for n in (1, 2, 4):
             write_copies(lines, n * FEW * of_copy, cls.folder / f"{n}.jsonl")
 
@@ -45,7 +45,7 @@ class Linear(unittest.TestCase):
         cls.temporary.cleanup()
 
     def costs(self, n, run):
-        """What each command costs with n times the rows."""
+        """What each command costs with n times the runs."""
         out = self.folder / f"{run.__name__}{n}"
         out.mkdir()
         return {" ".join(map(str, words[:1] + words[2:4] * (words[0] == "export"))): run(list(map(str, words)))
@@ -72,7 +72,7 @@ class Linear(unittest.TestCase):
 
     def test_memory(self):
         """Bytes for each further byte of the file."""
-        most = {"merge": 0.1, "export --to csv": 1.0, "export --to sqlite": 1.0, "compare": 1.5, "report": 6.0}
+        most = {"merge": 2.0, "export --to csv": 4.0, "export --to sqlite": 4.0, "compare": 6.0, "report": 6.0}
         one, four = (self.costs(n, self.memory) for n in (1, 4))
         further = (self.folder / "4.jsonl").stat().st_size - (self.folder / "1.jsonl").stat().st_size
         slack = 2e6

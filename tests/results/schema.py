@@ -73,113 +73,105 @@ class Results(unittest.TestCase):
         for line in self.lines:
             VALIDATOR.validate(line)
         self.assertEqual(sum("session" in line for line in self.lines), 7)
-        self.assertTrue({"external", "accuracy", "detail", "budget", "checksum", "wall_clock"} <= set().union(*self.lines))
+        fields = {"external", "accuracy", "detail", "budget", "checksum", "wall_clock", "time", "columns", "courses", "ended_at"}
+        self.assertTrue(fields <= set().union(*self.lines))
 
-    def test_quantities_are_those_of_the_lists(self):
+    def test_measures_are_those_of_the_lists(self):
         lists = (ROOT / "benchmarks" / "measures" / "list.def").read_text()
         kinds = (ROOT / "benchmarks" / "measures" / "error_kind.hpp").read_text()
-        times = (ROOT / "benchmarks" / "measures" / "measures.cpp").read_text()
-        measures = set(re.findall(r"FDE_MEASURE\((\w+)\)", lists)) | set(re.findall(r'TimeMeasure{"(\w+)"', times))
-        measures |= set(re.findall(r'"((?:error|baseline|unresolved)_(?:end|maximum)\w*)"', "\n".join(
+        times = set(re.findall(r'TimeMeasure{"(\w+)"', (ROOT / "benchmarks" / "measures" / "measures.cpp").read_text()))
+        values = set(re.findall(r"FDE_MEASURE\((\w+)\)", lists)) | set(re.findall(r'"((?:error|baseline|unresolved)_(?:end|maximum)\w*)"', "\n".join(
             line for line in kinds.splitlines() if not line.lstrip().startswith("//"))))
-        self.assertEqual(set(SCHEMA["$defs"]["quantity"]["enum"]), measures | {"ending"})
+        self.assertEqual(set(SCHEMA["$defs"]["values"]["properties"]), values)
+        self.assertEqual(set(SCHEMA["$defs"]["time"]["properties"]), times)
         page = (ROOT / "docs" / "results.md").read_text()
-        for name in measures | set(SCHEMA["$defs"]["row"]["properties"]):
+        for name in values | times | set(SCHEMA["$defs"]["run"]["properties"]) | set(SCHEMA["$defs"]["key"]["properties"]):
             self.assertIn(f"`{name}`", page)
+
+    def first(self, *fields, **values):
+        """The number of the first line that has these fields, and fields with these values."""
+        return next(i for i, line in enumerate(self.lines) if all(name in line for name in fields) and values.items() <= line.items())
 
     def changed(self, number, change):
         lines = copy.deepcopy(self.lines)
         change(lines[number])
         return lines
 
+    def refused(self, number, change):
+        lines = self.changed(number, change)
+        self.assertFalse(VALIDATOR.is_valid(lines[number]))
+        taken, said = self.is_read(lines)
+        self.assertFalse(taken)
+        self.assertIn(f": line {number + 1}", said)
+
     def test_what_the_schema_forbids_is_refused_with_its_line(self):
-        error = next(i for i, line in enumerate(self.lines) if line.get("quantity") == "error_end")
-        ending = next(i for i, line in enumerate(self.lines) if line.get("quantity") == "ending")
-        external = next(i for i, line in enumerate(self.lines) if "external" in line)
-        of_file = next(i for i, line in enumerate(self.lines) if "checksum" in line and line["quantity"] == "error_end")
+        run, external, of_file = self.first("values", "columns"), self.first("ending", "external"), self.first("ending", "checksum")
+        times, scene, program = self.first("time"), next(i for i, line in enumerate(self.lines) if isinstance(line.get("scene"), dict)), self.first("program")
         changes = [
-            (error, {"value": -1.0}), (error, {"value": None}), (error, {"value": "1"}), (error, {"quantity": ""}),
-            (error, {"unit": "m"}), (error, {"steps": 0}), (error, {"steps": 2.5}), (error, {"steps": 2**31}),
-            (error, {"h": -1.0}), (error, {"tolerance": 2.0}), (error, {"budget": 0.0}), (error, {"grid": "curved"}),
-            (error, {"history": "none"}), (error, {"scene": ""}), (error, {"scheme": ""}), (error, {"ending": "finished"}),
-            (error, {"settings": {"until": 0.0}}), (error, {"settings": 1}), (ending, {"value": -1.0}),
-            (ending, {"ending": ""}), (ending, {"unit": "s"}), (external, {"scheme": "a\nb"}), (external, {"scheme": ""}),
-            (external, {"scheme": "x" * 101}), (error, {"external": True, "scheme": ""}),
-            (of_file, {"checksum": ""}), (of_file, {"checksum": "abc"}), (of_file, {"checksum": "Z" * 64}),
-            (of_file, {"checksum": 1}), (of_file, {"settings": {"B": [None]}}), (error, {"settings": {"": 1.0}}),
-            (error, {"course": {"t": [1.0]}}), (error, {"course": {"t": [-1.0], "value": [1.0]}}), (error, {"unit": "a\nb"}),
-            (error, {"wall_clock": True}), (external, {"wall_clock": True}),
+            (run, {"values": {"error_end": -1.0}}), (run, {"values": {"error_end": None}}), (run, {"values": {"error_end": "1"}}), (run, {"values": {"": 1.0}}),
+            (run, {"values": [1.0]}), (run, {"steps": 0}), (run, {"steps": 2.5}), (run, {"steps": 2**31}), (run, {"end": -1.0}), (run, {"ended_at": -1.0}),
+            (run, {"tolerance": 2.0}), (run, {"budget": 0.0}), (run, {"grid": "curved"}), (run, {"history": "none"}), (run, {"scene": ""}),
+            (run, {"scheme": ""}), (run, {"ending": ""}), (run, {"settings": {"until": 0.0}}), (run, {"settings": 1}), (run, {"settings": {"": 1.0}}),
+            (external, {"scheme": "a\nb"}), (external, {"scheme": ""}), (external, {"scheme": "x" * 101}),
+            (of_file, {"checksum": ""}), (of_file, {"checksum": "abc"}), (of_file, {"checksum": "Z" * 64}), (of_file, {"checksum": 1}),
+            (of_file, {"settings": {"B": [None]}}), (run, {"courses": {"drift_internal": {"t": [1.0]}}}),
+            (run, {"courses": {"drift_internal": {"t": [-1.0], "value": [1.0]}}}), (run, {"wall_clock": True}), (run, {"columns": {"names": ["a\nb"]}}),
+            (run, {"columns": {"names": ["x"], "errors": [[1.0]]}}), (run, {"columns": {"names": ["x"], "errors": [[-1.0]] * 8}}),
+            (run, {"program": {"code": "a", "version": "", "language": ""}}), (times, {"time": {"time_median": -1.0}}), (times, {"scheme": ""}), (times, {"wall_clock": True}),
         ]  # fmt: skip
         for number, change in changes:
             with self.subTest(change=change):
-                lines = self.changed(number, lambda line, change=change: line.update(change))
-                self.assertFalse(VALIDATOR.is_valid(lines[number]))
-                taken, said = self.is_read(lines)
-                self.assertFalse(taken)
-                self.assertIn(f": line {number + 1}", said)
-        scene = next(i for i, line in enumerate(self.lines) if isinstance(line.get("scene"), dict))
+                self.refused(number, lambda line, change=change: line.update(change))
         for change in ({"title": None}, {"title": "a\nb"}, {"settings": 1}, {"scene": ""}, {"reference_seconds": -1.0}, {"evidence": 1},
                        {"trial": {}}, {"solution": {}}, {"equations": [{"left": "y"}]}, {"parameters": [{"name": ""}]},
                        {"solution": {"t": [], "columns": ["y"], "values": [[]], "bound": 0.0}},
                        {"solution": {"t": [0.0], "columns": [], "values": [], "bound": 0.0}},
                        {"solution": {"t": [0.0], "columns": ["y"], "values": [[1.0]], "bound": 0.0, "motion": {"columns": ["y"]}}}):  # fmt: skip
             with self.subTest(change=change):
-                lines = self.changed(scene, lambda line, change=change: line["scene"].update(change))
-                self.assertFalse(VALIDATOR.is_valid(lines[scene]))
-                self.assertFalse(self.is_read(lines)[0])
-        program = next(i for i, line in enumerate(self.lines) if "program" in line)
+                self.refused(scene, lambda line, change=change: line["scene"].update(change))
         for change in ({"code": "a\nb"}, {"code": "x" * 101}, {"version": 1}, {"language": "\x7f"}):
             with self.subTest(change=change):
-                lines = self.changed(program, lambda line, change=change: line["program"].update(change))
-                self.assertFalse(VALIDATOR.is_valid(lines[program]))
-                self.assertFalse(self.is_read(lines)[0])
-        for field in ("scene", "settings", "scheme", "steps", "h", "quantity", "value", "unit", "grid", "history", "tolerance"):
+                self.refused(program, lambda line, change=change: line["program"].update(change))
+        for field in ("scene", "scheme", "steps", "end", "ending"):
             with self.subTest(without=field):
-                lines = self.changed(error, lambda line, field=field: line.pop(field))
-                self.assertFalse(VALIDATOR.is_valid(lines[error]))
-                self.assertFalse(self.is_read(lines)[0])
-        lines = self.changed(ending, lambda line: line.pop("ending"))
-        self.assertFalse(VALIDATOR.is_valid(lines[ending]))
-        self.assertFalse(self.is_read(lines)[0])
+                self.refused(run, lambda line, field=field: line.pop(field))
+        self.refused(times, lambda line: line.pop("time"))
         self.assertTrue(self.is_read(self.lines)[0])
 
     def test_what_is_not_in_one_line_is_refused_too(self):
-        """The name of one of our schemes for another program; rows in the wrong order; times that do not increase."""
-        error = next(i for i, line in enumerate(self.lines) if line.get("quantity") == "error_end")
+        """The name of one of our schemes for another program; times that do not increase; lists of other lengths; no session."""
+        run = self.first("values", "columns")
+        count = len(self.lines[run]["columns"]["names"])
         for change, said in [
-            ({"course": {"t": [1.0, 1.0], "value": [0.0, 0.0]}}, "must increase"), ({"course": {"t": [1.0], "value": []}}, "0 values at 1 times"),
-            ({"steps": 17}, "a measurement without its last row"), ({"external": True}, "another name than those of our schemes"),
+            ({"courses": {"drift_internal": {"t": [1.0, 1.0], "value": [0.0, 0.0]}}}, "must increase"),
+            ({"courses": {"drift_internal": {"t": [1.0], "value": []}}}, "0 values at 1 times"),
+            ({"columns": {"names": ["x"] * count, "errors": [[0.0] * (count + 1)] * 8}}, f"{count + 1} values"),
+            ({"external": True}, "another name than those of our schemes"),
         ]:  # fmt: skip
             with self.subTest(change=change):
-                taken, why = self.is_read(self.changed(error, lambda line, change=change: line.update(change)))
+                taken, why = self.is_read(self.changed(run, lambda line, change=change: line.update(change)))
                 self.assertFalse(taken)
                 self.assertIn(said, why)
-        second = [i for i, line in enumerate(self.lines) if "session" in line][1]
-        for lines, said in [
-            (self.lines[1:], "line 1: a scene before the first session"),
-            (self.lines[: second - 1] + self.lines[second:], "a measurement without its last row"),
-        ]:
-            taken, why = self.is_read(lines)
-            self.assertFalse(taken)
-            self.assertIn(said, why)
-
+        taken, why = self.is_read(self.lines[1:])
+        self.assertFalse(taken)
+        self.assertIn("line 1: a scene before the first session", why)
 
     def test_programs_say_what_they_are(self):
         described = {line["scheme"]: line["program"] for line in self.lines if "program" in line}
         self.assertEqual(described, {"said": {"code": "end", "version": "1.0", "language": "sh"}})
-        self.assertEqual({line["scheme"] for line in self.lines if line.get("quantity") == "time_start"}, {"said"})
+        self.assertEqual({line["scheme"] for line in self.lines if "time_start" in line.get("time", {})}, {"said"})
 
     def test_what_another_version_may_say_is_read(self):
-        names = {"scene": "tomorrow", "scheme": "better_l1", "quantity": "beauty", "ending": "went_home"}
+        names = {"scene": "tomorrow", "scheme": "better_l1", "ending": "went_home"}
         lines = copy.deepcopy(self.lines)
         for line in lines:
             if "session" in line:
                 continue
-            row = line["scene"] if isinstance(line["scene"], dict) else line
-            row.update({name: value for name, value in names.items() if row.get(name) in ("relaxation", "l1", "rounding", "finished")})
-            row["settings"]["news"] = [1.0, 2.0]
-            if row.get("quantity") == "beauty":
-                row.update(value=-1.0, unit="m")
+            of = line["scene"] if isinstance(line["scene"], dict) else line
+            of.update({name: value for name, value in names.items() if of.get(name) in ("relaxation", "l1", "finished")})
+            of.setdefault("settings", {})["news"] = [1.0, 2.0]
+            if "rounding" in of.get("values", {}):
+                of["values"]["beauty"] = -of["values"].pop("rounding")
             VALIDATOR.validate(line)
         self.assertEqual(self.is_read(lines), (True, ""))
 

@@ -114,8 +114,7 @@ def comments_of_a_program_are_recorded(program: Program, case: Case, lists: List
     ran = program.run("run", "--scene", "relaxation", *case.given(), "--repeat", "2", "--external", f"printed={sys.executable} print.py", "--out", "out.jsonl")
     if not ran.done:
         raise Fault("code", f"exit code {ran.code}: {ran.err.strip()}")
-    rows = records(program, "out.jsonl")
-    ending = next(row for row in rows if row["quantity"] == "ending")
+    (ending,) = records(program, "out.jsonl")
     wrong = {key for key, text in given if text not in VALID[key]} | {key for key, _ in given if [name for name, _ in given].count(key) > 1}
     if wrong:
         if ending["ending"] != "program_failed" or not any(key in ending["detail"] for key in wrong):
@@ -127,13 +126,13 @@ def comments_of_a_program_are_recorded(program: Program, case: Case, lists: List
     expected = {"code": code, "version": version, "language": facts.get("language", "")}
     if ending.get("program", dict.fromkeys(expected, "")) != expected:
         raise Fault("program", f"{case.words}: {ending.get('program')}")
-    times = {row["quantity"]: row for row in rows if row["unit"] == "s"}
+    times = ending["time"]
     if "seconds" not in facts:
-        if not times["time_median"]["wall_clock"] or "time_start" in times:
+        if not ending.get("wall_clock") or "time_start" in times:
             raise Fault("times", f"{case.words}: {sorted(times)}")
         return
     median = statistics.median(2 * [float(text) for text in facts["seconds"].split()])
     setup = max(0.0, float(facts.get("first", "0")) - median)
-    if (abs(times["time_median"]["value"] - median) > 1e-12 or abs(times.get("time_setup", {"value": 0.0})["value"] - setup) > 1e-12
+    if (abs(times["time_median"] - median) > 1e-12 or abs(times.get("time_setup", 0.0) - setup) > 1e-12
             or ("time_start" in times) != ("first" in facts)):
-        raise Fault("times", f"{case.words}: {({name: row['value'] for name, row in times.items()})}")
+        raise Fault("times", f"{case.words}: {times}")

@@ -10,7 +10,7 @@ from drawn_scenes import Lists
 from drawn_studies import damaged, drawn_study
 from program import Fault, Program
 from properties import must_hold
-from results import require_same_rows
+from results import require_same_runs
 
 
 def drawn_whole_study(random: Random, lists: Lists) -> Case:
@@ -38,7 +38,7 @@ def the_shards_of_a_plan_are_the_study(program: Program, case: Case, lists: List
     for shard, name in zip(plan["shards"], names):
         if not program.run("run", "--study", f"parts/{shard['file']}", "--out", name, seconds=120).done:
             raise Fault("shard", f"{shard['file']} fails where the study does not")
-    require_same_rows(program, "whole.jsonl", names)
+    require_same_runs(program, "whole.jsonl", names)
 
 
 def drawn_wrong_study(random: Random, lists: Lists) -> Case:

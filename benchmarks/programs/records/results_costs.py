@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""results_costs.py FDEBENCH [ROWS | FILE]...: what reading large results files costs, as a table for docs/results.md.
+"""results_costs.py FDEBENCH [RUNS | FILE]...: what reading large results files costs, as a table for docs/results.md.
 
-For each number of rows (by default 100000 and 1000000) a file is made by many_rows.py. `merge`, `compare` with itself,
+For each number of runs (by default 5000 and 50000) a file is made by many_runs.py. `merge`, `compare` with itself,
 `export` and `report` are run once; the seconds are those of the processor, the memory is the largest resident set.
 """
 
@@ -12,7 +12,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from many_rows import measured, write_copies
+from many_runs import measured, write_copies
 
 
 def cost(*words):
@@ -26,7 +26,7 @@ def cost(*words):
 
 
 def main(program, sizes):
-    print("| rows | bytes | command | processor time | memory |\n|---|---|---|---|---|")
+    print("| runs | bytes | command | processor time | memory |\n|---|---|---|---|---|")
     base = None
     with tempfile.TemporaryDirectory() as folder:
         for size in sizes:
@@ -36,17 +36,17 @@ def main(program, sizes):
                 file = Path(folder) / f"{size}.jsonl"
                 write_copies(base, int(size), file)
             with file.open() as lines:
-                rows = sum('"quantity":' in line for line in lines)
+                runs = sum('"ending":' in line for line in lines)
             out = Path(folder) / f"out-{size.replace('/', '-')}"
             for command in (["merge", file, "--out", f"{out}.merged"], ["compare", file, file],
                             ["export", file, "--to", "sqlite", "--out", f"{out}.sqlite"], ["export", file, "--to", "csv", "--out", f"{out}.csv"],
                             ["report", file, "--out", f"{out}.report"]):  # fmt: skip
                 seconds, memory = cost(program, *command)
                 name = " ".join(command[0:1] + command[2:4] * (command[0] == "export"))
-                print(f"| {rows} | {file.stat().st_size / 1e6:.0f} MB | `{name}` | {seconds:.1f} s | {memory / 1e6:.0f} MB |", flush=True)
+                print(f"| {runs} | {file.stat().st_size / 1e6:.0f} MB | `{name}` | {seconds:.1f} s | {memory / 1e6:.0f} MB |", flush=True)
 
 
 if __name__ == "__main__":
     if len(sys.argv) < 2:
         sys.exit(__doc__.splitlines()[0])
-    main(sys.argv[1], sys.argv[2:] or ["100000", "1000000"])
+    main(sys.argv[1], sys.argv[2:] or ["5000", "50000"])

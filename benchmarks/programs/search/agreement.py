@@ -27,7 +27,7 @@ def rows_by_scene(results):
             row = json.loads(line)
             if "session" in row:
                 sessions.append(line)
-            if "quantity" not in row or "checksum" in row:
+            if "scheme" not in row or "checksum" in row:
                 continue
             settings = ",".join(f"{name}={value}" for name, value in row.get("settings", {}).items())
             rows.setdefault(row["scene"] + (":" + settings if settings else ""), sessions[-1:]).append(line)

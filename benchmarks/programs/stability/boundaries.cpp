@@ -14,7 +14,7 @@
 #include <numbers>
 
 #include "fdebench/benchmarks/programs/figures.hpp"
-#include "fdebench/schemes/diagnostics/region_boundary.hpp"
+#include "fdebench/schemes/diagnostics/stability_region.hpp"
 
 namespace fde::bench::figures {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fdebench/reports/analysis/compared_columns.hpp"
-#include "fdebench/reports/page/accuracies.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
@@ -22,10 +22,10 @@ constexpr const char* own_code = "fdebench";
 struct CodeRuns {
   std::string code{};
   ProgramFacts program{};
-  std::vector<const MeasuredRun*> finished{}, failed{};
+  std::vector<const Record*> finished{}, failed{};
 };
 
-std::string code_of(const MeasuredRun& run) {
+std::string code_of(const Record& run) {
   if (!run.key.external) return own_code;
   return run.program.code.empty() ? run.key.scheme : run.program.code;
 }
@@ -33,8 +33,8 @@ std::string code_of(const MeasuredRun& run) {
 // The codes of a scene, fdebench first, then in the order of their runs.
 class Codes {
  public:
-  void add(RunSpan runs, std::vector<const MeasuredRun*> CodeRuns::*kept) {
-    for (const MeasuredRun& run : runs) {
+  void add(RunSpan runs, std::vector<const Record*> CodeRuns::*kept) {
+    for (const Record& run : runs) {
       auto& of = at(code_of(run));
       if (run.program != ProgramFacts{}) of.program = run.program;
       (of.*kept).push_back(&run);
@@ -54,8 +54,8 @@ class Codes {
 };
 
 // The quickest run within the error; nullptr if there is none.
-const MeasuredRun* quickest(const CodeRuns& code, const ErrorKind& kind, double accuracy) {
-  const MeasuredRun* best = nullptr;
+const Record* quickest(const CodeRuns& code, const ErrorKind& kind, double accuracy) {
+  const Record* best = nullptr;
   for (const auto* run : code.finished) {
     const auto error = (*run)[error_measure(kind)];
     const auto time = time_of(*run);
@@ -66,8 +66,8 @@ const MeasuredRun* quickest(const CodeRuns& code, const ErrorKind& kind, double 
 }
 
 // The run with the smallest error; nullptr without finished runs.
-const MeasuredRun* most_accurate(const CodeRuns& code, const ErrorKind& kind) {
-  const MeasuredRun* best = nullptr;
+const Record* most_accurate(const CodeRuns& code, const ErrorKind& kind) {
+  const Record* best = nullptr;
   for (const auto* run : code.finished) {
     const auto error = (*run)[error_measure(kind)];
     if (error && (best == nullptr || *error < (*best)[error_measure(kind)])) best = run;
@@ -82,7 +82,7 @@ json cell_facts(const PageInput& page, const CodeRuns& code, const CodeRuns& own
     const double seconds = time_of(*run)->median;
     facts["error"] = fact((*run)[error_measure(kind)]);
     facts["seconds"] = fact(seconds);
-    if (const auto setup = (*run)["time_setup"]; setup && !run->first_run)
+    if (const auto setup = (*run)["time_setup"]; setup && !run->timing.first_run)
       facts["first_seconds"] = fact(seconds + *setup);
     facts["start_seconds"] = fact((*run)["time_start"]);
     const auto* ours = quickest(own, kind, accuracy);
@@ -108,7 +108,7 @@ json row_of(const PageInput& page, const CodeRuns& code, const CodeRuns& own, co
            {"language", code.program.language},
            {"cells", json::array()}};
   row.update(reason_facts(code));
-  for (const double accuracy : accuracies)
+  for (const double accuracy : default_accuracies)
     row["cells"].push_back(cell_facts(page, code, own, kind, accuracy));
   return row;
 }
@@ -141,7 +141,7 @@ json codes_section(const PageInput& page) {
                          {"rows", rows}});
     }
   }
-  return {{"id", "codes"}, {"accuracies", accuracies}, {"octave", is_octave}, {"groups", groups}};
+  return {{"id", "codes"}, {"accuracies", default_accuracies}, {"octave", is_octave}, {"groups", groups}};
 }
 
 }  // namespace fde::bench

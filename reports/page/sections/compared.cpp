@@ -28,7 +28,7 @@ json row(const PageInput& page, const CommonRun& run) {
   return facts;
 }
 
-json verdict(const TrialResult& verdict, const MeasuredRun& run) {
+json verdict(const TrialResult& verdict, const Record& run) {
   json facts = ending_facts(run.ending);
   facts["verdict"] = verdict.word;
   return facts;

@@ -8,12 +8,12 @@ namespace {
 
 using nlohmann::json;
 
-json row(const PageInput& page, const MeasuredRun& run) {
+json row(const PageInput& page, const Record& run) {
   json facts = run_facts(
       page, run,
       {"time_minimum", "error_end", "mescd", "states", "start_weights", "rhs_calls", "history_bytes"});
   if (const auto setup = run["time_setup"], seconds = run["time_minimum"]; setup && seconds)
-    facts["first_seconds"] = fact(*seconds + (run.first_run ? 0.0 : *setup));
+    facts["first_seconds"] = fact(*seconds + (run.timing.first_run ? 0.0 : *setup));
   if (const auto iterations = run["newton_iterations"]) {
     facts["newton"] = {{"iterations", fact(iterations)}, {"tolerance", fact(run.key.setup.tolerance)}};
   } else {

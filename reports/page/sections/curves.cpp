@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 
 json runs_of_curves(const PageInput& page, const ParameterCurves& curves) {
-  std::vector<const MeasuredRun*> runs;
+  std::vector<const Record*> runs;
   json values = json::array();
   for (const CurvePoint& point : curves.points) {
     runs.push_back(point.run);

@@ -13,7 +13,7 @@ using nlohmann::json;
 constexpr double least_correlation = 0.95;
 
 // The largest drift of a run by one rule, the power of t with which it grows, and the rate of the line.
-json drift_facts(const MeasuredRun& run, RunSpan line, const std::string& quantity) {
+json drift_facts(const Record& run, RunSpan line, const std::string& quantity) {
   json facts{{"largest", fact(run[quantity])}, {"growth", fact(run[quantity + "_growth"])}};
   const Fit fit = observed_rate(line, quantity);
   if (fit.points > 0 && fit.correlation >= least_correlation)
@@ -22,7 +22,7 @@ json drift_facts(const MeasuredRun& run, RunSpan line, const std::string& quanti
 }
 
 json row(const PageInput& page, const std::string& formulation, RunSpan line, int steps) {
-  const auto found = std::ranges::find(line, steps, &MeasuredRun::steps);
+  const auto found = std::ranges::find(line, steps, &Record::steps);
   const auto until = found == line.end() ? line.end() : std::next(found);
   const RunSpan fitted(line.begin(), until);
   json facts = run_facts(page, fitted.back(), {"error_end", "time_minimum"});

@@ -17,7 +17,7 @@ using nlohmann::json;
 constexpr int digits = 3;
 
 // The drift of effective_drift() up to t; empty if the run has none.
-Course course_of(const MeasuredRun& run) {
+Course course_of(const Record& run) {
   for (const auto* quantity : {"drift_independent", "drift_internal"}) {
     const auto found = run.courses.find(quantity);
     if (found != run.courses.end()) return found->second;
@@ -51,13 +51,13 @@ json points_of(const PageInput& page, const ConstrainedScene& scene) {
   std::vector<std::string> formulations, lines;
   json points;
   for (const auto& of : scene.formulations) {
-    for (const MeasuredRun& run : of.runs) {
+    for (const Record& run : of.runs) {
       const double drift = effective_drift(run);
       if (!(drift > 0.0) || !std::isfinite(drift)) continue;
       points["formulation"].push_back(place_in(formulations, of.formulation));
       points["line"].push_back(place_in(lines, page.label(run.key)));
       points["steps"].push_back(run.steps);
-      points["h"].push_back(rounded_for_chart(run.h));
+      points["h"].push_back(rounded_for_chart(run.h()));
       points["drift"].push_back(rounded_for_chart(drift, digits));
     }
   }

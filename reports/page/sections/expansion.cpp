@@ -19,19 +19,19 @@ const Scheme* expansion_scheme() {
 
 // Runs of the same scene and steps by the chain and by the expansion.
 struct Pair {
-  const MeasuredRun *chain, *expansion;
+  const Record *chain, *expansion;
 };
 
-const MeasuredRun* find(RunSpan runs, std::string_view scheme, const RunSettings& setup) {
+const Record* find(RunSpan runs, std::string_view scheme, const RunSettings& setup) {
   const auto found = std::ranges::find_if(
-      runs, [&](const MeasuredRun& run) { return run.key.scheme == scheme && run.key.setup == setup; });
+      runs, [&](const Record& run) { return run.key.scheme == scheme && run.key.setup == setup; });
   return found == runs.end() ? nullptr : &*found;
 }
 
 // The pair with the largest common number of steps and equal settings.
 std::optional<Pair> finest_pair(const Scheme& expansion, RunSpan scene) {
   std::optional<Pair> finest;
-  for (const MeasuredRun& run : scene) {
+  for (const Record& run : scene) {
     if (run.key.scheme != expansion.id || (finest && finest->expansion->steps > run.steps)) continue;
     if (const auto* chain = find(scene, expansion.expansion_of, run.key.setup)) finest = Pair{chain, &run};
   }
@@ -53,7 +53,7 @@ json expansion_section(const PageInput& page) {
     const auto pair = finest_pair(*expansion, scene);
     if (!pair) continue;
     const SceneSettings& solved = scene.front().key.scene;
-    const auto facts = [&](const MeasuredRun& run) {
+    const auto facts = [&](const Record& run) {
       return run_facts(page, run, {"states", "time_minimum", "error_end"});
     };
     rows.push_back({{"title", name_of_scene(page, solved).title},

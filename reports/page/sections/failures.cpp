@@ -37,7 +37,7 @@ bool alike(const RunOutcome& one, const RunOutcome& other) {
 // Consecutive numbers of steps of a line with the same ending.
 std::vector<EqualEndings> endings_of(const PageInput& page, RunSpan line) {
   std::vector<EqualEndings> found;
-  for (const MeasuredRun& run : line) {
+  for (const Record& run : line) {
     if (found.empty() || !alike(found.back().last, run.ending))
       found.push_back({{page.label(run.key)}, {}, {}, run.ending, {}});
     auto& of = found.back();
@@ -91,7 +91,7 @@ json failures_section(const PageInput& page) {
 json schemes_section(const PageInput& page) {
   json rows = json::array();
   for (const auto& scheme : schemes()) {
-    const auto of_this = [&](const MeasuredRun& run) { return run.key.scheme == scheme.id; };
+    const auto of_this = [&](const Record& run) { return run.key.scheme == scheme.id; };
     const auto has = [&](const Runs& runs) {
       return std::ranges::any_of(runs.finished, of_this) || std::ranges::any_of(runs.failed, of_this);
     };
@@ -101,7 +101,7 @@ json schemes_section(const PageInput& page) {
   std::set<std::string> others;
   for (const auto* runs : {&page.runs.finished, &page.runs.failed, &page.trials, &page.families.finished,
                            &page.families.failed}) {
-    for (const MeasuredRun& run : *runs) {
+    for (const Record& run : *runs) {
       if (find_scheme(run.key.scheme) == nullptr) others.insert(run.key.scheme);
     }
   }

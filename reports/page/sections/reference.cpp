@@ -21,8 +21,8 @@ constexpr double largest_share = 0.1;
 // has both.
 json best_resolved(const PageInput& page, RunSpan scene, std::string_view error_id,
                    std::string_view bound_id) {
-  const MeasuredRun* best = nullptr;
-  for (const MeasuredRun& run : scene) {
+  const Record* best = nullptr;
+  for (const Record& run : scene) {
     if (run[error_id] && run[bound_id] && (best == nullptr || *run[error_id] < *(*best)[error_id]))
       best = &run;
   }
@@ -66,7 +66,7 @@ struct PlainSchemeTime {
 
 PlainSchemeTime over_grid(const SceneLines& lines, RunSpan runs) {
   const auto is_plain = [&](const RecommendedRun& option) {
-    return !takes_accuracy(option) && std::ranges::none_of(runs, [&](const MeasuredRun& run) {
+    return !takes_accuracy(option) && std::ranges::none_of(runs, [&](const Record& run) {
       return run.key.scheme == option.schemes.front() && run["start_weights"];
     });
   };

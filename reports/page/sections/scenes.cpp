@@ -15,8 +15,8 @@ namespace {
 using nlohmann::json;
 
 json runs_of_scene(const PageInput& page, RunSpan scene) {
-  std::vector<const MeasuredRun*> runs;
-  for (const MeasuredRun& run : scene) runs.push_back(&run);
+  std::vector<const Record*> runs;
+  for (const Record& run : scene) runs.push_back(&run);
   return run_columns(page, runs);
 }
 
@@ -37,7 +37,7 @@ json rates_of_scene(const PageInput& page, RunSpan scene) {
 // The runs with error 0, which a logarithmic chart cannot show.
 json not_drawn(const PageInput& page, RunSpan scene) {
   json runs = json::array();
-  for (const MeasuredRun& run : scene) {
+  for (const Record& run : scene) {
     if (run["error_end"] == 0.0) runs.push_back({{"line", page.label(run.key)}, {"steps", run.steps}});
   }
   return runs;
@@ -46,8 +46,8 @@ json not_drawn(const PageInput& page, RunSpan scene) {
 // The lines whose times are of whole processes.
 std::set<std::string> on_wall_clock(const PageInput& page, RunSpan scene) {
   std::set<std::string> names;
-  for (const MeasuredRun& run : scene) {
-    if (run.wall_clock) names.insert(page.label(run.key));
+  for (const Record& run : scene) {
+    if (run.timing.wall_clock) names.insert(page.label(run.key));
   }
   return names;
 }

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/trial_result.hpp"
-#include "fdebench/reports/page/accuracies.hpp"
 #include "fdebench/reports/page/facts.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
@@ -32,7 +32,7 @@ std::map<std::string, LineScore> scores_of(const PageInput& page, const ErrorKin
   for (const RunSpan runs : by_scene(page.runs.finished)) {
     const auto& scene = runs.front().key.scene;
     const SceneLines lines(page.runs, scene);
-    for (const double accuracy : accuracies) {
+    for (const double accuracy : default_accuracies) {
       const auto ranked = lines.within(kind, accuracy);
       if (!ranked.empty()) ++found[page.label(ranked.front())].won;
       for (const RecommendedRun& option : ranked) {
@@ -68,15 +68,15 @@ std::string general(const std::string& reason) { return reason.substr(0, reason.
 // What speaks against a line: the scenes by verdict, with the most frequent reason of refusals.
 json against(const PageInput& page, const std::string& line) {
   std::map<std::string_view, Counted> counted;
-  const auto count = [&](const MeasuredRun& run) {
+  const auto count = [&](const Record& run) {
     if (page.label(run.key) != line) return;
     auto& of = counted[trial_result(run).word];
     ++of.scenes[run.key.scene.id];
     ++of.reasons[general(run.ending.detail)];
   };
   std::ranges::for_each(page.trials, count);
-  for (const MeasuredRun& run : page.runs.failed) {
-    if (std::ranges::none_of(page.trials, [&](const MeasuredRun& trial) { return trial.key == run.key; }))
+  for (const Record& run : page.runs.failed) {
+    if (std::ranges::none_of(page.trials, [&](const Record& trial) { return trial.key == run.key; }))
       count(run);
   }
   json all = json::array();
@@ -99,7 +99,7 @@ std::vector<std::string> labels_of(const PageInput& page) {
   std::vector<std::string> labels;
   const auto add = [&](const auto& is_next) {
     for (const auto* runs : {&page.runs.finished, &page.runs.failed, &page.trials}) {
-      for (const MeasuredRun& run : *runs) {
+      for (const Record& run : *runs) {
         if (!is_next(run.key.scheme)) continue;
         if (auto label = page.label(run.key); std::ranges::count(labels, label) == 0)
           labels.push_back(std::move(label));

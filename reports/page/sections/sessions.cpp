@@ -26,10 +26,10 @@ struct SessionTimes {
 std::vector<SessionTimes> times_of_sessions(const PageInput& page) {
   std::vector<SessionTimes> times(page.sessions.size());
   for (const auto* some : {&page.runs.finished, &page.families.finished, &page.trials}) {
-    for (const MeasuredRun& run : *some) {
+    for (const Record& run : *some) {
       if (!run["time_median"]) continue;
-      ++times[run.session].all;
-      if (run["disturbed"].value_or(0.0) > 0.0) ++times[run.session].disturbed;
+      ++times[run.last_session()].all;
+      if (run.timing.is_disturbed()) ++times[run.last_session()].disturbed;
     }
   }
   return times;

@@ -17,7 +17,7 @@ using nlohmann::json;
 std::vector<const SceneDescription*> scenes_of(const PageInput& page) {
   std::vector<const SceneDescription*> scenes;
   for (const auto& entry : page.runs.scenes) {
-    const auto of_this = [&](const MeasuredRun& run) { return run.key.scene == entry.first; };
+    const auto of_this = [&](const Record& run) { return run.key.scene == entry.first; };
     if (std::ranges::any_of(page.trials, of_this)) scenes.push_back(&entry.second);
   }
   std::ranges::stable_sort(scenes, {}, [](const auto* scene) { return scene->trial->number; });
@@ -26,15 +26,14 @@ std::vector<const SceneDescription*> scenes_of(const PageInput& page) {
 
 // The verdict on a trial with its reason, and how `fdebench solve` repeats it; null if it was not run.
 json cell(const PageInput& page, const SceneSettings& scene, int steps, const std::string& line) {
-  const auto found = std::ranges::find_if(page.trials, [&](const MeasuredRun& run) {
-    return run.key.scene == scene && page.label(run.key) == line;
-  });
+  const auto found = std::ranges::find_if(
+      page.trials, [&](const Record& run) { return run.key.scene == scene && page.label(run.key) == line; });
   if (found == page.trials.end()) return {};
   json facts{{"verdict", trial_result(*found).word},
              {"error", fact((*found)["error_relative"])},
              {"rounding_from", fact((*found)["rounding_from"])},
              {"seconds", fact((*found)["time_minimum"])},
-             {"wall_clock", found->wall_clock}};
+             {"wall_clock", found->timing.wall_clock}};
   if (!found->key.external) {
     facts["scheme"] = found->key.scheme;
     facts["options"] = options_of(found->key.setup, steps);

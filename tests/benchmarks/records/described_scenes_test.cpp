@@ -33,14 +33,10 @@ SceneDescription description() {
                                       .motion = {.names = {"y", "z"}}}};
 }
 
-Record ending() {
+Record run() {
   return {.key = {.scene = description().scene, .scheme = "l1", .setup = {.resolution = 64}},
           .steps = 64,
-          .h = 1.0 / 64,
-          .quantity = "ending",
-          .value = 1.0,
-          .unit = "t",
-          .ending = RunOutcome{}};
+          .end = 1.0};
 }
 
 class DescribedScenes : public ResultsFileTest {};
@@ -51,7 +47,7 @@ TEST_F(DescribedScenes, AreReturnedByTheFile) {
     EXPECT_FALSE(file.describes(description().scene));
     file.append(description());
     EXPECT_TRUE(file.describes(description().scene));
-    file.append({ending()});
+    file.append(run());
   }
   const auto results = read_results(file_);
   EXPECT_EQ(results.scenes, std::vector{description()});

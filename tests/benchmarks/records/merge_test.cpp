@@ -32,16 +32,10 @@ class Merges : public testing::Test {
     session.machine = machine;
     std::string text = line_of(session);
     for (const int n : steps) {
-      Record row{.key = {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = n}},
-                 .steps = n,
-                 .h = 1.0 / n,
-                 .quantity = "error_end",
-                 .value = 1.0 / n};
-      text += line_of(row, false);
-      row.quantity = "ending";
-      row.unit = "t";
-      row.ending = RunOutcome{};
-      text += line_of(row, true);
+      Record run{
+          .key = {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = n}}, .steps = n, .end = 1.0};
+      run.values.set("error_end", 1.0 / n);
+      text += line_of(run);
     }
     folder_.write(name, text);
     return folder_.path() / name;
@@ -55,8 +49,8 @@ class Merges : public testing::Test {
 
   static std::vector<int> steps_of(const Results& results, const std::string& machine) {
     std::vector<int> steps;
-    for (const Record& row : results.records) {
-      if (row.ending && results.sessions[row.session].machine == machine) steps.push_back(row.steps);
+    for (const Record& run : results.records) {
+      if (results.sessions[run.session].machine == machine) steps.push_back(run.steps);
     }
     return steps;
   }
@@ -68,7 +62,7 @@ class Merges : public testing::Test {
 TEST_F(Merges, KeepTheSessionsOfSeveralMachinesApart) {
   const auto merged = merge_results({file_of("a", "one", {8, 16}), file_of("b", "other", {16, 32})}, out_);
   EXPECT_EQ(merged.sessions, 2U);
-  EXPECT_EQ(merged.rows, 8U);
+  EXPECT_EQ(merged.rows, 4U);
   const auto results = read_results(out_);
   ASSERT_EQ(results.sessions.size(), 2U);
   EXPECT_THAT(steps_of(results, "one"), testing::ElementsAre(8, 16));
@@ -92,7 +86,7 @@ TEST_F(Merges, KeepTheScenesThatAreDescribed) {
   };
   const auto merged =
       merge_results({described("a", "one"), described("b", "one"), described("c", "other")}, out_);
-  EXPECT_EQ(merged.rows, 4U);
+  EXPECT_EQ(merged.rows, 2U);
   const auto results = read_results(out_);
   ASSERT_EQ(results.scenes.size(), 2U);
   EXPECT_EQ(results.scenes[0].title, "Power");
@@ -103,14 +97,14 @@ TEST_F(Merges, TakeWhatStandsInSeveralFilesOnce) {
   const auto merged = merge_results(
       {file_of("a", "one", {8, 16}), file_of("b", "one", {16, 32}), file_of("c", "one", {8})}, out_);
   EXPECT_EQ(merged.sessions, 1U);
-  EXPECT_EQ(merged.rows, 6U);
-  EXPECT_EQ(merged.repeated_rows, 4U);
+  EXPECT_EQ(merged.rows, 3U);
+  EXPECT_EQ(merged.repeated_rows, 2U);
   const auto results = read_results(out_);
   EXPECT_EQ(results.sessions.size(), 1U);
   EXPECT_THAT(steps_of(results, "one"), testing::ElementsAre(8, 16, 32));
 }
 
-TEST_F(Merges, PassOverTheLastRowsOfAKilledSweep) {
+TEST_F(Merges, PassOverTheLastLineOfAKilledSweep) {
   const auto file = file_of("a", "one", {8, 16});
   const auto whole = to_text(file);
   folder_.write("cut", whole.substr(0, whole.size() - 20));
@@ -118,11 +112,11 @@ TEST_F(Merges, PassOverTheLastRowsOfAKilledSweep) {
   EXPECT_THAT(steps_of(read_results(out_), "one"), testing::ElementsAre(8));
 }
 
-// Odd lines and measurements without an ending are left out: what was merged is read without a warning.
+// Odd lines and runs without an ending are left out: what was merged is read without a warning.
 TEST_F(Merges, LeaveOutWhatNoReaderAccepts) {
   const auto whole = to_text(file_of("a", "one", {8, 16, 32}));
   auto changed = whole;
-  changed.replace(changed.rfind(R"("last":true)"), 11, R"("lest":true)");
+  changed.replace(changed.rfind(R"("ending")"), 8, R"("finish")");
   folder_.write("odd", changed.insert(changed.find('\n') + 1, "garbage\n"));
   for (const bool of_two : {false, true}) {
     std::vector<std::filesystem::path> files{folder_.path() / "odd"};

@@ -71,11 +71,13 @@ TEST(StudyShards, AreNotMoreThanTheScenes) {
   EXPECT_EQ(shards_of(planned.study, planned.scenes, 100).size(), 10U);
 }
 
-// The rows but those of times, as lines, without their order.
+// The lines of the runs without times and without order.
 std::multiset<std::string> untimed(const std::filesystem::path& file) {
   std::multiset<std::string> lines;
-  for (const auto& row : read_results(file).records)
-    if (!is_time(row)) lines.insert(line_of(row, false));
+  for (Record& run : read_results(file).records) {
+    run.timing = {};
+    lines.insert(line_of(run));
+  }
   return lines;
 }
 
@@ -105,7 +107,7 @@ TEST(StudyPlans, ReplaceAnEarlierPlanWholeOrNotAtAll) {
   EXPECT_EQ(contents(folder.path()).size(), 3U);
 }
 
-TEST(Studies, HaveTheRowsOfTheirShardsMerged) {
+TEST(Studies, HaveTheRunsOfTheirShardsMerged) {
   const TemporaryFolder folder;
   folder.write("eq/decay.toml",
                "end = 1\n[parameters]\nq = 0.5\n[unknown.y]\norder = \"q\"\nrhs = \"-y\"\ninitial = [1]\n");

@@ -6,6 +6,8 @@
 
 #include <map>
 
+#include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/benchmarks/search/accuracy_target.hpp"
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
 #include "fdebench/benchmarks/sweep/forecast.hpp"
 #include "fdebench/benchmarks/sweep/sweep.hpp"
@@ -17,9 +19,9 @@ namespace {
 
 TEST(Runs, AreAtTheFloorOfRoundingOrOfTheReference) {
   const auto run = [](const std::map<std::string, double>& values) {
-    RecordedRun recorded;
-    for (const auto& [quantity, value] : values) recorded.add({.quantity = quantity, .value = value});
-    return refinement_run({64}, recorded);
+    Record recorded{.key = {.setup = {64}}};
+    for (const auto& [quantity, value] : values) recorded.values.set(quantity, value);
+    return refinement_run(recorded);
   };
   const auto stagnates = [&](std::size_t kind, const std::map<std::string, double>& values) {
     return run(values).errors[kind].is_stagnant;
@@ -45,26 +47,26 @@ class RecordedSweep {
     }
   }
   [[nodiscard]] SweepCallbacks hooks() {
-    return {.recorded = [this](const RunKey& key) { return runs_[key]; },
-            .append =
-                [this](const std::vector<Record>& rows) {
-                  if (left_-- == 0) throw std::runtime_error("killed");
-                  for (const Record& row : rows) runs_[row.key].add(row);
-                },
+    const auto append = [this](const Record& run) {
+      if (left_-- == 0) throw std::runtime_error("killed");
+      runs_[run.key] = run;
+    };
+    return {.recorded = [this](const RunKey& key) { return recorded_of(runs_, key); },
+            .append = append,
+            .append_times = append,
             .on_event = [](const auto&) {}};
   }
   // The numbers of steps of the runs, by scheme.
   [[nodiscard]] std::map<std::string, std::vector<int>> steps() const {
     std::map<std::string, std::vector<int>> steps;
     for (const auto& [key, run] : runs_) {
-      if (run.amount() != RecordedAmount::nothing)
-        steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
+      steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
     }
     return steps;
   }
 
  private:
-  std::map<RunKey, RecordedRun> runs_{};
+  RecordedByKey runs_{};
   std::size_t left_;
 };
 
@@ -103,7 +105,10 @@ TEST(Sweeps, ContinuedAnywhereTakeTheRunsOfAnUninterruptedOne) {
 }
 
 TEST(DefaultSweeps, SearchForTheCheapestRunsAndThoroughOnesMakeAll) {
-  EXPECT_EQ(default_plan().goal->targets.size(), 8U);
+  const SearchGoal goal = default_plan().goal.value();
+  for (const auto& target : goal.targets)
+    EXPECT_TRUE(std::ranges::count(default_accuracies, target.error)) << target.error;
+  EXPECT_EQ(goal.targets.size(), 2 * default_accuracies.size());
   EXPECT_FALSE(thorough_plan().goal);
 }
 
@@ -136,7 +141,7 @@ TEST(Forecasts, GiveNoTimeToRunsThatAreRefused) {
   const Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
                     .schemes = {find_scheme("adaptive_pc"), find_scheme("l1")},
                     .plan = {.resolutions = {1 << 20, 1 << 26}}};
-  const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return RecordedRun(); });
+  const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return std::optional<Record>(); });
   EXPECT_EQ(expected.size(), 4U);
   for (const auto& [run, seconds] : expected) {
     EXPECT_EQ(seconds.refusal.empty(), run.scheme == "l1") << seconds.refusal;
@@ -153,7 +158,7 @@ TEST(Forecasts, GrowWithTheStepsOfATolerance) {
               .schemes = {find_scheme("adaptive_pc")},
               .plan = {.resolutions = {Tolerance{1e-5, 1e-5}, Tolerance{1e-9, 1e-9}}}};
   sweep.repeats = {.most = 1, .min_seconds = 0.0, .enough_seconds = 0.0};
-  const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return RecordedRun(); });
+  const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return std::optional<Record>(); });
   ASSERT_EQ(expected.size(), 2U);
   const auto [least, most] =
       std::minmax(expected.begin()->second.timing, std::next(expected.begin())->second.timing);
@@ -168,7 +173,7 @@ TEST(Forecasts, OfARunAreWithinItsBudget) {
               .plan = {.resolutions = {Tolerance{1e-13, 1e-13}, 100'000'000}}};
   sweep.setup.budget = 0.5;
   sweep.repeats = {.most = 1, .min_seconds = 0.0, .enough_seconds = 0.0};
-  const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return RecordedRun(); });
+  const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return std::optional<Record>(); });
   EXPECT_EQ(expected.size(), 2U);
   EXPECT_GE(total_seconds(expected), 2 * 3 * 0.5);  // solved twice, and timed
   for (const auto& [run, seconds] : expected) EXPECT_LT(seconds.total(), 5.0) << run.scheme;
@@ -209,8 +214,9 @@ TEST(Remainings, AreUnknownWhileAReferenceIsComputed) {
 
 TEST(Sweeps, SayWhichExaminationComputesTheReference) {
   std::vector<bool> said;
-  SweepCallbacks hooks{.recorded = [](const RunKey& /*run*/) { return RecordedRun(); },
-                       .append = [](const auto& /*rows*/) {},
+  SweepCallbacks hooks{.recorded = [](const RunKey& /*run*/) { return std::optional<Record>(); },
+                       .append = [](const auto& /*run*/) {},
+                       .append_times = [](const auto& /*run*/) {},
                        .on_event =
                            [&](const SweepEvent& event) {
                              if (event.kind == SweepEvent::Kind::examines)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -14,27 +15,29 @@
 namespace fde::bench {
 namespace {
 
-constexpr auto nothing_is_recorded = [](const auto&) { return RecordedRun(); };
+constexpr auto nothing_is_recorded = [](const auto&) { return std::optional<Record>(); };
 constexpr auto no_report = [](const auto&) {};
-
-RecordedRun examined(const RunKey& key) {
-  RecordedRun run;
-  run.add({.key = key, .quantity = "ending", .ending = RunOutcome{}});
-  return run;
-}
 
 // A continued sweep times the examined runs without a second examination.
 TEST(ContinuedSweeps, TimeWhatIsExamined) {
-  std::vector<Record> rows;
+  std::vector<std::string> examined, timed;
   run_sweep({.scenes = {{&scene_maker("power")}},
              .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
              .plan = {{16}},
              .repeats = {.most = 1}},
-            {.recorded = [](const RunKey& run) { return run.scheme == "l1" ? examined(run) : RecordedRun(); },
-             .append = [&](const auto& some) { rows.insert(rows.end(), some.begin(), some.end()); },
+            {.recorded =
+                 [](const RunKey& run) {
+                   return run.scheme == "l1" ? std::optional(Record{.key = run}) : std::nullopt;
+                 },
+             .append = [&](const Record& run) { examined.push_back(run.key.scheme); },
+             .append_times =
+                 [&](const Record& run) {
+                   EXPECT_GT(run["time_high"], 0.0);
+                   timed.push_back(run.key.scheme);
+                 },
              .on_event = no_report});
-  EXPECT_EQ(std::ranges::count(rows, "ending", &Record::quantity), 1);
-  EXPECT_EQ(std::ranges::count(rows, "time_high", &Record::quantity), 2);
+  EXPECT_THAT(examined, testing::ElementsAre("adams_pc"));
+  EXPECT_THAT(timed, testing::ElementsAre("l1", "adams_pc"));
 }
 
 std::string words_of(const SweepEvent& event) {
@@ -60,18 +63,19 @@ TEST(Sweeps, TakeOneResolutionAfterTheOtherAndReportEachRun) {
              .repeats = {.most = 1},
              .threads = 1},
             {.recorded = nothing_is_recorded,
-             .append = [&](const auto& some) { events.push_back(some.back().quantity); },
+             .append = [&](const auto&) { events.push_back("appends"); },
+             .append_times = [&](const auto&) { events.push_back("appends times"); },
              .on_event = [&](const auto& event) { events.push_back(words_of(event)); }});
-  EXPECT_THAT(events, testing::ElementsAre("examines N = 16", "ending", "times N = 16", "disturbed",
-                                           "N = 16 is done", "examines N = 32", "ending", "times N = 32",
-                                           "disturbed", "N = 32 is done", "line ends at N = 32"));
+  EXPECT_THAT(events, testing::ElementsAre("examines N = 16", "appends", "times N = 16", "appends times",
+                                           "N = 16 is done", "examines N = 32", "appends", "times N = 32",
+                                           "appends times", "N = 32 is done", "line ends at N = 32"));
 }
 
 // While one thread appends, the others continue; only a failure stops them.
 class SlowAppends : public testing::TestWithParam<int> {};
 
 TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
-  std::multiset<RunKey> endings, times;
+  std::multiset<RunKey> runs, times;
   const auto relaxation = [](double gamma) {
     return SceneVariant{&scene_maker("relaxation"), {{"gamma", gamma}}};
   };
@@ -82,15 +86,15 @@ TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
                     .threads = 4};
   run_sweep(sweep, {.recorded = nothing_is_recorded,
                     .append =
-                        [&](const auto& rows) {
-                          const Record& last = rows.back();
-                          (last.ending ? endings : times).insert(last.key);
-                          if (last.ending) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                        [&](const Record& run) {
+                          runs.insert(run.key);
+                          std::this_thread::sleep_for(std::chrono::milliseconds(1));
                         },
+                    .append_times = [&](const Record& run) { times.insert(run.key); },
                     .on_event = no_report});
-  EXPECT_EQ(endings.size(), sweep.scenes.size() * sweep.schemes.size() * sweep.plan.resolutions.size());
-  EXPECT_EQ(std::set<RunKey>(endings.begin(), endings.end()).size(), endings.size());
-  EXPECT_TRUE(times == endings);
+  EXPECT_EQ(runs.size(), sweep.scenes.size() * sweep.schemes.size() * sweep.plan.resolutions.size());
+  EXPECT_EQ(std::set<RunKey>(runs.begin(), runs.end()).size(), runs.size());
+  EXPECT_TRUE(times == runs);
 }
 
 INSTANTIATE_TEST_SUITE_P(TimingRepeats, SlowAppends, testing::Range(0, 3));

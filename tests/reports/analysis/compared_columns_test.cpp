@@ -22,9 +22,8 @@ constexpr ErrorKind kind{Norm::end, Scale::absolute};
 void add(Results& results, const std::string& scheme, double seconds, const std::vector<double>& errors,
          bool is_recorded = true) {
   const bool is_part = errors.size() == 1;
-  const auto first = results.records.size();
   add_run(results, {"bagley_torvik", scheme, 64}, errors.back(), seconds);
-  for (auto i = first; i < results.records.size(); ++i) results.records[i].key.external = is_part;
+  results.records.back().key.external = is_part;
   ColumnErrors& columns = results.records.back().columns;
   if (!is_recorded && !is_part) return;
   columns = {.names = is_part ? std::vector<std::string>{"x"} : std::vector<std::string>{"x", "Dx"},

@@ -66,7 +66,7 @@ TEST(Options, CountARunMeasuredAgainWithItsLastSession) {
 TEST(Options, AreNoRunsThatZeroWouldMatch) {
   Results results = empty_results();
   const SyntheticRun run{"pendulum", "l1", 64};
-  add_row(results, run, "baseline_end", 5e-4);
+  add_value(results, run, "baseline_end", 5e-4);
   add_run(results, run, 1e-3, 1.0);
   EXPECT_TRUE(within(results, 1e-2).empty());
 }
@@ -97,8 +97,7 @@ TEST(Shortfall, NamesTheBestErrorAndTheStepsThatAreNeeded) {
 TEST(Shortfall, CountsRunsThatAreNotTimedYet) {
   Results results = empty_results();
   const SyntheticRun run{"pendulum", "l1", 64};
-  add_row(results, run, "error_end", 1e-5);
-  add_ending(results, run, end_time);
+  add_value(results, run, "error_end", 1e-5);
   EXPECT_TRUE(within(results, 1e-3).empty());
   EXPECT_EQ(SceneLines(runs_of(results), {"pendulum"}).shortfall(at_end, 1e-3, {})->untimed, 1U);
   EXPECT_THAT(recommend(runs_of(results), {"pendulum"}, at_end, 1e-3).missing,
@@ -113,7 +112,7 @@ TEST(Options, OfOneAlgorithmAreOneWithSeveralNames) {
     for (const int steps : {8, 16, 32, 64, 128, 256}) {
       if (steps == 256 && std::string_view(scheme) == "decoupled_multi_order") continue;
       const SyntheticRun run{"pendulum", scheme, steps};
-      add_row(results, run, "error_maximum", 1.0 / steps);
+      add_value(results, run, "error_maximum", 1.0 / steps);
       add_run(results, run, 1.0 / steps, 1e-6 * steps);
     }
   }
@@ -196,7 +195,7 @@ TEST(Recommendation, RanksByTheRunThatIsAskedFor) {
   Results results = empty_results();
   const SyntheticRun quick{"pendulum", "bdf4", 64};
   add_run(results, quick, 1e-4, 2e-3);
-  add_row(results, quick, "time_setup", 0.02);
+  add_value(results, quick, "time_setup", 0.02);
   add_run(results, {"pendulum", "adams_pc", 64}, 1e-4, 5e-3);
   const auto quickest = [&](bool first_run) {
     Runs runs = runs_of(results);

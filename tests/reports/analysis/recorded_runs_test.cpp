@@ -17,24 +17,23 @@ namespace {
 class RecordedRuns : public testing::Test {
  protected:
   static RunKey key() { return {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = 16}}; }
-  static Record row(std::string_view quantity, double value) {
-    return {.key = key(),
-            .steps = 16,
-            .h = 1.0 / 16,
-            .quantity = std::string(quantity),
-            .value = value,
-            .unit = quantity.starts_with("time_") ? "s"
-                    : quantity == "ending"        ? "t"
-                                                  : ""};
+  static Record examination(const RunOutcome& how = {}, double error = 0.1) {
+    Record run{.key = key(), .steps = 16, .end = 1.0, .ending = how, .ended_at = 1.0};
+    run.values.set("error_end", error);
+    return run;
   }
-  static std::vector<Record> examination(const RunOutcome& how = {}, double error = 0.1) {
-    Record ending = row("ending", 1.0);
-    ending.ending = how;
-    return {row("error_end", error), ending};
+  static Record times(double least = 0.5) {
+    Record run{.key = key()};
+    run.timing.values.set("time_minimum", least);
+    run.timing.values.set("time_median", 0.6);
+    return run;
   }
-  static std::vector<Record> times() { return {row("time_minimum", 0.5), row("time_median", 0.6)}; }
 
-  [[nodiscard]] RecordedAmount recorded() const { return ResultsFile(file_).recorded(key()).amount(); }
+  // What is recorded of the run: "nothing", or whether it is "complete" or "untimed".
+  [[nodiscard]] std::string recorded() const {
+    const auto run = ResultsFile(file_).recorded(key());
+    return !run ? "nothing" : run->is_complete() ? "complete" : "untimed";
+  }
   [[nodiscard]] std::string text() const {
     std::ostringstream all;
     all << std::ifstream(file_).rdbuf();
@@ -56,81 +55,79 @@ class RecordedRuns : public testing::Test {
 };
 
 TEST_F(RecordedRuns, HaveNothingThenAllButTimesThenEverything) {
-  EXPECT_EQ(recorded(), RecordedAmount::nothing);
+  EXPECT_EQ(recorded(), "nothing");
   ResultsFile(file_).append(examination());
-  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
-  ResultsFile(file_).append(times());
-  EXPECT_EQ(recorded(), RecordedAmount::everything);
+  EXPECT_EQ(recorded(), "untimed");
+  ResultsFile(file_).append_times(times());
+  EXPECT_EQ(recorded(), "complete");
 }
 
 TEST_F(RecordedRuns, ThatDidNotFinishHaveNoTimes) {
   ResultsFile(file_).append(examination({SolveStatus::refused, "no"}));
-  EXPECT_EQ(recorded(), RecordedAmount::everything);
+  EXPECT_EQ(recorded(), "complete");
 }
 
 // A continued sweep examines such a run, so that the file becomes complete.
 TEST_F(RecordedRuns, WithTimesAloneAreNotRecorded) {
-  ResultsFile(file_).append(times());
-  EXPECT_EQ(recorded(), RecordedAmount::nothing);
+  ResultsFile(file_).append_times(times());
+  EXPECT_EQ(recorded(), "nothing");
   ResultsFile(file_).append(examination());
-  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
+  EXPECT_EQ(recorded(), "untimed");
 }
 
-// A killed sweep leaves a prefix of the file: the rows of complete writes are kept.
-TEST_F(RecordedRuns, OfAFileCutAnywhereAreThoseOfItsWholeWrites) {
+// A killed sweep leaves a prefix of the file: complete lines are kept.
+TEST_F(RecordedRuns, OfAFileCutAnywhereAreThoseOfItsWholeLines) {
   {
     ResultsFile file(file_);
     file.append(examination());
-    file.append(times());
+    file.append_times(times());
   }
   const auto whole = text();
   const auto examined = whole.find('\n', whole.find("ending")) + 1;
   for (std::size_t length = whole.size() % 3; length <= whole.size(); length += 3) {
     write(whole.substr(0, length));
-    const std::size_t kept = length < examined ? 0 : length < whole.size() ? 2 : 4;
-    EXPECT_EQ(read_results(file_).records.size(), kept) << length;
-    EXPECT_EQ(recorded(), kept == 0   ? RecordedAmount::nothing
-                          : kept == 2 ? RecordedAmount::all_but_times
-                                      : RecordedAmount::everything)
-        << length;
+    const bool is_examined = length >= examined, is_timed = length == whole.size();
+    EXPECT_EQ(read_results(file_).records.size(), is_examined ? 1 : 0) << length;
+    EXPECT_EQ(recorded(), is_timed ? "complete" : is_examined ? "untimed" : "nothing") << length;
   }
 }
 
 TEST_F(RecordedRuns, TimesOfALaterSessionJoinTheirExamination) {
   ResultsFile(file_).append(examination());
-  ResultsFile(file_).append(times());
+  ResultsFile(file_).append_times(times());
   const Runs runs = runs_of(read_results(file_));
   ASSERT_EQ(runs.finished.size(), 1U);
-  const QuantityValues& values = runs.finished[0].values;
-  EXPECT_EQ(values["error_end"], 0.1);
-  EXPECT_EQ(values["time_minimum"], 0.5);
-  EXPECT_EQ(values["time_median"], 0.6);
-  EXPECT_EQ(runs.finished[0].session, 1U) << "that of the times";
+  const Record& run = runs.finished[0];
+  EXPECT_EQ(run["error_end"], 0.1);
+  EXPECT_EQ(run["time_minimum"], 0.5);
+  EXPECT_EQ(run["time_median"], 0.6);
+  EXPECT_EQ(run.session, 0U);
+  EXPECT_EQ(run.last_session(), 1U) << "that of the times";
 }
 
 // Time and error of a run must be from the same build.
 TEST_F(RecordedRuns, TimesOfAnotherBuildDoNotJoin) {
   ResultsFile(file_).append(examination());
-  ResultsFile(file_).append(times());
+  ResultsFile(file_).append_times(times());
   change("commit", 1);
   const Runs runs = runs_of(read_results(file_));
   ASSERT_EQ(runs.finished.size(), 1U);
   EXPECT_EQ(runs.finished[0]["time_minimum"], std::nullopt);
   EXPECT_EQ(runs.failed.size(), 0U);
-  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
+  EXPECT_EQ(recorded(), "untimed");
 }
 
-// The rows of an examination are the same on every machine, a time is not.
+// An examination gives the same numbers on every machine, a time does not.
 TEST_F(RecordedRuns, OfAnotherMachineCountWithoutTheirTimes) {
   {
     ResultsFile file(file_);
     file.append(examination());
-    file.append(times());
+    file.append_times(times());
   }
   change("machine", 0);
-  EXPECT_EQ(recorded(), RecordedAmount::all_but_times);
-  ResultsFile(file_).append({row("time_minimum", 0.25)});
-  EXPECT_EQ(recorded(), RecordedAmount::everything);
+  EXPECT_EQ(recorded(), "untimed");
+  ResultsFile(file_).append_times(times(0.25));
+  EXPECT_EQ(recorded(), "complete");
   const Runs runs = runs_of(read_results(file_));
   ASSERT_EQ(runs.finished.size(), 1U);
   EXPECT_EQ(runs.finished[0]["error_end"], 0.1);
@@ -139,24 +136,24 @@ TEST_F(RecordedRuns, OfAnotherMachineCountWithoutTheirTimes) {
 
 TEST_F(RecordedRuns, OfASlowerMachineThatRanOutOfTimeAreMadeAgain) {
   ResultsFile(file_).append(examination({SolveStatus::out_of_budget, ""}));
-  EXPECT_EQ(recorded(), RecordedAmount::everything);
+  EXPECT_EQ(recorded(), "complete");
   change("machine", 0);
-  EXPECT_EQ(recorded(), RecordedAmount::nothing);
+  EXPECT_EQ(recorded(), "nothing");
 }
 
 // A later examination on another machine would otherwise remove the times of this one.
 TEST_F(RecordedRuns, OfThisMachinePrecedeThoseOfAnother) {
   ResultsFile(file_).append(examination());
-  ResultsFile(file_).append(times());
+  ResultsFile(file_).append_times(times());
   ResultsFile(file_).append(examination({}, 0.2));
   change("machine", 2);
-  EXPECT_EQ(recorded(), RecordedAmount::everything);
+  EXPECT_EQ(recorded(), "complete");
 }
 
 TEST_F(RecordedRuns, TellTheNodeWhereItIsGiven) {
   ResultsFile(file_).append(examination());
   setenv("FDEBENCH_NODE", "node7", 1);
-  ResultsFile(file_).append(times());
+  ResultsFile(file_).append_times(times());
   setenv("FDEBENCH_NODE", "two\nlines", 1);
   EXPECT_THROW(ResultsFile{file_}, std::invalid_argument);
   unsetenv("FDEBENCH_NODE");
@@ -170,13 +167,13 @@ TEST_F(RecordedRuns, ALaterExaminationReplacesTheEarlierWithItsTimes) {
   {
     ResultsFile file(file_);
     file.append(examination());
-    file.append(times());
+    file.append_times(times());
   }
   ResultsFile(file_).append(examination({}, 0.2));
   const Runs runs = runs_of(read_results(file_));
   ASSERT_EQ(runs.finished.size(), 1U);
-  EXPECT_EQ(runs.finished[0].values["error_end"], 0.2);
-  EXPECT_EQ(runs.finished[0].values["time_minimum"], std::nullopt) << "of the first examination";
+  EXPECT_EQ(runs.finished[0]["error_end"], 0.2);
+  EXPECT_EQ(runs.finished[0]["time_minimum"], std::nullopt) << "of the first examination";
 }
 
 }  // namespace

@@ -5,14 +5,14 @@
 
 #include <set>
 
+#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/sweep/trials.hpp"
-#include "fdebench/reports/command/arguments.hpp"
 
 namespace fde::bench {
 namespace {
 
-MeasuredRun finished(double relative) {
-  MeasuredRun run;
+Record finished(double relative) {
+  Record run;
   run.values.set("error_relative", relative);
   return run;
 }

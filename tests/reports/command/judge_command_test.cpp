@@ -112,9 +112,10 @@ TEST_F(Judging, SaysOfOurOwnRunWhatRunSays) {
   EXPECT_EQ(judged.code, 0) << judged.err;
   EXPECT_EQ(
       fdebench("run --scene damped_oscillator --scheme l1 --steps 64 --repeat 1 --out " + results_).code, 0);
-  for (const Record& row : read_results(results_).records) {
-    if (!row.quantity.starts_with("error_")) continue;
-    EXPECT_EQ(number(judged, row.quantity), row.value) << row.quantity;
+  const Record run = read_results(results_).records.front();
+  for (const auto& [quantity, value] : run.values) {
+    if (!quantity.starts_with("error_")) continue;
+    EXPECT_EQ(number(judged, std::string(quantity)), value) << quantity;
   }
 }
 
@@ -169,9 +170,9 @@ TEST_F(Judging, EndsWhereAValueIsNotFinite) {
     EXPECT_EQ(answer.code, 0) << answer.err;
     EXPECT_EQ(answer.out, "scene power:p=2\nrows 3\nending not finite at t = 0.5\n");
   }
-  const auto row = read_results(results_).records.back();
-  EXPECT_EQ(row.ending->kind, SolveStatus::non_finite);
-  EXPECT_EQ(row.value, 0.5);
+  const auto run = read_results(results_).records.back();
+  EXPECT_EQ(run.ending.kind, SolveStatus::non_finite);
+  EXPECT_EQ(run.ended_at, 0.5);
 }
 
 TEST_F(Judging, AddsToResultsUnderItsName) {
@@ -180,10 +181,10 @@ TEST_F(Judging, AddsToResultsUnderItsName) {
       judge("t,y\n0,0\n1,1.001\n", {"--name", "my solver", "--seconds", "0.5,0.25,0.75", "--out", results_});
   EXPECT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(answer.out, HasSubstr("\ntime_minimum 0.25 s\ntime_median 0.5 s\n"));
-  const auto row = read_results(results_).records.back();
-  EXPECT_TRUE(row.key.external);
-  EXPECT_EQ(row.key.scheme, "my solver");
-  EXPECT_EQ(row.steps, 2);
+  const auto run = read_results(results_).records.back();
+  EXPECT_TRUE(run.key.external);
+  EXPECT_EQ(run.key.scheme, "my solver");
+  EXPECT_EQ(run.steps, 2);
   const auto chosen = fdebench({"choose", "power:p=2", "--error", "0.1", "--results", results_});
   EXPECT_THAT(chosen.out, testing::ContainsRegex("\nmy solver +2 "));
   EXPECT_THAT(chosen.out, testing::ContainsRegex("\nl1 +16 "));

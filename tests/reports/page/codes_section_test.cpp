@@ -19,16 +19,15 @@ using nlohmann::json;
 // A run of another program, with this error at the end.
 void add_other(Results& results, const std::string& name, int steps, double error, double seconds,
                const ProgramFacts& program, const RunOutcome& ending = {}) {
-  const auto before = results.records.size();
   const SyntheticRun run{"pendulum", name, steps};
   if (ending.kind == OutcomeKind{SolveStatus::finished}) {
-    add_row(results, run, "error_end", error);
-    add_row(results, run, "time_minimum", seconds);
-    add_row(results, run, "time_median", seconds);
-    add_row(results, run, "time_setup", seconds / 2);
+    add_value(results, run, "error_end", error);
+    add_value(results, run, "time_minimum", seconds);
+    add_value(results, run, "time_median", seconds);
+    add_value(results, run, "time_setup", seconds / 2);
   }
   add_ending(results, run, end_time, ending);
-  for (auto i = before; i < results.records.size(); ++i) results.records[i].key.external = true;
+  results.records.back().key.external = true;
   results.records.back().program = program;
 }
 

@@ -50,9 +50,9 @@ TEST(FamilySection, HasTheCheapestRunOfEachSceneAndHowRobustItIs) {
 
 TEST(FamilySection, CountsItsTimesAmongTheDisturbedOnesOfASession) {
   auto results = over_plane(10, 10);
-  const auto key = results.records.back().key;
-  results.records.push_back({.key = key, .h = 0.1, .quantity = "time_median", .value = 1.0, .unit = "s"});
-  results.records.push_back({.key = key, .h = 0.1, .quantity = "disturbed", .value = 1.0});
+  auto& times = results.records.back().timing.values;
+  times.set("time_median", 1.0);
+  times.set("disturbed", 1.0);
   EXPECT_EQ(page_data(read_runs(results))["sessions"][0]["disturbed times"], "1 of 1");
 }
 

@@ -42,10 +42,11 @@ TEST(PageOfRecords, LacksWhatTheResultsDoNotSay) {
 Results of_tomorrow() {
   Results results = two_lines();
   results.scenes.front().scene = {"tomorrow", {{"form", "new"}}};
-  for (Record& row : results.records) {
-    row.key.scene = results.scenes.front().scene;
-    if (row.key.scheme == "l1") row.key.scheme = "better_l1";
-    if (row.quantity == "expected_rate_end") row.quantity = "beauty";
+  for (Record& run : results.records) {
+    run.key.scene = results.scenes.front().scene;
+    if (run.key.scheme == "l1") run.key.scheme = "better_l1";
+    run.values.set("beauty", *run["expected_rate_end"]);
+    run.values.erase("expected_rate_end");
   }
   add_ending(results, {"tomorrow", "better_l1", 32}, 1.0, {outcome_named("went_home"), "early"});
   return results;

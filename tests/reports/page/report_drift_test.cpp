@@ -38,24 +38,21 @@ Course course_to(double drift) { return {{0.5 * end_time, end_time}, {0.5 * drif
 void add_line(Results& results, const Line& line) {
   for (int steps = 64; steps <= line.finest; steps *= 2) {
     const double h = end_time / steps, fallen = std::pow(h, line.rate);
-    const Record row{
-        .key = {.scene = line.scene, .scheme = "l1", .setup = {.resolution = steps}}, .steps = steps, .h = h};
-    const auto add = [&](const std::string& quantity, double value) -> Record& {
-      results.records.push_back(row);
-      results.records.back().quantity = quantity;
-      results.records.back().value = value;
-      return results.records.back();
-    };
-    add("drift_internal", line.internal * fallen);
+    Record run{.key = {.scene = line.scene, .scheme = "l1", .setup = {.resolution = steps}},
+               .steps = steps,
+               .end = end_time,
+               .ending = line.ending};
+    run.values.set("drift_internal", line.internal * fallen);
     if (line.independent > 0.0) {
-      add("drift_independent", line.independent * fallen).course = course_to(line.independent * fallen);
-      add("drift_independent_growth", 1.25);
+      run.values.set("drift_independent", line.independent * fallen);
+      run.values.set("drift_independent_growth", 1.25);
+      run.courses["drift_independent"] = course_to(line.independent * fallen);
     }
     if (line.ending == RunOutcome{}) {
-      add("error_end", 0.01 * h);
-      add("time_minimum", line.seconds_a_step * steps);
+      run.values.set("error_end", 0.01 * h);
+      run.timing.values.set("time_minimum", line.seconds_a_step * steps);
     }
-    add("ending", end_time).ending = line.ending;
+    results.records.push_back(std::move(run));
   }
 }
 
@@ -186,10 +183,7 @@ TEST(DriftSection, DrawsNothingOfRounding) {
 
 TEST(DriftSection, IsThereOnlyWithDrift) {
   Results results = empty_results();
-  results.records.push_back({.key = {.scene = {"pendulum"}, .scheme = "l1", .setup = {64}},
-                             .steps = 64,
-                             .quantity = "ending",
-                             .ending = RunOutcome{}});
+  results.records.push_back({.key = {.scene = {"pendulum"}, .scheme = "l1", .setup = {64}}, .steps = 64});
   EXPECT_TRUE(section_of(results).is_null());
 }
 

@@ -15,22 +15,16 @@ using testing::ElementsAre;
 // Adds a run of a scene: its ending and, if it finished, its error and time.
 void add_run(Results& results, const SceneSettings& scene, const std::string& scheme, int steps,
              const RunOutcome& ending, double error) {
-  const Record row{.key = {.scene = scene, .scheme = scheme, .setup = {.resolution = steps}},
-                   .steps = steps,
-                   .h = 1.0 / steps};
-  const auto add = [&](const std::string& quantity, double value) -> Record& {
-    results.records.push_back(row);
-    results.records.back().quantity = quantity;
-    results.records.back().value = value;
-    return results.records.back();
-  };
-  const bool finished = ending == RunOutcome{};
-  if (finished) {
-    add("error_end", error);
-    add("error_relative", error);
+  Record run{.key = {.scene = scene, .scheme = scheme, .setup = {.resolution = steps}},
+             .steps = steps,
+             .end = 1.0,
+             .ending = ending};
+  if (ending == RunOutcome{}) {
+    run.values.set("error_end", error);
+    run.values.set("error_relative", error);
+    run.timing.values.set("time_minimum", 1e-3);
   }
-  add("ending", 1.0).ending = ending;
-  if (finished) add("time_minimum", 1e-3);
+  results.records.push_back(std::move(run));
 }
 
 constexpr int steps_of_trials = 4096;
