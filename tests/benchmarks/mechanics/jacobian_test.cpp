@@ -15,17 +15,17 @@
 namespace fde::bench {
 namespace {
 
-struct Form {
+struct ConstraintForm {
   std::string name;
   ParameterValues values;
 };
 
 // Expands the forms by all choices of one parameter.
-void choose(std::vector<Form>& forms, const Parameter& parameter) {
-  std::vector<Form> chosen;
+void choose(std::vector<ConstraintForm>& forms, const Parameter& parameter) {
+  std::vector<ConstraintForm> chosen;
   for (const auto& form : forms) {
     for (const auto& word : parameter.choices) {
-      Form next = form;
+      ConstraintForm next = form;
       next.name += "_" + word;
       next.values[parameter.name] = word;
       chosen.push_back(next);
@@ -35,12 +35,12 @@ void choose(std::vector<Form>& forms, const Parameter& parameter) {
 }
 
 // Those of a scene with a constraint, of several orders where it has one; some may be refused.
-std::vector<Form> forms_of(const SceneFactory& maker) {
-  std::vector<Form> forms{{maker.id, {}}};
+std::vector<ConstraintForm> forms_of(const SceneFactory& maker) {
+  std::vector<ConstraintForm> forms{{maker.id, {}}};
   for (const auto& parameter : maker.parameters) choose(forms, parameter);
   if (forms.size() == 1 && maker.id != "vakonomic_particle") return {};
   if (std::ranges::find(maker.parameters, "alpha", &Parameter::name) == maker.parameters.end()) return forms;
-  std::vector<Form> of_orders;
+  std::vector<ConstraintForm> of_orders;
   for (const auto& form : forms) {
     for (const double alpha : {0.3, 0.8, 1.0, 1.5}) {
       of_orders.push_back(form);
@@ -98,7 +98,7 @@ class FormsWithConstraint : public testing::TestWithParam<const SceneFactory*> {
 
 TEST_P(FormsWithConstraint, PassTheJacobianOfTheirRightHandSide) {
   int accepted = 0;
-  for (const Form& form : forms_of(*GetParam())) {
+  for (const ConstraintForm& form : forms_of(*GetParam())) {
     SCOPED_TRACE(form.name);
     std::optional<Scene> scene;
     try {

@@ -15,7 +15,7 @@ namespace fde::bench {
 namespace {
 
 constexpr auto nothing_is_recorded = [](const auto&) { return RecordedRun(); };
-constexpr auto silence = [](const auto&) {};
+constexpr auto no_report = [](const auto&) {};
 
 RecordedRun examined(const RunKey& key) {
   RecordedRun run;
@@ -32,7 +32,7 @@ TEST(ContinuedSweeps, TimeWhatIsExamined) {
              .repeats = {.most = 1}},
             {.recorded = [](const RunKey& run) { return run.scheme == "l1" ? examined(run) : RecordedRun(); },
              .append = [&](const auto& some) { rows.insert(rows.end(), some.begin(), some.end()); },
-             .on_event = silence});
+             .on_event = no_report});
   EXPECT_EQ(std::ranges::count(rows, "ending", &Record::quantity), 1);
   EXPECT_EQ(std::ranges::count(rows, "time_high", &Record::quantity), 2);
 }
@@ -87,7 +87,7 @@ TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
                           (last.ending ? endings : times).insert(last.key);
                           if (last.ending) std::this_thread::sleep_for(std::chrono::milliseconds(1));
                         },
-                    .on_event = silence});
+                    .on_event = no_report});
   EXPECT_EQ(endings.size(), sweep.scenes.size() * sweep.schemes.size() * sweep.plan.resolutions.size());
   EXPECT_EQ(std::set<RunKey>(endings.begin(), endings.end()).size(), endings.size());
   EXPECT_TRUE(times == endings);
