@@ -5,7 +5,7 @@
 
 #include "fdebench/c/guard.hpp"
 #include "fdebench/c/handles.hpp"
-#include "fdebench/reports/command/captured_command.hpp"
+#include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/own_problem.hpp"
 
 namespace fde::bench::c {

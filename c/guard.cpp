@@ -7,7 +7,7 @@
 #include <new>
 #include <system_error>
 
-#include "fdebench/reports/command/captured_command.hpp"
+#include "fdebench/reports/command/command.hpp"
 
 namespace fde::bench::c {
 namespace {

@@ -92,8 +92,8 @@ int fdebench_solve(const fdebench_problem* problem, const char* scheme, const fd
     auto& result = given("table", table);
     const auto& handle = given("problem", problem, problem_handle);
     const auto& texts = given("options", options, options_handle).texts;
-    const auto arguments = run_arguments(text_of("scheme", scheme), texts);
-    result = std::make_unique<FdebenchTable>(table_of_solve(solved_table(posed_scene(handle), arguments)))
+    const auto given_options = given_to_solve(text_of("scheme", scheme), texts);
+    result = std::make_unique<FdebenchTable>(table_of_solve(solved_table(posed_scene(handle), given_options)))
                  .release();
   });
 }

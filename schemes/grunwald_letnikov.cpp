@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
-#include "fdebench/schemes/rules/implicit/rule_rates.hpp"
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
 
 namespace fde {

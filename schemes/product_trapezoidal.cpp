@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/rules/implicit/piecewise_constant_multipliers.hpp"
-#include "fdebench/schemes/rules/implicit/rule_rates.hpp"
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
 
 namespace fde {

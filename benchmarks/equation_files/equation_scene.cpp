@@ -14,20 +14,18 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/equation_files/equation_problem.hpp"
 #include "fdebench/benchmarks/equation_files/equation_system.hpp"
-#include "fdebench/benchmarks/equation_files/exact_columns.hpp"
-#include "fdebench/benchmarks/equation_files/file_discontinuities.hpp"
+#include "fdebench/benchmarks/equation_files/equation_text.hpp"
 #include "fdebench/benchmarks/equation_files/file_reference.hpp"
 #include "fdebench/benchmarks/equation_files/file_smoothness.hpp"
-#include "fdebench/benchmarks/equation_files/implied_terms.hpp"
 #include "fdebench/benchmarks/equation_files/load_times.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
-#include "fdebench/benchmarks/equation_files/singular_loads.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 
@@ -50,10 +48,7 @@ Constraint constraint_of(const std::vector<FormulaText>& texts, const std::vecto
                          FileFormulas& formulas) {
   std::vector<Expression> values;
   for (const auto& text : texts) values.push_back(formulas.read(text, variables_of(columns, formulas, true)));
-  return {.size = std::ssize(values),
-          .value = [program = Program(formulas.pool(), values, std::ssize(columns))](double t, In c, Out f) {
-            program.evaluate(t, c, {f.data(), static_cast<std::size_t>(f.size())});
-          }};
+  return {.size = std::ssize(values), .value = Program(formulas.pool(), values, std::ssize(columns))};
 }
 
 SceneEvent event_of(const EventText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
@@ -94,10 +89,7 @@ Outputs path_of(const std::vector<NamedFormula>& texts, const std::vector<System
     path.names.push_back(text.name);
     values.push_back(formulas.read(text.formula, variables_of(columns, formulas, true)));
   }
-  path.evaluate = [program = Program(formulas.pool(), values, std::ssize(columns))](double t, In c,
-                                                                                    Out place) {
-    program.evaluate(t, c, {place.data(), static_cast<std::size_t>(place.size())});
-  };
+  path.evaluate = Program(formulas.pool(), values, std::ssize(columns));
   return path;
 }
 

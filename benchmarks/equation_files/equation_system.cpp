@@ -153,12 +153,11 @@ void add_scaled(const UnknownText& text, EquationSystem::Unknown& unknown, const
   const double first = static_cast<double>(pool.value(unknown.coefficients.front()).value());
   const double sum = unknown.chain->leading().coefficient, others = sum - first;
   if (others == 0.0) return;
-  const auto number = [&](double value) { return pool.number(value); };
-  const auto varying = pool.make_expression(Operation::multiply, number(others), *unknown.factor);
-  const auto leading = pool.make_expression(Operation::add, number(first), varying);
-  const auto scale = pool.make_expression(Operation::divide, number(sum), leading);
-  unknown.rhs = pool.make_expression(Operation::multiply, scale, *unknown.rhs);
-  unknown.factor = pool.make_expression(Operation::multiply, scale, *unknown.factor);
+  const auto number = [&](double value) { return Operand{&pool, pool.number(value)}; };
+  const Operand factor{&pool, *unknown.factor};
+  const Operand scale = number(sum) / (number(first) + number(others) * factor);
+  unknown.rhs = (scale * Operand{&pool, *unknown.rhs}).value;
+  unknown.factor = (scale * factor).value;
 }
 
 // The index of this order, or else of one within rounding.
@@ -177,17 +176,15 @@ void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& pool, std:
     return;
   }
   const auto& chain = *unknown.chain;
-  const auto row = [&](Eigen::Index i) { return pool.variable(static_cast<int>(unknown.first + i) + 1); };
-  auto sum = pool.number(0);
+  const auto number = [&](double value) { return Operand{&pool, pool.number(value)}; };
+  Operand sum = number(0.0);
   for (Eigen::Index i = 0; i < chain.size(); ++i) {
-    const auto weight = pool.number(chain.coefficients()[i]);
-    sum =
-        pool.make_expression(Operation::add, sum, pool.make_expression(Operation::multiply, weight, row(i)));
-    if (i > 0) rows.push_back(row(i));
+    const Operand row{&pool, pool.variable(static_cast<int>(unknown.first + i) + 1)};
+    sum = sum + number(chain.coefficients()[i]) * row;
+    if (i > 0) rows.push_back(row.value);
   }
-  if (unknown.factor) sum = pool.make_expression(Operation::multiply, *unknown.factor, sum);
-  const auto rest = pool.make_expression(Operation::subtract, *unknown.rhs, sum);
-  rows.push_back(pool.make_expression(Operation::divide, rest, pool.number(chain.leading().coefficient)));
+  if (unknown.factor) sum = Operand{&pool, *unknown.factor} * sum;
+  rows.push_back(((Operand{&pool, *unknown.rhs} - sum) / number(chain.leading().coefficient)).value);
 }
 
 }  // namespace
@@ -209,9 +206,7 @@ FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool
 std::vector<double> declared_jumps(FileFormulas& formulas) {
   std::vector<double> jumps;
   for (const auto& jump : formulas.text().jumps) jumps.push_back(formulas.constant(jump, "at", positive));
-  std::ranges::sort(jumps);
-  jumps.erase(std::unique(jumps.begin(), jumps.end()), jumps.end());
-  return jumps;
+  return increasing(std::move(jumps));
 }
 
 EquationSystem read_system(FileFormulas& formulas) {

@@ -23,6 +23,7 @@ struct EquationSystem {
                                          // factor, a and m being those of the leading order (add_scaled)
     std::optional<Expression> factor{};  // of the terms that are not leading, divided likewise
     [[nodiscard]] Eigen::Index size() const { return chain ? chain->size() : 1; }
+    [[nodiscard]] std::size_t last_row() const { return static_cast<std::size_t>(first + size()) - 1; }
   };
   std::vector<Unknown> unknowns{};
   std::vector<Component> components{};
@@ -53,6 +54,9 @@ struct SystemColumn {
   std::optional<Expression> value{};  // of t and the rows
 
   [[nodiscard]] bool is_derivative() const { return unknown != no_unknown; }
+  [[nodiscard]] Expression in_rows(ExpressionPool& pool) const {
+    return value ? *value : pool.variable(static_cast<int>(row) + 1);
+  }
 };
 std::vector<SystemColumn> columns_of(const EquationSystem& system);
 

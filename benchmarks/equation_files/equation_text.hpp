@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/parameters.hpp"
-#include "fdebench/schemes/stepping/events.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde::bench {
 
@@ -154,5 +154,11 @@ struct FileError : std::invalid_argument {
 // The same for a byte of a formula.
 [[noreturn]] void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte,
                             std::string_view what);
+
+// The text with a term for each D(x, q) of a right-hand side whose order q, below the leading one of x, no
+// term of x has: D(x, q) is added to both sides of the equation of x, which makes it a node of the chain of
+// x. So variable coefficients are written as they are: y'' = -sin(t) D^0.5 y. An equation with a factor or
+// without chain is left as it is.
+EquationText with_implied_terms(EquationText text, const Parameters& parameters);
 
 }  // namespace fde::bench

@@ -12,4 +12,12 @@ namespace fde::bench {
 reference::Reference file_reference(const EquationSystem& system, const Problem& problem,
                                     const std::vector<SystemColumn>& columns, FileFormulas& formulas);
 
+// Columns from [exact], with a bound of the rounding errors: `wanted`, derivatives of unknowns, of which
+// [exact] may give those of `all`. A derivative of an unknown that is not given is derived from the unknown
+// if its order is 1 or if the unknown is a sum of powers of t. Throws std::invalid_argument naming file, line
+// and column of a formula that is not one of t, and of a column that is missing.
+reference::Reference exact_columns(const EquationText& text, const Parameters& parameters,
+                                   const std::vector<SystemColumn>& all,
+                                   const std::vector<SystemColumn>& wanted);
+
 }  // namespace fde::bench

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/equation_files/file_smoothness.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "fdebench/benchmarks/equation_files/start_powers.hpp"
 #include "fdebench/benchmarks/expressions/time_terms.hpp"
-#include "fdebench/schemes/problem/jacobian.hpp"
-#include "fdebench/schemes/problem/linear_smoothness.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde::bench {
+
 namespace {
 
 using Unknown = EquationSystem::Unknown;
@@ -40,8 +44,7 @@ std::optional<std::vector<std::vector<double>>> exact_powers(const EquationSyste
       const auto exponent = static_cast<double>(*p);
       if (*size != 0.0L && exponent > 0.0) powers.push_back(exponent);
     }
-    std::ranges::sort(powers);
-    powers.erase(std::unique(powers.begin(), powers.end(), same_order), powers.end());
+    powers = increasing(std::move(powers), same_order);
   }
   return all;
 }
@@ -82,14 +85,35 @@ std::optional<Smoothness> series_smoothness(const EquationSystem& system, const 
 std::vector<Eigen::Index> jumping_rows(const EquationSystem& system, const ExpressionPool& pool) {
   std::vector<Eigen::Index> rows;
   for (const auto& unknown : system.unknowns) {
-    const auto last = unknown.first + unknown.size() - 1;
-    const auto row = system.rows[static_cast<std::size_t>(last)];
+    const auto row = system.rows[unknown.last_row()];
     const auto switches = pool.arguments({row}, {Operation::sign, Operation::step});
     const bool is_switched = std::ranges::any_of(
         switches, [&](Expression e) { return pool.depends_on(e, 0) && !pool.depends_on_unknowns(e); });
-    if (is_switched || (!system.jumps.empty() && pool.depends_on(row, 0))) rows.push_back(last);
+    if (is_switched || (!system.jumps.empty() && pool.depends_on(row, 0)))
+      rows.push_back(static_cast<Eigen::Index>(unknown.last_row()));
   }
   return rows;
+}
+
+struct OrderedLimit {
+  double order;
+  Discontinuity found;
+};
+
+// The limit of a term whose order is the parameter of this name; nullopt if the term is continuous in it.
+std::optional<OrderedLimit> limit_of(const EquationSystem::Unknown& unknown, Expression coefficient,
+                                     const Parameter& parameter, double order, const ExpressionPool& pool) {
+  const auto& initial = unknown.chain->initial();
+  if (order != std::floor(order) || order >= unknown.chain->leading().order) return std::nullopt;
+  if (parameter.range.high <= order) return std::nullopt;  // continuous from below
+  const auto k = static_cast<std::size_t>(order);
+  if (pool.value(coefficient) == 0.0L || initial[k] == 0.0) return std::nullopt;
+  const bool has_smaller = parameter.range.low < order;
+  const auto derivative = unknown.name + std::string(k, '\'');
+  return OrderedLimit{
+      order,
+      {parameter.name, fmt::format("D^{} {} tends to {} - {}(0){}", parameter.name, unknown.name, derivative,
+                                   derivative, has_smaller ? " from above" : "")}};
 }
 
 }  // namespace
@@ -102,6 +126,27 @@ Smoothness file_smoothness(const EquationSystem& system, const Problem& problem,
   if (!smoothness) smoothness = starting_powers(system, pool);
   if (!smoothness->powers.empty()) smoothness->jumps = jumping_rows(system, pool);
   return *smoothness;
+}
+
+std::vector<Discontinuity> file_discontinuities(const EquationSystem& system, FileFormulas& formulas) {
+  std::vector<Discontinuity> all;
+  for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
+    const auto& unknown = system.unknowns[u];
+    const auto& terms = formulas.text().unknowns[u].terms;
+    std::vector<OrderedLimit> limits;
+    for (std::size_t k = 0; unknown.chain && k < terms.size(); ++k) {
+      for (const auto& parameter : formulas.text().parameters) {
+        if (parameter.declared.name != terms[k].order.text) continue;
+        const double order = formulas.constant(terms[k].order, "order", any_number);
+        if (auto limit =
+                limit_of(unknown, unknown.coefficients[k], parameter.declared, order, formulas.pool()))
+          limits.push_back(std::move(*limit));
+      }
+    }
+    std::ranges::stable_sort(limits, {}, &OrderedLimit::order);
+    for (auto& limit : limits) all.push_back(std::move(limit.found));
+  }
+  return all;
 }
 
 }  // namespace fde::bench

@@ -2,18 +2,47 @@
 #include "fdebench/benchmarks/equation_files/linear_file_reference.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "fdebench/benchmarks/equation_files/exact_number.hpp"
+#include "fdebench/benchmarks/equation_files/rounded_values.hpp"
+#include "fdebench/benchmarks/expressions/expressions.hpp"
 #include "fdebench/benchmarks/expressions/time_terms.hpp"
 #include "fdebench/reference/linear/linear_equation.hpp"
 #include "fdebench/reference/linear/linear_system.hpp"
+#include "fdebench/reference/special_functions/numbers/rational.hpp"
 
 namespace fde::bench {
+
 namespace {
+
+// A number as a fraction: itself, or, as for sqrt(2), a fraction so near to it that no double shows the
+// difference.
+struct ExactNumber {
+  reference::Rational value;
+  bool is_exact;
+};
+
+// The value of an expression without variables. Precondition: the pool has fractions. nullopt if it contains
+// a variable or is not finite.
+std::optional<ExactNumber> exact_number(Expression of, const ExpressionPool& pool) {
+  // More digits than the exponents of doubles have: cancellation of numbers of any size leaves a double.
+  constexpr int digits = 700;
+  const auto& node = pool[of];
+  if (node.operation == Operation::number && !node.text.empty())
+    return ExactNumber{reference::Rational(node.text), true};
+  if (const auto about = pool.value(of); !about || !std::isfinite(*about)) return std::nullopt;
+  const reference::Precision precision(digits);
+  const auto [value, size] = rounded_values(pool, {of}, reference::BigReal(0)).front();
+  if (!isfinite(value)) return std::nullopt;
+  if (value == 0 && size == 0) return ExactNumber{reference::Rational(0), true};  // 0/gamma(x), for example
+  const auto rounding = reference::BigReal(reference::closed_form_rounding_factor *
+                                           reference::epsilon<reference::BigReal>() * size);
+  return ExactNumber{abs(value) <= rounding ? reference::Rational(0) : reference::fraction_of(value), false};
+}
 
 constexpr std::size_t most_rows = 12;
 

@@ -174,9 +174,7 @@ std::vector<double> sign_changes_until(double end, const std::vector<TimeFunctio
     for (std::size_t k = 1; k < pieces.size(); ++k)
       if (pieces[k - 1].to == pieces[k].from) times.push_back(pieces[k].from);
   }
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end(), same_time), times.end());
-  return times;
+  return increasing(std::move(times), same_time);
 }
 
 std::vector<StepLimit> limits_until(double end, const std::vector<Curve>& curves,

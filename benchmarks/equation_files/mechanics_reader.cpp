@@ -8,7 +8,7 @@
 #include <array>
 
 #include "fdebench/benchmarks/equation_files/toml_text.hpp"
-#include "fdebench/benchmarks/mechanics/formulation.hpp"
+#include "fdebench/benchmarks/mechanics/mechanical_system.hpp"
 
 namespace fde::bench {
 namespace {
@@ -57,12 +57,6 @@ class MechanicsReader : TomlReader {
       forces.push_back({entry.name, entry.position, formula(*entry.node, entry.name)});
     }
     return forces;
-  }
-
-  [[nodiscard]] std::vector<FormulaText> formulas(const toml::node& node, std::string_view name) const {
-    std::vector<FormulaText> all;
-    for (const auto& value : array(node, name, "a list of formulas")) all.push_back(formula(value, name));
-    return all;
   }
 
   // One of these words.

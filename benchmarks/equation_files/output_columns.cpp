@@ -37,7 +37,7 @@ class ColumnFormulas {
     const auto rows = variables_of(system_, formulas_.pool());
     const auto derivative = [this, rows](std::size_t unknown, double order) {
       const auto& of = system_.unknowns[unknown];
-      if (of.chain && same_order(of.chain->leading().order, order)) return system_.rows[last_row(of)];
+      if (of.chain && same_order(of.chain->leading().order, order)) return system_.rows[of.last_row()];
       return rows.resolve_unknown(unknown, order);
     };
     const auto other = [this](std::string_view name) -> std::optional<Expression> {
@@ -46,10 +46,6 @@ class ColumnFormulas {
       return found == columns.end() ? std::nullopt : std::optional(value(*found));
     };
     return {.time = true, .resolve_unknown = derivative, .resolve_other = other};
-  }
-
-  static std::size_t last_row(const EquationSystem::Unknown& unknown) {
-    return static_cast<std::size_t>(unknown.first + unknown.size()) - 1;
   }
 
   const EquationSystem& system_;
@@ -70,9 +66,9 @@ SystemColumn column_of(const std::string& name, Expression value, const Equation
     }
   }
   for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
-    const auto& [first, chain] = std::pair(system.unknowns[u].first, system.unknowns[u].chain);
-    if (chain && system.rows[static_cast<std::size_t>(first + chain->size()) - 1] == value)
-      return {name, u, chain->leading().order, -1, value};
+    const auto& unknown = system.unknowns[u];
+    if (unknown.chain && system.rows[unknown.last_row()] == value)
+      return {name, u, unknown.chain->leading().order, -1, value};
   }
   return {name, SystemColumn::no_unknown, 0.0, -1, value};
 }
@@ -97,13 +93,11 @@ Outputs outputs_of(const std::vector<SystemColumn>& columns, Eigen::Index rows, 
     same = same && column.row == std::ssize(names);
     names.push_back(column.name);
     selected.push_back(column.row);
-    values.push_back(column.value ? *column.value : pool.variable(static_cast<int>(column.row) + 1));
+    values.push_back(column.in_rows(pool));
   }
   if (same) return {names};
   if (std::ranges::find(selected, -1) == selected.end()) return select_components(names, selected);
-  return {names, [program = Program(pool, values, rows)](double t, In y, Out into) {
-            program.evaluate(t, y, {into.data(), static_cast<std::size_t>(into.size())});
-          }};
+  return {names, Program(pool, values, rows)};
 }
 
 }  // namespace fde::bench

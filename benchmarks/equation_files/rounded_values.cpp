@@ -144,31 +144,20 @@ std::vector<reference::ConditionedValue<Real>> values_at(
     const ExpressionPool& pool, const std::vector<Expression>& of, const Real& time,
     const std::vector<reference::ConditionedValue<Real>>& rows) {
   using std::abs;
-  const auto used = pool.subexpressions(of);
-  std::vector<reference::ConditionedValue<Real>> values(used.size());
-  for (std::size_t e = 0; e < values.size(); ++e) {
-    if (!used[e]) continue;
-    const auto& entry = pool[static_cast<Expression>(e)];
-    const auto at = [&](std::size_t i) {
-      return entry.arguments[i] == ExpressionPool::none
-                 ? reference::ConditionedValue<Real>{Real(0), Real(0)}
-                 : values[static_cast<std::size_t>(entry.arguments[i])];
-    };
-    if (entry.operation == Operation::variable) {
-      values[e] = entry.variable == 0 ? reference::ConditionedValue<Real>{time, time}
-                                      : rows.at(static_cast<std::size_t>(entry.variable) - 1);
-    } else if (entry.operation == Operation::number) {
-      const Real number = entry.text.empty()     ? Real(entry.value)
-                          : pool.has_fractions() ? reference::rounded<Real>(reference::Rational(entry.text))
-                                                 : reference::parse<Real>(entry.text);
-      values[e] = {number, Real(abs(number))};
-    } else {
-      values[e] = rounded_apply<Real>(entry.operation, at(0), at(1), at(2));
-    }
-  }
-  std::vector<reference::ConditionedValue<Real>> results;
-  for (const auto result : of) results.push_back(values[static_cast<std::size_t>(result)]);
-  return results;
+  using Value = reference::ConditionedValue<Real>;
+  const Value absent{Real(0), Real(0)};
+  return values_from_parts(
+      pool, of, absent, [&](Expression, const ExpressionPool::Node& node, const auto& parts) {
+        if (node.operation == Operation::variable)
+          return node.variable == 0 ? Value{time, time}
+                                    : rows.at(static_cast<std::size_t>(node.variable) - 1);
+        if (node.operation != Operation::number)
+          return rounded_apply<Real>(node.operation, parts(0), parts(1), parts(2));
+        const Real number = node.text.empty()      ? Real(node.value)
+                            : pool.has_fractions() ? reference::rounded<Real>(reference::Rational(node.text))
+                                                   : reference::parse<Real>(node.text);
+        return Value{number, Real(abs(number))};
+      });
 }
 
 }  // namespace

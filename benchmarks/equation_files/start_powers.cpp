@@ -4,16 +4,91 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
-#include "fdebench/benchmarks/equation_files/first_powers.hpp"
+#include "fdebench/benchmarks/equation_files/equation_system.hpp"
 #include "fdebench/benchmarks/expressions/time_powers.hpp"
 
 namespace fde::bench {
+
 namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+// A lower bound of the positive powers of an expression, and whether it is not 0 at t = 0.
+struct Start {
+  double positive = never;
+  bool is_nonzero = false;
+  [[nodiscard]] double first() const { return is_nonzero ? 0.0 : positive; }
+};
+
+Start start_of(Operation operation, const Start& a, const Start& b, const Start& c, bool is_nonzero) {
+  const auto product = [&] { return std::min(a.first() + b.positive, a.positive + b.first()); };
+  switch (operation) {
+    case Operation::multiply:
+      return {product(), is_nonzero};
+    case Operation::divide:
+      return {std::min(a.positive, a.first() + b.positive), is_nonzero};
+    default:
+      return {std::min({a.positive, b.positive, c.positive}), is_nonzero};
+  }
+}
+
+// Of all rows, from the positive powers of the variables: t and those of the rows.
+std::vector<double> firsts_of_rows(const EquationSystem& system, const ExpressionPool& pool,
+                                   const std::vector<double>& values, const std::vector<double>& variables) {
+  const auto start = [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+    const bool is_nonzero = values[static_cast<std::size_t>(e)] != 0.0;
+    if (node.operation == Operation::variable)
+      return Start{variables[static_cast<std::size_t>(node.variable)], is_nonzero};
+    if (const auto power = power_of_time(pool, node)) return Start{*power, is_nonzero};
+    return start_of(node.operation, parts(0), parts(1), parts(2), is_nonzero);
+  };
+  std::vector<double> firsts;
+  for (const auto& row : values_from_parts(pool, system.rows, Start{}, start)) firsts.push_back(row.first());
+  return firsts;
+}
+
+// The smallest positive power of each node of a chain, if the right-hand side of its unknown begins with
+// `first`.
+void set_nodes(const EquationSystem::Unknown& unknown, double first, std::vector<double>& variables) {
+  const auto& chain = *unknown.chain;
+  std::vector<double> powers{chain.leading().order + first};
+  for (std::size_t k = 1; k < chain.initial().size(); ++k)
+    if (chain.initial()[k] != 0.0) powers.push_back(static_cast<double>(k));
+  for (std::size_t i = 0; i < chain.nodes().size(); ++i) {
+    double& positive = variables[static_cast<std::size_t>(unknown.first) + i + 1];
+    for (const double p : powers)
+      if (p > chain.nodes()[i]) positive = std::min(positive, p - chain.nodes()[i]);
+  }
+}
+
+// Starts from unknowns that do not move; the powers found decrease until nothing changes, as shortest paths
+// do.
+// For each unknown a lower bound of the powers of t in its right-hand side at t = 0: 0 if it is not 0 there,
+// else the smallest power that can occur, from the first powers of the unknowns. `values`: those of the
+// expressions at t = 0. Precondition: there are no algebraic rows, and the right-hand sides are smooth at the
+// start apart from powers of t.
+std::vector<double> first_powers(const EquationSystem& system, const ExpressionPool& pool,
+                                 const std::vector<double>& values) {
+  std::vector<double> variables(static_cast<std::size_t>(system.size()) + 1, never);
+  variables.front() = 1.0;
+  std::vector<double> firsts(system.unknowns.size(), never);
+  for (Eigen::Index round = 0; round <= system.size(); ++round) {
+    const auto of_rows = firsts_of_rows(system, pool, values, variables);
+    for (std::size_t u = 0; u < firsts.size(); ++u) {
+      const auto& unknown = system.unknowns[u];
+      firsts[u] = of_rows[unknown.last_row()];
+      set_nodes(unknown, firsts[u], variables);
+    }
+  }
+  return firsts;
+}
 
 constexpr double range = 2.0;        // powers up to the order plus this count
 constexpr double most_powers = 1e5;  // limit of the work
@@ -23,10 +98,6 @@ Vec initial_values(const EquationSystem& system) {
   for (Eigen::Index i = 0; i < start.size(); ++i)
     start[i] = system.components[static_cast<std::size_t>(i)].initial.front();
   return start;
-}
-
-Expression last_row(const EquationSystem& system, const EquationSystem::Unknown& unknown) {
-  return system.rows[static_cast<std::size_t>(unknown.first + unknown.size()) - 1];
 }
 
 // What the right-hand side of an unknown depends on, its own terms included.
@@ -39,7 +110,7 @@ std::vector<Dependence> dependences(const EquationSystem& system, ExpressionPool
                                     const std::vector<std::set<double>>& powers) {
   std::vector<Dependence> all;
   for (std::size_t u = 0; u < system.unknowns.size(); ++u) {
-    const auto row = last_row(system, system.unknowns[u]);
+    const auto row = system.rows[system.unknowns[u].last_row()];
     auto& found = all.emplace_back();
     found.time.assign(powers[u].begin(), powers[u].end());
     for (const int variable : pool.variables_in(row)) {
@@ -130,7 +201,7 @@ std::optional<std::vector<std::set<double>>> all_time_powers(const EquationSyste
                                                              const std::vector<double>& values) {
   std::vector<std::set<double>> all;
   for (const auto& unknown : system.unknowns) {
-    auto powers = time_powers(pool, last_row(system, unknown), values);
+    auto powers = time_powers(pool, system.rows[unknown.last_row()], values);
     if (!powers) return std::nullopt;
     all.push_back(std::move(*powers));
   }

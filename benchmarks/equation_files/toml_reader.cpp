@@ -16,6 +16,8 @@
 namespace fde::bench {
 namespace {
 
+constexpr std::string_view numbers = "a list of numbers or formulas";
+
 class EquationReader : DeclarationReader {
  public:
   using DeclarationReader::DeclarationReader;
@@ -116,13 +118,8 @@ class EquationReader : DeclarationReader {
     const auto& of = table(*entry.node, name);
     require_keys(of, name, {"initial", "final"});
     UnknownText coordinate{.name = entry.name, .position = entry.position};
-    const auto& initial = required(of, entry.position, name, "initial");
-    for (const auto& value : array(initial, "initial", "a list of numbers or formulas"))
-      coordinate.initial.push_back(formula(value, "initial"));
-    if (const auto* last = of.get("final")) {
-      for (const auto& value : array(*last, "final", "a list of numbers or formulas"))
-        coordinate.final.push_back(formula(value, "final"));
-    }
+    coordinate.initial = formulas(required(of, entry.position, name, "initial"), "initial", numbers);
+    if (const auto* last = of.get("final")) coordinate.final = formulas(*last, "final", numbers);
     return coordinate;
   }
 
@@ -149,9 +146,7 @@ class EquationReader : DeclarationReader {
     if (const auto* factor = of.get("factor")) unknown.factor = formula(*factor, "factor");
     unknown.rhs = formula(required(of, entry.position, name, "rhs"), "rhs");
     unknown.unless = unless_of(of, parameters);
-    const auto& initial = required(of, entry.position, name, "initial");
-    for (const auto& value : array(initial, "initial", "a list of numbers or formulas"))
-      unknown.initial.push_back(formula(value, "initial"));
+    unknown.initial = formulas(required(of, entry.position, name, "initial"), "initial", numbers);
     return unknown;
   }
 
@@ -190,10 +185,8 @@ class EquationReader : DeclarationReader {
     constexpr std::size_t most = 100;
     const auto& of = table(node, "constraint");
     require_keys(of, "constraint", {"f"});
-    std::vector<FormulaText> constraints;
     const auto& list = required(of, position_of(node), "constraint", "f");
-    for (const auto& value : array(list, "f", "a list of formulas"))
-      constraints.push_back(formula(value, "f"));
+    auto constraints = formulas(list, "f");
     if (constraints.empty() || constraints.size() > most) {
       reject(position_of(list),
              fmt::format("f: has {} formulas, must have 1 to {}", constraints.size(), most));

@@ -48,8 +48,10 @@ class TomlReader {
   // The value of a key; `place`: position of the table, for the message.
   [[nodiscard]] const toml::node& required(const toml::table& of, const TextPosition& place,
                                            std::string_view name, std::string_view key) const;
-  // A formula from a number or a string.
+  // A formula from a number or a string; the formulas of a list.
   [[nodiscard]] FormulaText formula(const toml::node& node, std::string_view name) const;
+  [[nodiscard]] std::vector<FormulaText> formulas(const toml::node& node, std::string_view name,
+                                                  std::string_view allowed = "a list of formulas") const;
 
  private:
   const std::string& file_;

@@ -66,58 +66,10 @@ Real apply(Operation operation, const Real& a, const Real& b, const Real& c) {
   using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,
       std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
   switch (operation) {
-    case Operation::add:
-      return Real(a + b);
-    case Operation::subtract:
-      return Real(a - b);
-    case Operation::multiply:
-      return Real(a * b);
-    case Operation::divide:
-      return Real(a / b);
-    case Operation::power:
-      return Real(pow(a, b));
-    case Operation::negate:
-      return Real(-a);
-    case Operation::sin:
-      return Real(sin(a));
-    case Operation::cos:
-      return Real(cos(a));
-    case Operation::tan:
-      return Real(tan(a));
-    case Operation::asin:
-      return Real(asin(a));
-    case Operation::acos:
-      return Real(acos(a));
-    case Operation::atan:
-      return Real(atan(a));
-    case Operation::sinh:
-      return Real(sinh(a));
-    case Operation::cosh:
-      return Real(cosh(a));
-    case Operation::tanh:
-      return Real(tanh(a));
-    case Operation::exp:
-      return Real(exp(a));
-    case Operation::log:
-      return Real(log(a));
-    case Operation::sqrt:
-      return Real(sqrt(a));
-    case Operation::abs:
-      return Real(abs(a));
-    case Operation::sign:
-      return sign_of(a);
-    case Operation::step:
-      return Real((sign_of(a) + Real(1)) / Real(2));
-    case Operation::gamma:
-      return SpecialFunctions<Real>::gamma(a);
-    case Operation::atan2:
-      return Real(atan2(a, b));
-    case Operation::min:
-      return smaller_of(a, b);
-    case Operation::max:
-      return larger_of(a, b);
-    case Operation::mittag_leffler:
-      return SpecialFunctions<Real>::mittag_leffler(a, b, c);
+#define FDE_OPERATION(name, arguments, value) \
+  case Operation::name:                       \
+    return Real(value);
+#include "fdebench/benchmarks/expressions/operations.def"
     case Operation::pi:
       return SpecialFunctions<Real>::pi();
     case Operation::number:

@@ -1,130 +1,67 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <stdexcept>
 
 #include "fdebench/benchmarks/expressions/expressions.hpp"
 
 namespace fde::bench {
-namespace {
 
-// f'(a) for a differentiable function of one argument, with f = f(a); nullopt otherwise.
-std::optional<Expression> slope(ExpressionPool& pool, Operation operation, Expression a, Expression f) {
-  const auto make = [&](Operation how, Expression x, Expression y = ExpressionPool::none) {
-    return pool.make_expression(how, x, y);
-  };
-  const auto square = [&](Expression x) { return make(Operation::multiply, x, x); };
-  const auto one_minus = [&](Expression x) { return make(Operation::subtract, pool.number(1), x); };
-  const auto one_over = [&](Expression x) { return make(Operation::divide, pool.number(1), x); };
-  switch (operation) {
-    case Operation::negate:
-      return pool.number(-1);
-    case Operation::sin:
-      return make(Operation::cos, a);
-    case Operation::cos:
-      return make(Operation::negate, make(Operation::sin, a));
-    case Operation::tan:
-      return make(Operation::add, pool.number(1), square(f));
-    case Operation::asin:
-      return one_over(make(Operation::sqrt, one_minus(square(a))));
-    case Operation::acos:
-      return make(Operation::negate, one_over(make(Operation::sqrt, one_minus(square(a)))));
-    case Operation::atan:
-      return one_over(make(Operation::add, pool.number(1), square(a)));
-    case Operation::sinh:
-      return make(Operation::cosh, a);
-    case Operation::cosh:
-      return make(Operation::sinh, a);
-    case Operation::tanh:
-      return one_minus(square(f));
-    case Operation::exp:
-      return f;
-    case Operation::log:
-      return one_over(a);
-    case Operation::sqrt:
-      return make(Operation::divide, pool.number("0.5"), f);
-    case Operation::abs:
-      return make(Operation::sign, a);
-    case Operation::sign:
-    case Operation::step:
-      return pool.number(0);
-    default:
-      return std::nullopt;
-  }
-}
-
-}  // namespace
-
-// Chain rule; `derivatives` are those of the parts of the entry.
-Expression ExpressionPool::derivative_of(const Node& entry, const std::vector<Expression>& derivatives) {
-  const auto [a, b, c] = entry.arguments;
-  const auto of = [&](Expression e) {
-    return e == none ? number(0) : derivatives[static_cast<std::size_t>(e)];
-  };
-  const Expression da = of(a), db = of(b), dc = of(c);
-  if (is(da, 0) && is(db, 0) && is(dc, 0)) return number(0);
-  const Expression self = make_expression(entry.operation, a, b, c);
-  const auto times = [&](Expression x, Expression y) { return make_expression(Operation::multiply, x, y); };
-  const auto plus = [&](Expression x, Expression y) { return make_expression(Operation::add, x, y); };
-  const auto minus = [&](Expression x, Expression y) { return make_expression(Operation::subtract, x, y); };
-  const auto over = [&](Expression x, Expression y) { return make_expression(Operation::divide, x, y); };
-  switch (entry.operation) {
+// Chain rule; derivatives(i) is that of argument i.
+Expression ExpressionPool::derivative_of(Expression self, const Node& node,
+                                         const std::function<Expression(std::size_t i)>& derivatives) {
+  const auto operand = [&](Expression e) { return Operand{this, e}; };
+  const auto of = [&](std::size_t i) { return node.arguments[i] == none ? number(0) : derivatives(i); };
+  const Operand a = operand(node.arguments[0]), b = operand(node.arguments[1]),
+                c = operand(node.arguments[2]);
+  const Operand da = operand(of(0)), db = operand(of(1)), dc = operand(of(2)), f = operand(self);
+  const Operand zero = operand(number(0));
+  const auto half = [&] { return operand(number("0.5")); };
+  const bool is_first_alone = is(db.value, 0) && is(dc.value, 0);
+  switch (node.operation) {
     case Operation::add:
-      return plus(da, db);
+      return (da + db).value;
     case Operation::subtract:
-      return minus(da, db);
+      return (da - db).value;
     case Operation::multiply:
-      return plus(times(da, b), times(a, db));
+      return (da * b + a * db).value;
     case Operation::divide:
-      return is(db, 0) ? over(da, b) : over(minus(da, times(self, db)), b);
+      return (is_first_alone ? da / b : (da - f * db) / b).value;
     case Operation::power:
-      if (is(db, 0)) return times(times(b, make_expression(Operation::power, a, minus(b, number(1)))), da);
-      return times(self, plus(times(db, make_expression(Operation::log, a)), over(times(b, da), a)));
+      return (is_first_alone ? b * pow(a, b - 1) * da : f * (db * log(a) + b * da / a)).value;
     case Operation::atan2:
-      return over(minus(times(da, b), times(a, db)), plus(times(a, a), times(b, b)));
+      return ((da * b - a * db) / (a * a + b * b)).value;
     case Operation::min:
-      return plus(times(da, make_expression(Operation::step, minus(b, a))),
-                  times(db, make_expression(Operation::step, minus(a, b))));
+      return (da * step(b - a) + db * step(a - b)).value;
     case Operation::max:
-      return plus(times(da, make_expression(Operation::step, minus(a, b))),
-                  times(db, make_expression(Operation::step, minus(b, a))));
-    case Operation::mittag_leffler:
+      return (da * step(a - b) + db * step(b - a)).value;
+    case Operation::negate:
+      return (operand(number(-1)) * da).value;
+    case Operation::gamma:
+      throw std::invalid_argument("gamma: its argument must be without unknowns");
+    case Operation::mittag_leffler: {
       // E'_(a,b) = (E_(a,a+b-1) - (b-1) E_(a,a+b)) / a, from k = ((ak + b - 1) - (b - 1)) / a in its series
-      if (is(da, 0) && is(db, 0)) {
-        const auto higher = plus(a, b), lowered = minus(b, number(1));
-        const auto first = make_expression(Operation::mittag_leffler, a, minus(higher, number(1)), c);
-        const auto second = times(lowered, make_expression(Operation::mittag_leffler, a, higher, c));
-        return times(over(minus(first, second), a), dc);
-      }
-      throw std::invalid_argument("mittag_leffler: its first two arguments must be without unknowns");
+      if (!is(da.value, 0) || !is(db.value, 0))
+        throw std::invalid_argument("mittag_leffler: its first two arguments must be without unknowns");
+      const auto at = [&](Operand beta) { return a.of(Operation::mittag_leffler, beta.value, c.value); };
+      const Operand higher = a + b;
+      return ((at(higher - 1) - (b - 1) * at(higher)) / a * dc).value;
+    }
+#define FDE_SLOPE(name, of_a, slope) \
+  case Operation::name:              \
+    return ((slope)*da).value;
+#include "fdebench/benchmarks/expressions/operations.def"
     default:
-      break;
+      return zero.value;
   }
-  const auto known = slope(*this, entry.operation, a, self);
-  if (!known) throw std::invalid_argument("gamma: its argument must be without unknowns");
-  return times(*known, da);
 }
 
 std::vector<Expression> ExpressionPool::derivatives(const std::vector<Expression>& of, int variable) {
-  const auto used = subexpressions(of);
   const auto zero = number(0), one = number(1);
-  std::vector<Expression> made(used.size(), none);
-  const auto is_constant = [&](Expression e) {
-    return e == none || made[static_cast<std::size_t>(e)] == zero;
-  };
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    if (!used[e]) continue;
-    const auto& entry = (*this)[static_cast<Expression>(e)];
-    if (entry.operation == Operation::variable) {
-      made[e] = entry.variable == variable ? one : zero;
-    } else if (std::ranges::all_of(entry.arguments, is_constant)) {
-      made[e] = zero;
-    } else {
-      made[e] = derivative_of(Node(entry), made);
-    }
-  }
-  std::vector<Expression> results;
-  for (const auto e : of) results.push_back(made[static_cast<std::size_t>(e)]);
-  return results;
+  return values_from_parts(*this, of, none, [&](Expression e, const Node& node, const auto& parts) {
+    if (node.operation == Operation::variable) return node.variable == variable ? one : zero;
+    for (std::size_t i = 0; i < node.arguments.size(); ++i)
+      if (parts(i) != none && parts(i) != zero) return derivative_of(e, node, parts);
+    return zero;
+  });
 }
 
 Expression ExpressionPool::derivative(Expression of, int variable) {

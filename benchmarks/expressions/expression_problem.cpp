@@ -8,8 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "fdebench/benchmarks/expressions/increments.hpp"
-#include "fdebench/benchmarks/expressions/instruction_text.hpp"
+#include "fdebench/benchmarks/expressions/instructions.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/expressions/values_at_start.hpp"
 
@@ -93,12 +92,6 @@ std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index 
   return matrix;
 }
 
-std::function<void(double t, In y, Out f)> rhs_of(const Program& program) {
-  return [program](double t, In y, Out f) {
-    program.evaluate(t, y, {f.data(), static_cast<std::size_t>(f.size())});
-  };
-}
-
 // Writes to the places of a matrix without gaps between its columns.
 Program entries_program(const std::vector<Entry>& entries, Eigen::Index size, const ExpressionPool& pool) {
   std::vector<Expression> values;
@@ -158,7 +151,7 @@ IncrementForm increments_of(const Problem& problem, const std::vector<Expression
   if (!shifted) return {};
   const auto size = problem.size();
   const auto entries = derivatives_of(*shifted, pool);
-  return {std::move(origin), rhs_of(Program(pool, *shifted, size)),
+  return {std::move(origin), Program(pool, *shifted, size),
           jacobian_of(entries, size, entries_program(entries, size, pool)).at};
 }
 
@@ -170,7 +163,7 @@ Problem expression_problem(std::vector<Component> components, const std::vector<
   const auto size = std::ssize(rows);
   Problem problem{.components = std::move(components), .end = end};
   const Program rhs(pool, rows, size);
-  problem.rhs = rhs_of(rhs);
+  problem.rhs = rhs;
   problem.range = [rhs](const Interval& t, std::span<const Interval> y, std::span<Interval> f) {
     rhs.enclose(t, y, f);
   };

@@ -18,30 +18,35 @@ namespace {
 
 constexpr int largest_whole_power = 64;  // evaluated by multiplication
 
-constexpr std::array functions{FunctionSignature{"sin", Operation::sin, 1},
-                               FunctionSignature{"cos", Operation::cos, 1},
-                               FunctionSignature{"tan", Operation::tan, 1},
-                               FunctionSignature{"asin", Operation::asin, 1},
-                               FunctionSignature{"acos", Operation::acos, 1},
-                               FunctionSignature{"atan", Operation::atan, 1},
-                               FunctionSignature{"atan2", Operation::atan2, 2},
-                               FunctionSignature{"sinh", Operation::sinh, 1},
-                               FunctionSignature{"cosh", Operation::cosh, 1},
-                               FunctionSignature{"tanh", Operation::tanh, 1},
-                               FunctionSignature{"exp", Operation::exp, 1},
-                               FunctionSignature{"log", Operation::log, 1},
-                               FunctionSignature{"sqrt", Operation::sqrt, 1},
-                               FunctionSignature{"abs", Operation::abs, 1},
-                               FunctionSignature{"sign", Operation::sign, 1},
-                               FunctionSignature{"step", Operation::step, 1},
-                               FunctionSignature{"min", Operation::min, 2},
-                               FunctionSignature{"max", Operation::max, 2},
-                               FunctionSignature{"gamma", Operation::gamma, 1},
-                               FunctionSignature{"mittag_leffler", Operation::mittag_leffler, 3}};
+constexpr std::array signatures{
+    OperationSignature{"number", 0, false},
+    OperationSignature{"pi", 0, false},
+    OperationSignature{"variable", 0, false},
+#define FDE_OPERATION(name, arguments, value) OperationSignature{#name, arguments, false},
+#define FDE_FUNCTION(name, arguments, value) OperationSignature{#name, arguments, true},
+#include "fdebench/benchmarks/expressions/operations.def"
+};
 
 }  // namespace
 
-std::span<const FunctionSignature> function_table() { return functions; }
+const OperationSignature& signature(Operation operation) {
+  return signatures[static_cast<std::size_t>(operation)];
+}
+
+std::optional<Operation> function_named(std::string_view name) {
+  const auto* const known = std::ranges::find(signatures, std::pair(name, true), [](const auto& one) {
+    return std::pair(one.name, one.is_function);
+  });
+  if (known == signatures.end()) return std::nullopt;
+  return static_cast<Operation>(known - signatures.begin());
+}
+
+std::vector<std::string_view> function_names() {
+  std::vector<std::string_view> names;
+  for (const auto& one : signatures)
+    if (one.is_function) names.push_back(one.name);
+  return names;
+}
 
 Expression ExpressionPool::add(Node entry) {
   if (entries_.size() >= most_expressions) {
@@ -267,25 +272,10 @@ std::optional<long double> ExpressionPool::value(Expression of) const {
 
 std::vector<Expression> ExpressionPool::substituted(const std::vector<Expression>& of,
                                                     const std::function<Expression(int variable)>& value) {
-  const auto used = subexpressions(of);
-  std::vector<Expression> replaced(used.size(), none);
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    if (!used[e]) continue;
-    const Node entry = (*this)[static_cast<Expression>(e)];
-    if (entry.operation == Operation::variable) {
-      replaced[e] = value(entry.variable);
-    } else if (entry.arguments[0] == none) {
-      replaced[e] = static_cast<Expression>(e);
-    } else {
-      std::array<Expression, 3> from{none, none, none};
-      for (std::size_t i = 0; i < from.size(); ++i)
-        if (entry.arguments[i] != none) from[i] = replaced[static_cast<std::size_t>(entry.arguments[i])];
-      replaced[e] = make_expression(entry.operation, from[0], from[1], from[2]);
-    }
-  }
-  std::vector<Expression> results;
-  for (const auto e : of) results.push_back(replaced[static_cast<std::size_t>(e)]);
-  return results;
+  return values_from_parts(*this, of, none, [&](Expression e, const Node& node, const auto& parts) {
+    if (node.operation == Operation::variable) return value(node.variable);
+    return parts(0) == none ? e : make_expression(node.operation, parts(0), parts(1), parts(2));
+  });
 }
 
 Expression ExpressionPool::without_variables(Expression of, int first) {

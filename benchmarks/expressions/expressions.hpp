@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -19,41 +18,22 @@ enum class Operation : unsigned char {
   number,
   pi,
   variable,
-  add,
-  subtract,
-  multiply,
-  divide,
-  power,
-  negate,
-  sin,
-  cos,
-  tan,
-  asin,
-  acos,
-  atan,
-  sinh,
-  cosh,
-  tanh,
-  exp,
-  log,
-  sqrt,
-  abs,
-  sign,  // -1, 0 at 0, 1
-  step,  // 0, 1/2 at 0, 1
-  gamma,
-  atan2,
-  min,
-  max,
-  mittag_leffler
+#define FDE_OPERATION(name, arguments, value) name,
+#include "fdebench/benchmarks/expressions/operations.def"
 };
 
-// A function that a formula may call: sin(x), atan2(y, x), mittag_leffler(alpha, beta, z).
-struct FunctionSignature {
+// What is known of an operation; a function is called by its name in formulas: sin(x), atan2(y, x),
+// mittag_leffler(alpha, beta, z).
+struct OperationSignature {
   std::string_view name;
-  Operation operation;
   std::size_t arguments;
+  bool is_function;
 };
-std::span<const FunctionSignature> function_table();
+const OperationSignature& signature(Operation operation);
+
+// The functions by name; nullopt for another name.
+std::optional<Operation> function_named(std::string_view name);
+std::vector<std::string_view> function_names();
 
 // An expression: the index of its node in an ExpressionPool. Its subexpressions have smaller indices.
 using Expression = int;
@@ -127,7 +107,8 @@ class ExpressionPool {
   std::optional<Expression> folded_fraction(Operation operation, Expression a, Expression b);
   Expression integer_power(Expression base, int exponent);
   std::optional<Expression> simplified(Operation operation, Expression a, Expression b);
-  Expression derivative_of(const Node& entry, const std::vector<Expression>& derivatives);
+  Expression derivative_of(Expression self, const Node& node,
+                           const std::function<Expression(std::size_t i)>& derivatives);
   [[nodiscard]] bool is(Expression e, int whole) const;
 
   NumberStorage numbers_;
@@ -136,5 +117,52 @@ class ExpressionPool {
   std::map<std::pair<long double, std::string>, Expression> known_numbers_{};
   std::map<double, Expression> constants_{};
 };
+
+// An expression and its pool, for formulas that are written with operators and functions.
+struct Operand {
+  ExpressionPool* pool;
+  Expression value;
+
+  [[nodiscard]] Operand of(Operation operation, Expression b = ExpressionPool::none,
+                           Expression c = ExpressionPool::none) const {
+    return {pool, pool->make_expression(operation, value, b, c)};
+  }
+  friend Operand operator+(Operand a, Operand b) { return a.of(Operation::add, b.value); }
+  friend Operand operator-(Operand a, Operand b) { return a.of(Operation::subtract, b.value); }
+  friend Operand operator*(Operand a, Operand b) { return a.of(Operation::multiply, b.value); }
+  friend Operand operator/(Operand a, Operand b) { return a.of(Operation::divide, b.value); }
+  friend Operand operator-(Operand a) { return a.of(Operation::negate); }
+  friend Operand operator+(int a, Operand b) { return Operand{b.pool, b.pool->number(a)} + b; }
+  friend Operand operator-(int a, Operand b) { return Operand{b.pool, b.pool->number(a)} - b; }
+  friend Operand operator/(int a, Operand b) { return Operand{b.pool, b.pool->number(a)} / b; }
+  friend Operand operator+(Operand a, int b) { return a + Operand{a.pool, a.pool->number(b)}; }
+  friend Operand operator-(Operand a, int b) { return a - Operand{a.pool, a.pool->number(b)}; }
+  friend Operand pow(Operand a, Operand b) { return a.of(Operation::power, b.value); }
+#define FDE_SLOPE(name, value, slope) \
+  friend Operand name(Operand a) { return a.of(Operation::name); }
+#include "fdebench/benchmarks/expressions/operations.def"
+};
+
+// The values of expressions, each computed once by value_of(expression, node, parts) from those of its
+// arguments: parts(i), `absent` where it has no such argument. value_of may add expressions to the pool.
+template <class Value, class ValueOf>
+std::vector<Value> values_from_parts(const ExpressionPool& pool, const std::vector<Expression>& of,
+                                     const Value& absent, const ValueOf& value_of) {
+  const auto used = pool.subexpressions(of);
+  std::vector<Value> values(used.size(), absent);
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    if (!used[e]) continue;
+    const ExpressionPool::Node node = pool[static_cast<Expression>(e)];
+    const auto parts = [&](std::size_t i) -> const Value& {
+      return node.arguments[i] == ExpressionPool::none ? absent
+                                                       : values[static_cast<std::size_t>(node.arguments[i])];
+    };
+    values[e] = value_of(static_cast<Expression>(e), node, parts);
+  }
+  std::vector<Value> results;
+  results.reserve(of.size());
+  for (const auto e : of) results.push_back(values[static_cast<std::size_t>(e)]);
+  return results;
+}
 
 }  // namespace fde::bench

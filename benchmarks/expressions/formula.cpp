@@ -40,8 +40,7 @@ class FormulaParser {
       }
     }
     ~DepthGuard() { --reader_.depth_; }
-    DepthGuard(const DepthGuard&) = delete;
-    DepthGuard& operator=(const DepthGuard&) = delete;
+    DepthGuard& operator=(DepthGuard&&) = delete;
 
    private:
     FormulaParser& reader_;
@@ -163,10 +162,10 @@ class FormulaParser {
 
   Expression named(const FormulaToken& token) {
     if (token.text == "D") return derivative(token);
-    const auto function = std::ranges::find(function_table(), token.text, &FunctionSignature::name);
+    const auto function = function_named(token.text);
     const bool named_alike =
         token_.text != "(" && names_.resolve && names_.resolve(token.text);  // e.g. gamma as an order
-    if (function != function_table().end() && !named_alike) return call(*function);
+    if (function && !named_alike) return call(*function);
     if (token.text == "pi") return into_.pi();
     if (names_.resolve) {
       if (const auto known = names_.resolve(token.text)) return *known;
@@ -179,13 +178,8 @@ class FormulaParser {
     auto hint = is_call ? function_hint(token.text) : name_hint(token.text);
     if (hint.empty()) hint = hint_of_derivative(token.text);
     if (hint.empty()) {
-      std::vector<std::string_view> known;
-      if (is_call) {
-        for (const auto& function : function_table()) known.push_back(function.name);
-      } else {
-        known = names_.accepted_names;
-        known.emplace_back("pi");
-      }
+      auto known = is_call ? function_names() : names_.accepted_names;
+      if (!is_call) known.emplace_back("pi");
       hint = fmt::format("{}; there are {}{}", did_you_mean(token.text, known), fmt::join(known, ", "),
                          is_call ? "" : " and functions");
     }
@@ -212,7 +206,8 @@ class FormulaParser {
     return "";
   }
 
-  Expression call(const FunctionSignature& function) {
+  Expression call(Operation operation) {
+    const auto& function = signature(operation);
     if (token_.text != "(") expected(fmt::format("'(', {} being a function", function.name));
     advance();
     std::array<Expression, 3> arguments{ExpressionPool::none, ExpressionPool::none, ExpressionPool::none};
@@ -226,7 +221,7 @@ class FormulaParser {
                              is_too_many ? fmt::format(", as {0}(a, {0}(b, c))", function.name) : ""));
       }
     }
-    return made(function.operation, arguments[0], arguments[1], arguments[2]);
+    return made(operation, arguments[0], arguments[1], arguments[2]);
   }
 
   Expression derivative(const FormulaToken& token) {
@@ -278,8 +273,6 @@ bool is_name(std::string_view text) {
 
 bool is_symbol(std::string_view name) { return name == "t" || name == "D" || name == "pi"; }
 
-bool is_function(std::string_view name) {
-  return std::ranges::find(function_table(), name, &FunctionSignature::name) != function_table().end();
-}
+bool is_function(std::string_view name) { return function_named(name).has_value(); }
 
 }  // namespace fde::bench

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "fdebench/benchmarks/expressions/formula.hpp"
@@ -44,11 +43,11 @@ Text number(long double value) {
 }
 
 Text call(const ExpressionPool::Node& entry, const std::vector<Text>& texts) {
-  const auto function = std::ranges::find(function_table(), entry.operation, &FunctionSignature::operation);
+  const auto& function = signature(entry.operation);
   std::string arguments;
-  for (std::size_t i = 0; i < function->arguments; ++i)
+  for (std::size_t i = 0; i < function.arguments; ++i)
     arguments += (i > 0 ? "," : "") + texts[static_cast<std::size_t>(entry.arguments[i])].formula;
-  return {fmt::format("{}({})", function->name, arguments)};
+  return {fmt::format("{}({})", function.name, arguments)};
 }
 
 }  // namespace

@@ -1,12 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/expressions/instructions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <string_view>
 
 #include "fdebench/benchmarks/expressions/apply.hpp"
 
 namespace fde::bench {
+
+namespace {
+
+std::string operation_text(Operation operation, const std::array<std::string_view, 3>& arguments) {
+  constexpr std::string_view symbols = "+-*/";
+  if (operation == Operation::pi) return formula_number(std::numbers::pi);
+  if (operation == Operation::negate) return fmt::format("(-{})", arguments[0]);
+  const auto symbol = static_cast<std::size_t>(operation) - static_cast<std::size_t>(Operation::add);
+  if (symbol < symbols.size()) return fmt::format("({}{}{})", arguments[0], symbols[symbol], arguments[1]);
+  const auto& [name, count, is_function] = signature(operation);
+  return fmt::format("{}({})", name, fmt::join(std::span(arguments).first(count), ","));
+}
+
+}  // namespace
 
 InstructionList instructions_of(const ExpressionPool& pool, const std::vector<Expression>& results,
                                 const std::vector<Eigen::Index>& places, Eigen::Index size) {
@@ -66,6 +86,33 @@ void interpret(const InstructionList& list, const Interval& t, const Interval* y
   }
   for (std::size_t i = 0; i < list.results.size(); ++i)
     results[static_cast<std::size_t>(list.places[i])] = values[static_cast<std::size_t>(list.results[i])];
+}
+
+// A whole number has a point too: 1/2 is 0 in C, and 1*x is no expression in Rust.
+std::string formula_number(double value) {
+  auto text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return value < 0.0 ? fmt::format("({})", text) : text;
+}
+
+std::vector<std::string> texts_of(const InstructionList& list) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 20;
+  if (!std::ranges::all_of(list.numbers, [](double value) { return std::isfinite(value); })) return {};
+  std::vector<std::string> texts{"t"};
+  for (int i = 1; i < list.inputs; ++i) texts.push_back(fmt::format("y{}", i));
+  for (const double value : list.numbers) texts.push_back(formula_number(value));
+  const auto text = [&](int slot) -> const std::string& { return texts[static_cast<std::size_t>(slot)]; };
+  for (const auto& [operation, a, b, c] : list.instructions) {
+    texts.push_back(operation_text(operation, {text(a), text(b), text(c)}));
+    if (texts.back().size() > most_bytes) return {};
+  }
+  std::vector<std::string> results;
+  std::size_t bytes = 0;
+  for (const int slot : list.results) {
+    results.push_back(text(slot));
+    bytes += results.back().size();
+  }
+  return bytes > most_bytes ? std::vector<std::string>{} : results;
 }
 
 }  // namespace fde::bench

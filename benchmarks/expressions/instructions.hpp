@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fdebench/benchmarks/expressions/expressions.hpp"
@@ -40,5 +41,12 @@ void interpret(const InstructionList& list, double t, const double* y, std::span
 // The same in intervals: each result contains the values at all t and y of the given intervals.
 void interpret(const InstructionList& list, const Interval& t, const Interval* y,
                std::span<Interval> results);
+
+// A number as an operand of such a formula.
+std::string formula_number(double value);
+
+// The results as formulas of t and y1, y2, ..., in their order, as ProblemText has them. Common parts are
+// repeated. Empty if they are together longer than a megabyte or contain a number that is not finite.
+std::vector<std::string> texts_of(const InstructionList& list);
 
 }  // namespace fde::bench

@@ -15,57 +15,15 @@ namespace x86 = asmjit::x86;
 
 namespace {
 
-using Function = double (*)(double);
-
-// The function that apply<double> calls; nullptr for an operation that is written out or has two arguments.
-Function function_of(Operation operation) {
+// The function of one argument that apply<double> calls.
+double (*function_of(Operation operation))(double) {
   switch (operation) {
-    case Operation::sin:
-      return std::sin;
-    case Operation::cos:
-      return std::cos;
-    case Operation::tan:
-      return std::tan;
-    case Operation::asin:
-      return std::asin;
-    case Operation::acos:
-      return std::acos;
-    case Operation::atan:
-      return std::atan;
-    case Operation::sinh:
-      return std::sinh;
-    case Operation::cosh:
-      return std::cosh;
-    case Operation::tanh:
-      return std::tanh;
-    case Operation::exp:
-      return std::exp;
-    case Operation::log:
-      return std::log;
-    case Operation::gamma:
-      return std::tgamma;
+#define FDE_OPERATION(name, arguments, value) \
+  case Operation::name:                       \
+    return [](double a) { return apply<double>(Operation::name, a, 0.0, 0.0); };
+#include "fdebench/benchmarks/expressions/operations.def"
     default:
       return nullptr;
-  }
-}
-
-int arguments_of(Operation operation) {
-  switch (operation) {
-    case Operation::number:
-    case Operation::pi:
-    case Operation::variable:
-      return 0;
-    case Operation::add:
-    case Operation::subtract:
-    case Operation::multiply:
-    case Operation::divide:
-    case Operation::power:
-    case Operation::atan2:
-    case Operation::min:
-    case Operation::max:
-      return 2;
-    default:
-      return 1;
   }
 }
 
@@ -87,8 +45,8 @@ MachineCodeWriter::MachineCodeWriter(const InstructionList& list, x86::Compiler&
 void MachineCodeWriter::count_uses() {
   uses_[0] = static_cast<int>(list_.slots());  // t is not overwritten
   for (const auto& [operation, a, b, c] : list_.instructions) {
-    if (arguments_of(operation) > 0) ++uses_[static_cast<std::size_t>(a)];
-    if (arguments_of(operation) > 1) ++uses_[static_cast<std::size_t>(b)];
+    if (signature(operation).arguments > 0) ++uses_[static_cast<std::size_t>(a)];
+    if (signature(operation).arguments > 1) ++uses_[static_cast<std::size_t>(b)];
   }
 }
 
@@ -123,7 +81,7 @@ void MachineCodeWriter::write() {
 
 void MachineCodeWriter::write_instruction(const Instruction& instruction, int slot) {
   auto& made = registers_[static_cast<std::size_t>(slot)];
-  const int arguments = arguments_of(instruction.operation);
+  const auto arguments = signature(instruction.operation).arguments;
   if (arguments > 0) --uses_[static_cast<std::size_t>(instruction.a)];
   if (arguments > 1) --uses_[static_cast<std::size_t>(instruction.b)];
   if (!made.isValid()) made = value_of(instruction, slot);

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "fdebench/benchmarks/expressions/instruction_text.hpp"
+#include "fdebench/benchmarks/expressions/instructions.hpp"
 
 namespace fde::bench {
 namespace {

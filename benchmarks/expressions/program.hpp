@@ -36,6 +36,9 @@ class Program {
       shared_->interpret_or_translate(t, y.data(), results);
     }
   }
+  void operator()(double t, In y, Out results) const {
+    evaluate(t, y, {results.data(), static_cast<std::size_t>(results.size())});
+  }
   // The value of the only expression.
   [[nodiscard]] double operator()(double t, In y) const {
     double result = 0.0;

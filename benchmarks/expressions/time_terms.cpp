@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <tuple>
 #include <utility>
 
@@ -138,31 +136,18 @@ class TimeTermRules {
 
 // The terms of an expression that is no sum.
 Terms terms_of_part(Expression of, ExpressionPool& pool) {
-  const auto used = pool.subexpressions(of);
-  std::vector<Terms> terms(used.size());
-  std::vector<bool> varies(used.size(), false);
+  struct Part {
+    Terms terms{};
+    bool varies = false;
+  };
   TimeTermRules rules(pool);
-  for (Expression e = 0; e <= of; ++e) {
-    const auto place = static_cast<std::size_t>(e);
-    if (!used[place]) continue;
-    const auto [operation, of_these, variable] =
-        std::tuple(pool[e].operation, pool[e].arguments, pool[e].variable);
-    const bool is_variable = operation == Operation::variable;
-    std::array<Terms, 2> arguments;
-    varies[place] = is_variable;
-    for (std::size_t i = 0; i < of_these.size(); ++i) {
-      if (of_these[i] == ExpressionPool::none) continue;
-      const auto part = static_cast<std::size_t>(of_these[i]);
-      if (varies[part]) varies[place] = true;
-      if (i < arguments.size()) arguments[i] = terms[part];
-    }
-    if (is_variable) {
-      if (variable == 0) terms[place] = rules.time();
-    } else {
-      terms[place] = varies[place] ? rules.of(operation, arguments[0], arguments[1]) : rules.constant(e);
-    }
-  }
-  return terms.back();
+  const auto part_of = [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+    if (node.operation == Operation::variable) return Part{node.variable == 0 ? rules.time() : Terms(), true};
+    const bool varies = parts(0).varies || parts(1).varies || parts(2).varies;
+    return Part{varies ? rules.of(node.operation, parts(0).terms, parts(1).terms) : rules.constant(e),
+                varies};
+  };
+  return values_from_parts(pool, {of}, Part{}, part_of).front().terms;
 }
 
 }  // namespace
@@ -192,28 +177,25 @@ Terms time_terms(Expression of, ExpressionPool& pool) {
   return terms;
 }
 
+Operand integral(const TimeTerm& term, Operand order) {
+  const Operand power{order.pool, term.power}, coefficient{order.pool, term.coefficient}, next = power + 1;
+  const auto ratio = next.of(Operation::gamma) / (next + order).of(Operation::gamma);
+  return coefficient * ratio * pow({order.pool, order.pool->variable(0)}, power + order);
+}
+
 std::optional<Expression> caputo_derivative(const std::vector<TimeTerm>& terms, double order,
                                             ExpressionPool& pool) {
-  const auto shift = pool.number(fmt::format("{}", order)), one = pool.number(1), t = pool.variable(0);
-  auto sum = pool.number(0);
-  for (const auto& [coefficient, power, from] : terms) {
-    const auto p = pool.value(power);
-    if (from || !p || *p < 0.0L) return std::nullopt;
+  const Operand minus_order{&pool, pool.number(fmt::format("{}", -order))};
+  Operand sum{&pool, pool.number(0)};
+  for (const auto& term : terms) {
+    const auto p = pool.value(term.power);
+    if (term.from || !p || *p < 0.0L) return std::nullopt;
     const bool is_integer = *p == std::floor(*p);
     if (is_integer && static_cast<double>(*p) < std::ceil(order)) continue;
     if (static_cast<double>(*p) <= std::ceil(order) - 1.0) return std::nullopt;
-    const auto next = pool.make_expression(Operation::add, power, one);
-    const auto ratio = pool.make_expression(
-        Operation::divide, pool.make_expression(Operation::gamma, next),
-        pool.make_expression(Operation::gamma, pool.make_expression(Operation::subtract, next, shift)));
-    const auto of_time =
-        pool.make_expression(Operation::power, t, pool.make_expression(Operation::subtract, power, shift));
-    sum = pool.make_expression(
-        Operation::add, sum,
-        pool.make_expression(Operation::multiply,
-                             pool.make_expression(Operation::multiply, coefficient, ratio), of_time));
+    sum = sum + integral(term, minus_order);
   }
-  return sum;
+  return sum.value;
 }
 
 }  // namespace fde::bench

@@ -19,6 +19,10 @@ struct TimeTerm {
 // terms.
 std::optional<std::vector<TimeTerm>> time_terms(Expression of, ExpressionPool& pool);
 
+// The fractional integral of the term c t^p, c Gamma(p+1) / Gamma(p+1+order) t^(p+order); with a negative
+// order its derivative. Precondition: the term has no `from`.
+Operand integral(const TimeTerm& term, Operand order);
+
 // The Caputo derivative from 0 of the sum of c t^p,
 //   D^order t^p = Gamma(p+1) / Gamma(p+1-order) t^(p-order), 0 of integer p < ceil(order).
 // nullopt if a term has `from`, or if the derivative of a power does not exist.

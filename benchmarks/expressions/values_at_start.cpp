@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "fdebench/benchmarks/expressions/apply.hpp"
 
 namespace fde::bench {
+
 namespace {
 
 using Series = std::vector<long double>;  // Taylor coefficients at t = 0
@@ -70,22 +72,16 @@ double reach(const Series& q) {
 
 // q(max(t, d)) for t > d, and the polynomial P(min(t, d)) before.
 Expression continued(Expression of, const Series& q, ExpressionPool& pool) {
-  const auto made = [&](Operation how, Expression a, Expression b) {
-    return pool.make_expression(how, a, b);
-  };
   const auto number = [&](long double value) {
-    return pool.number(fmt::format("{}", static_cast<double>(value)));
+    return Operand{&pool, pool.number(fmt::format("{}", static_cast<double>(value)))};
   };
-  const auto until = number(reach(q)), t = pool.variable(0);
-  const auto early = made(Operation::min, t, until), late = made(Operation::max, t, until);
-  auto polynomial = number(q.back());
-  for (std::size_t k = q.size() - 1; k-- > 0;)
-    polynomial = made(Operation::add, made(Operation::multiply, polynomial, early), number(q[k]));
-  const auto is_late = pool.make_expression(Operation::sign, made(Operation::subtract, late, until));
-  const auto is_early = made(Operation::subtract, pool.number(1), is_late);
-  const auto later = pool.substituted({of}, [&](int) { return late; }).front();
-  return made(Operation::add, made(Operation::multiply, is_late, later),
-              made(Operation::multiply, is_early, polynomial));
+  const Operand until = number(reach(q)), t{&pool, pool.variable(0)};
+  const Operand early = t.of(Operation::min, until.value), late = t.of(Operation::max, until.value);
+  Operand polynomial = number(q.back());
+  for (std::size_t k = q.size() - 1; k-- > 0;) polynomial = polynomial * early + number(q[k]);
+  const Operand is_late = sign(late - until);
+  const Operand later{&pool, pool.substituted({of}, [&](int) { return late.value; }).front()};
+  return (is_late * later + (1 - is_late) * polynomial).value;
 }
 
 std::optional<Expression> with_limit(Expression of, ExpressionPool& pool) {
@@ -99,52 +95,119 @@ std::optional<Expression> with_limit(Expression of, ExpressionPool& pool) {
   return q.empty() ? std::nullopt : std::optional(continued(of, q, pool));
 }
 
+// An expression as a sum of a part that varies, or 0, and a constant.
+struct Sum {
+  Expression varying;
+  long double constant;
+};
+
+class Rewriting {
+ public:
+  Rewriting(const Vec& origin, ExpressionPool& pool) : origin_(origin), pool_(pool), zero_(pool.number(0)) {}
+
+  [[nodiscard]] bool has_cancelled() const { return has_cancelled_; }
+
+  Expression whole(const Sum& sum) {
+    if (sum.constant == 0.0L) return sum.varying;
+    return pool_.make_expression(Operation::add, sum.varying,
+                                 pool_.number(fmt::format("{}", static_cast<double>(sum.constant))));
+  }
+
+  // The sum of an operation on these sums; the node is that of expression e.
+  Sum rewritten(Expression e, const ExpressionPool::Node& node, const std::array<Sum, 3>& of) {
+    switch (node.operation) {
+      case Operation::number:
+        return {zero_, node.value};
+      case Operation::variable:
+        return {e, node.variable == 0 ? 0.0L : origin_[node.variable - 1]};
+      case Operation::add:
+      case Operation::subtract:
+        return combined(node.operation, of[0], of[1]);
+      case Operation::negate:
+        return {pool_.make_expression(Operation::negate, of[0].varying), -of[0].constant};
+      case Operation::multiply:
+        if (of[0].varying == zero_ || of[1].varying == zero_) return scaled(of[0], of[1]);
+        break;
+      case Operation::divide:
+        if (of[1].varying == zero_) {
+          return {pool_.make_expression(Operation::divide, of[0].varying, whole(of[1])),
+                  of[0].constant / of[1].constant};
+        }
+        break;
+      default:
+        break;
+    }
+    return {pool_.make_expression(node.operation, whole(of[0]), whole(of[1]), whole(of[2])), 0.0L};
+  }
+
+ private:
+  // Constants cancel where they are equal to half a unit in the last place of double: an origin is rounded.
+  Sum combined(Operation operation, const Sum& a, const Sum& b) {
+    constexpr long double rounding = std::numeric_limits<double>::epsilon() / 2.0L;
+    const Expression varying = pool_.make_expression(operation, a.varying, b.varying);
+    const long double constant =
+        operation == Operation::add ? a.constant + b.constant : a.constant - b.constant;
+    const long double largest = std::max(std::abs(a.constant), std::abs(b.constant));
+    const bool cancel = largest > 0.0L && std::abs(constant) <= rounding * largest;
+    has_cancelled_ = has_cancelled_ || (cancel && varying != zero_);
+    return {varying, cancel ? 0.0L : constant};
+  }
+
+  // A product in which one factor is constant.
+  Sum scaled(const Sum& a, const Sum& b) {
+    const Expression x = a.varying == zero_ ? whole(a) : a.varying,
+                     y = b.varying == zero_ ? whole(b) : b.varying;
+    const bool varies = a.varying != zero_ || b.varying != zero_;
+    return {varies ? pool_.make_expression(Operation::multiply, x, y) : zero_, a.constant * b.constant};
+  }
+
+  const Vec& origin_;
+  ExpressionPool& pool_;
+  Expression zero_;
+  bool has_cancelled_ = false;
+};
+
 }  // namespace
 
 std::vector<Expression> with_limits_at_start(const std::vector<Expression>& of, ExpressionPool& pool) {
-  const auto used = pool.subexpressions(of);
-  std::vector<Expression> made(used.size(), ExpressionPool::none);
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    if (!used[e]) continue;
-    const ExpressionPool::Node node = pool[static_cast<Expression>(e)];
-    const bool is_leaf = node.operation == Operation::variable || node.arguments[0] == ExpressionPool::none;
-    std::array<Expression, 3> from = node.arguments;
-    bool is_same = true;
-    for (auto& part : from) {
-      if (is_leaf || part == ExpressionPool::none) continue;
-      const auto replaced = made[static_cast<std::size_t>(part)];
-      is_same = is_same && replaced == part;
-      part = replaced;
-    }
-    made[e] = is_leaf || is_same ? static_cast<Expression>(e)
-                                 : pool.make_expression(node.operation, from[0], from[1], from[2]);
-    if (const auto limit = with_limit(static_cast<Expression>(e), pool)) made[e] = *limit;
-  }
-  std::vector<Expression> results;
-  for (const auto e : of) results.push_back(made[static_cast<std::size_t>(e)]);
-  return results;
+  constexpr auto none = ExpressionPool::none;
+  return values_from_parts(pool, of, none,
+                           [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+                             const std::array replaced{parts(0), parts(1), parts(2)};
+                             if (const auto limit = with_limit(e, pool)) return *limit;
+                             return replaced == node.arguments
+                                        ? e
+                                        : pool.make_expression(node.operation, parts(0), parts(1), parts(2));
+                           });
 }
 
 std::optional<Expression> not_a_number(Expression of, double t, In y, const ExpressionPool& pool) {
-  const auto used = pool.subexpressions(of);
-  std::vector<long double> values(used.size(), 0.0L);
   std::optional<Expression> first;
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    if (!used[e]) continue;
-    const auto& node = pool[static_cast<Expression>(e)];
-    const auto at = [&](std::size_t i) {
-      return node.arguments[i] == ExpressionPool::none ? 0.0L
-                                                       : values[static_cast<std::size_t>(node.arguments[i])];
-    };
-    if (node.operation == Operation::variable) {
-      values[e] = node.variable == 0 ? static_cast<long double>(t) : y[node.variable - 1];
-    } else {
-      values[e] =
-          node.operation == Operation::number ? node.value : apply(node.operation, at(0), at(1), at(2));
-    }
-    if (std::isnan(values[e]) && !first) first = static_cast<Expression>(e);
-  }
-  return std::isnan(values.back()) ? first : std::nullopt;
+  const auto values = values_from_parts(
+      pool, {of}, 0.0L, [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+        const long double value =
+            node.operation == Operation::variable
+                ? (node.variable == 0 ? static_cast<long double>(t) : y[node.variable - 1])
+            : node.operation == Operation::number ? node.value
+                                                  : apply(node.operation, parts(0), parts(1), parts(2));
+        if (std::isnan(value) && !first) first = e;
+        return value;
+      });
+  return std::isnan(values.front()) ? first : std::nullopt;
+}
+
+std::optional<std::vector<Expression>> in_increments(const std::vector<Expression>& of, const Vec& origin,
+                                                     ExpressionPool& pool) {
+  Rewriting rewriting(origin, pool);
+  const auto sums =
+      values_from_parts(pool, of, Sum{ExpressionPool::none, 0.0L},
+                        [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+                          return rewriting.rewritten(e, node, std::array{parts(0), parts(1), parts(2)});
+                        });
+  if (!rewriting.has_cancelled()) return std::nullopt;
+  std::vector<Expression> results;
+  for (const auto& sum : sums) results.push_back(rewriting.whole(sum));
+  return results;
 }
 
 }  // namespace fde::bench

@@ -18,10 +18,10 @@
 #include <utility>
 #include <variant>
 
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 #include "fdebench/benchmarks/external/shell_command.hpp"
 #include "fdebench/benchmarks/external/task_text.hpp"
-#include "fdebench/benchmarks/external/temporary_file.hpp"
-#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/records/external_trajectory.hpp"
 #include "fdebench/benchmarks/records/record_validation.hpp"

@@ -14,10 +14,12 @@
 #include <climits>
 #include <csignal>
 #include <cstddef>
+#include <cstdlib>
 #include <new>
 #include <system_error>
 
 namespace fde::bench {
+
 namespace {
 
 constexpr std::size_t most = 256, none = most;
@@ -69,8 +71,7 @@ class CleanupProcess {
     close(ends[0]);
     end_ = ends[1];
   }
-  CleanupProcess(const CleanupProcess&) = delete;
-  CleanupProcess& operator=(const CleanupProcess&) = delete;
+  CleanupProcess& operator=(CleanupProcess&&) = delete;
   ~CleanupProcess() {
     if (end_ >= 0) close(end_);
     if (child_ > 0) waitpid(child_, nullptr, 0);
@@ -160,6 +161,35 @@ void clean_up() {
 
 void block_after_clean_up() {
   while (is_ending) pause();
+}
+
+TemporaryFile::TemporaryFile(std::string_view suffix) {
+  std::error_code error;
+  const auto folder = std::filesystem::temp_directory_path(error);
+  if (error) throw std::system_error(error, "the folder of temporary files, $TMPDIR or /tmp");
+  std::string name = (folder / "fdebench-XXXXXX").string();
+  name += suffix;
+  const RegistrationGuard guard;
+  descriptor_ = mkostemps(name.data(), static_cast<int>(suffix.size()), O_CLOEXEC);
+  if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), name + ": cannot be written");
+  path_ = name;
+  trace_.emplace(name);
+}
+
+TemporaryFile::~TemporaryFile() {
+  close(descriptor_);
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+void TemporaryFile::write(std::string_view text) const {
+  while (!text.empty()) {
+    const auto count = ::write(descriptor_, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0)
+      throw std::system_error(errno, std::generic_category(), path_.string() + ": cannot be written");
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
 }
 
 }  // namespace fde::bench

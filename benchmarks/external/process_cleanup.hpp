@@ -5,7 +5,10 @@
 
 #include <csignal>
 #include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace fde::bench {
 
@@ -15,8 +18,7 @@ namespace fde::bench {
 class RegisteredFile {
  public:
   explicit RegisteredFile(const std::string& path);
-  RegisteredFile(const RegisteredFile&) = delete;
-  RegisteredFile& operator=(const RegisteredFile&) = delete;
+  RegisteredFile& operator=(RegisteredFile&&) = delete;
   ~RegisteredFile();
 
  private:
@@ -25,8 +27,7 @@ class RegisteredFile {
 class RegisteredProcessGroup {
  public:
   explicit RegisteredProcessGroup(pid_t group);
-  RegisteredProcessGroup(const RegisteredProcessGroup&) = delete;
-  RegisteredProcessGroup& operator=(const RegisteredProcessGroup&) = delete;
+  RegisteredProcessGroup& operator=(RegisteredProcessGroup&&) = delete;
   ~RegisteredProcessGroup();
 
  private:
@@ -38,8 +39,7 @@ class RegisteredProcessGroup {
 class RegistrationGuard {
  public:
   RegistrationGuard();
-  RegistrationGuard(const RegistrationGuard&) = delete;
-  RegistrationGuard& operator=(const RegistrationGuard&) = delete;
+  RegistrationGuard& operator=(RegistrationGuard&&) = delete;
   ~RegistrationGuard();
 
  private:
@@ -53,5 +53,25 @@ void clean_up();
 // Blocks forever if clean_up() has been called: the end of a child that it killed must not be reported
 // as a result.
 void block_after_clean_up();
+
+// A unique file in the folder of temporary files, removed by the destructor.
+class TemporaryFile {
+ public:
+  // Throws std::system_error naming the file if it cannot be created.
+  explicit TemporaryFile(std::string_view suffix);
+  TemporaryFile& operator=(TemporaryFile&&) = delete;
+  ~TemporaryFile();
+
+  // Appends the text. Throws std::system_error naming the file if it cannot be written (disk full).
+  void write(std::string_view text) const;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::optional<RegisteredFile> trace_{};
+};
 
 }  // namespace fde::bench

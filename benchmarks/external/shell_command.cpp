@@ -33,8 +33,7 @@ void require(int error, const char* what) {
 class Pipe {
  public:
   Pipe() { require(pipe2(ends_.data(), O_CLOEXEC) == 0 ? 0 : errno, "pipe"); }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
+  Pipe& operator=(Pipe&&) = delete;
   ~Pipe() {
     for (const int end : ends_) close(end);
   }
@@ -61,8 +60,7 @@ class SpawnSettings {
     require(posix_spawnattr_setpgroup(&attributes_, 0), "sh");
     require(posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK), "sh");
   }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(SpawnSettings&&) = delete;
   ~SpawnSettings() {
     posix_spawn_file_actions_destroy(&files_);
     posix_spawnattr_destroy(&attributes_);
@@ -112,8 +110,7 @@ class Child {
     end();
     require(error, "pidfd_open");
   }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
+  Child& operator=(Child&&) = delete;
   ~Child() {
     if (!ended_) end();
     if (descriptor_ >= 0) close(descriptor_);

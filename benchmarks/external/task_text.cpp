@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 
 namespace fde::bench {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,5 +34,9 @@ ColumnErrors column_errors(const FinishedRun& run, std::vector<std::string> name
 // column.
 using MeasuresOfColumns = std::map<std::string, std::optional<double>>;
 MeasuresOfColumns measures_of_columns(const ColumnErrors& all, const std::vector<std::string>& columns);
+
+// The error of each kind, then its constant-solution baseline of each kind, in the order of error_kinds; then
+// the unresolved variation of each scale.
+std::span<const Measure> error_measures();
 
 }  // namespace fde::bench

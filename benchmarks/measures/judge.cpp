@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/measures/accuracy.hpp"
-#include "fdebench/reference/nonlinear/march/singularity.hpp"
+#include "fdebench/reference/nonlinear/march/march_limits.hpp"
 
 namespace fde::bench {
 namespace {

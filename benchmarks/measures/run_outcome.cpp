@@ -46,9 +46,7 @@ const OutcomeText& words_of(const OutcomeKind& kind) {
 // although t is so early that rows of order 1/2 do not.
 std::optional<double> order_of_earliest_change(const Problem& problem, double t) {
   constexpr double part = 1e-16;
-  double least = 1.0;
-  for (const auto& row : problem.components)
-    if (!is_algebraic(row)) least = std::min(least, row.order);
+  const double least = smallest_order(problem);
   const bool is_early = std::sqrt(t / problem.end) < part && std::pow(t / problem.end, least) > part;
   return is_early ? std::optional(least) : std::nullopt;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 namespace fde::bench {
 
@@ -24,5 +25,14 @@ class TimingWatch {
   std::optional<double> load_;
   double switches_;
 };
+
+// The median of the times of a solve, and its 95 % confidence interval.
+struct MedianInterval {
+  double median = 0.0, low = 0.0, high = 0.0;  // seconds
+};
+
+// The median with an interval from order statistics; for fewer than six times the interval is from the
+// minimum to the maximum. Precondition: at least one time.
+MedianInterval spread_of(std::vector<double> seconds);
 
 }  // namespace fde::bench

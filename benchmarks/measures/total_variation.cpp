@@ -51,13 +51,6 @@ double TotalVariation::median_time(Eigen::Index column) const {
   return times_[static_cast<std::size_t>(std::max<Eigen::Index>(1, found - row.begin()))];
 }
 
-double smallest_order(const Problem& problem) {
-  double order = 1.0;
-  for (const auto& component : problem.components)
-    if (!is_algebraic(component)) order = std::min(order, component.order);
-  return order;
-}
-
 std::array<Vec, error_scales.size()> unresolved_variations(const Problem& problem,
                                                            MemoizedReference& reference, const Grid& grid) {
   constexpr int evenly = 64;

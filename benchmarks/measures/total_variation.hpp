@@ -34,9 +34,6 @@ class TotalVariation {
   Rows variation_;
 };
 
-// The smallest order of the differential (not algebraic) rows, at most 1.
-double smallest_order(const Problem& problem);
-
 // What the maximum error of a run over the grid misses, on each scale in the order of Scale, by the variation
 // of the reference at times that do not depend on the grid. Empty where the reference is not known or not
 // finite there.

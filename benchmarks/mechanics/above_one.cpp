@@ -8,12 +8,6 @@
 namespace fde::bench::mechanics {
 namespace {
 
-Expressions numbers(const Vec& values, const Algebra& algebra) {
-  Expressions all;
-  for (const double value : values) all.push_back(algebra.number(value));
-  return all;
-}
-
 // The constraint a.v + b.w + sum_k b_k.w_k + c(t) = 0, w of order alpha above 1, with constants a, b, b_k.
 class ConstantConstraint {
  public:
@@ -70,7 +64,7 @@ class ConstantConstraint {
   [[nodiscard]] Expressions exact_initial_memory() const {
     const auto& algebra = dynamics_.algebra();
     const auto direction = algebra.negative(dynamics_.compensation({algebra.number(1.0)}));
-    const auto velocity = numbers(dynamics_.system().velocity, algebra);
+    const auto velocity = algebra.numbers(dynamics_.system().velocity);
     Expression defect = algebra.sum(algebra.dot(dynamics_.acceleration_jacobian().entries, velocity),
                                     remaining_constraint()[0]);
     Expression alignment = algebra.zero();
@@ -114,8 +108,6 @@ class ConstantConstraint {
   double alpha_ = 0.0, alignment_ = 0.0;
 };
 
-double at(const Vec& values, std::size_t i) { return values[static_cast<Eigen::Index>(i)]; }
-
 // Rows of the memory terms of orders below 1; their variables, one a memory term, 0 for the others.
 std::vector<int> add_lower_memory(PosedEquations& equations, const MechanicalSystem& system) {
   std::vector<int> variables;
@@ -140,7 +132,7 @@ std::optional<Vec> initial_multiplier_above_one(const Dynamics& dynamics) {
   // b.v'(0) = 0: otherwise b.w, and with it a.v, starts like t^(2-alpha)
   const auto& algebra = dynamics.algebra();
   const auto& b = constraint.by_memory();
-  const auto defect = algebra.dot(numbers(b, algebra), dynamics.free_acceleration());
+  const auto defect = algebra.dot(algebra.numbers(b), dynamics.free_acceleration());
   const auto stiffness =
       algebra.product(dynamics.acceleration_jacobian(), dynamics.reaction_matrix());  // a G^-1 a^T
   return Vec::Constant(1, -at_start(dynamics, {defect})[0] /
@@ -149,30 +141,26 @@ std::optional<Vec> initial_multiplier_above_one(const Dynamics& dynamics) {
 
 PosedEquations integrated_above_one(const Dynamics& dynamics) {
   const ConstantConstraint constraint(dynamics);
-  if (constraint.alignment() == 0.0) return {.ill_posed_reason = refused_as_unaligned(constraint.order())};
+  if (constraint.alignment() == 0.0)
+    return {.ill_posed_reason =
+                fmt::format("formulation = integrated: must be multiplier for alpha = {} and a.b = 0: above "
+                            "1 the constraint then fixes no derivative of order alpha",
+                            constraint.order())};
   const auto& system = dynamics.system();
   const auto& algebra = dynamics.algebra();
   auto& pool = algebra.pool();
   const auto n = system.size();
   const double order = constraint.order();
-  const Vec free_part = at_start(dynamics, dynamics.projected(numbers(system.velocity, algebra)));
+  const Vec free_part = at_start(dynamics, dynamics.projected(algebra.numbers(system.velocity)));
   PosedEquations equations;
-  Expressions position, z, free_memory;
-  for (std::size_t i = 0; i < n; ++i) {
-    position.push_back(
-        pool.variable(equations.add_row({RowKind::position, i}, 1.0, {at(system.position, i)})));
-  }
-  for (std::size_t i = 0; i < n; ++i)
-    z.push_back(pool.variable(equations.add_row({RowKind::free_velocity, i}, 1.0, {at(free_part, i)})));
+  const auto position = equations.add_rows(pool, {RowKind::position}, 1.0, system.position);
+  const auto z = equations.add_rows(pool, {RowKind::free_velocity}, 1.0, free_part);
   const auto chi = pool.variable(equations.add_row({RowKind::constrained, 0, order}, order - 1.0,
                                                    {constraint.by_memory().dot(system.velocity)}));
-  for (std::size_t i = 0; i < n; ++i) {
-    free_memory.push_back(
-        pool.variable(equations.add_row({RowKind::free_memory, i, order}, 2.0 - order, {0.0})));
-  }
+  const auto free_memory = equations.add_rows(pool, {RowKind::free_memory, 0, order}, 2.0 - order,
+                                              Vec::Zero(static_cast<Eigen::Index>(n)));
   auto memory = add_lower_memory(equations, system);
-  const auto b = numbers(constraint.by_memory(), algebra),
-             direction = numbers(constraint.direction(), algebra);
+  const auto b = algebra.numbers(constraint.by_memory()), direction = algebra.numbers(constraint.direction());
   const auto alignment = algebra.number(constraint.alignment());
   const auto fixed = algebra.quotient(algebra.difference(chi, algebra.dot(b, z)), alignment);
   const auto velocity = algebra.sum(z, algebra.product(fixed, direction));
@@ -205,23 +193,13 @@ PosedEquations multiplier_above_one(const Dynamics& dynamics) {
   const Vec initial = constraint.initial_memory();
   const auto guess = initial_multiplier_above_one(dynamics);
   PosedEquations equations;
-  Expressions position, velocity;
-  for (std::size_t i = 0; i < n; ++i) {
-    position.push_back(
-        pool.variable(equations.add_row({RowKind::position, i}, 1.0, {at(system.position, i)})));
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    velocity.push_back(pool.variable(
-        equations.add_row({RowKind::velocity, i, order}, order - 1.0, {at(system.velocity, i)})));
-  }
+  const auto position = equations.add_rows(pool, {RowKind::position}, 1.0, system.position);
+  const auto velocity = equations.add_rows(pool, {RowKind::velocity, 0, order}, order - 1.0, system.velocity);
   const bool has_exact = pool.has_fractions() && !initial.isZero(0.0);
   const Expressions exact = has_exact ? constraint.exact_initial_memory() : Expressions{};
-  Expressions remembered;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (has_exact) equations.exact_initial[equations.rows.size()] = exact[i];
-    remembered.push_back(
-        pool.variable(equations.add_row({RowKind::memory, i, order}, 2.0 - order, {at(initial, i)})));
-  }
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    equations.exact_initial[equations.rows.size() + i] = exact[i];
+  const auto remembered = equations.add_rows(pool, {RowKind::memory, 0, order}, 2.0 - order, initial);
   const auto memory = add_lower_memory(equations, system);
   const auto lambda =
       pool.variable(equations.add_row({RowKind::multiplier}, 0.0, {guess ? (*guess)[0] : 0.0}));

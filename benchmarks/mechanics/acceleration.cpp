@@ -8,16 +8,6 @@
 namespace fde::bench::mechanics {
 namespace {
 
-Expressions add_positions(PosedEquations& equations, const Dynamics& dynamics) {
-  Expressions position;
-  for (std::size_t i = 0; i < dynamics.system().size(); ++i) {
-    const double start = dynamics.system().position[static_cast<Eigen::Index>(i)];
-    position.push_back(
-        dynamics.algebra().pool().variable(equations.add_row({RowKind::position, i}, 1.0, {start})));
-  }
-  return position;
-}
-
 // The defect of df/dt + kappa f without reaction and without the part in w'.
 Expressions damped_defect(const Dynamics& dynamics, double kappa) {
   const auto& algebra = dynamics.algebra();
@@ -29,12 +19,8 @@ PosedEquations without_memory(const Dynamics& dynamics, double kappa) {
   const auto& system = dynamics.system();
   const auto& algebra = dynamics.algebra();
   PosedEquations equations;
-  const auto position = add_positions(equations, dynamics);
-  Expressions velocity;
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    const double start = system.velocity[static_cast<Eigen::Index>(i)];
-    velocity.push_back(algebra.pool().variable(equations.add_row({RowKind::velocity, i}, 1.0, {start})));
-  }
+  const auto position = equations.add_rows(algebra.pool(), {RowKind::position}, 1.0, system.position);
+  const auto velocity = equations.add_rows(algebra.pool(), {RowKind::velocity}, 1.0, system.velocity);
   const auto memory = add_memory_rows(equations, system);
   equations.columns = columns_from(position, velocity, memory, system, algebra);
   const auto acceleration = in_state(
@@ -202,9 +188,7 @@ class RateChains {
   [[nodiscard]] std::vector<double> all_orders() const {
     std::vector<double> all;
     for (const auto& orders : orders_) all.insert(all.end(), orders.begin(), orders.end());
-    std::ranges::sort(all);
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
+    return increasing(std::move(all));
   }
 
   const Dynamics& dynamics_;
@@ -218,13 +202,19 @@ PosedEquations with_memory(const Dynamics& dynamics, double kappa) {
   const auto& system = dynamics.system();
   const auto& algebra = dynamics.algebra();
   PosedEquations equations;
-  const auto position = add_positions(equations, dynamics);
+  const auto position = equations.add_rows(algebra.pool(), {RowKind::position}, 1.0, system.position);
   const RateChains chains(dynamics, equations);
   const auto formulation = kappa == 0.0 ? Formulation::acceleration : Formulation::stabilised;
   if (const auto order = chains.unbounded_memory())
-    return {.ill_posed_reason = refused_as_unbounded_force(formulation, *order)};
+    return {.ill_posed_reason = fmt::format("formulation = {}: must be multiplier: v' is unbounded at t = 0, "
+                                            "and a force contains a derivative of "
+                                            "order {}",
+                                            name_of(formulation), *order)};
   if (!chains.is_well_posed()) {
-    return {.ill_posed_reason = refused_as_singular(formulation, *dynamics.constraint_orders().rbegin())};
+    return {.ill_posed_reason = fmt::format(
+                "formulation = {}: must be neither acceleration nor stabilised for alpha = {}: "
+                "v' starts like t^-alpha unless (df/dw) v(0) = 0, which they take for alpha < 1/2 only",
+                name_of(formulation), *dynamics.constraint_orders().rbegin())};
   }
   const auto memory = add_memory_rows(equations, system);
   const auto velocity = chains.velocity();

@@ -9,8 +9,33 @@
 #include <utility>
 
 namespace fde::bench::mechanics {
+namespace {
 
-Expression Algebra::number(double value) const { return pool_.number(value); }
+Expressions each(const Expressions& a, const std::function<Expression(std::size_t i)>& value) {
+  Expressions result;
+  for (std::size_t i = 0; i < a.size(); ++i) result.push_back(value(i));
+  return result;
+}
+
+}  // namespace
+
+Expressions Algebra::numbers(const Eigen::VectorXd& values) const {
+  Expressions all;
+  for (const double value : values) all.push_back(number(value));
+  return all;
+}
+
+Expressions Algebra::variables(const std::vector<int>& indices) const {
+  Expressions all;
+  for (const int i : indices) all.push_back(pool_.variable(i));
+  return all;
+}
+
+ExpressionMatrix Algebra::column(const Expressions& entries) const {
+  ExpressionMatrix result(entries.size(), 1, zero_);
+  result.entries = entries;
+  return result;
+}
 
 Expression Algebra::sum(Expression a, Expression b) const {
   if (pool_[b].operation == Operation::negate) return difference(a, pool_[b].arguments[0]);
@@ -43,27 +68,19 @@ Expression Algebra::quotient(Expression a, Expression b) const {
 Expression Algebra::negative(Expression a) const { return pool_.make_expression(Operation::negate, a); }
 
 Expressions Algebra::sum(const Expressions& a, const Expressions& b) const {
-  Expressions result;
-  for (std::size_t i = 0; i < a.size(); ++i) result.push_back(sum(a[i], b[i]));
-  return result;
+  return each(a, [&](std::size_t i) { return sum(a[i], b[i]); });
 }
 
 Expressions Algebra::difference(const Expressions& a, const Expressions& b) const {
-  Expressions result;
-  for (std::size_t i = 0; i < a.size(); ++i) result.push_back(difference(a[i], b[i]));
-  return result;
+  return each(a, [&](std::size_t i) { return difference(a[i], b[i]); });
 }
 
 Expressions Algebra::product(Expression factor, const Expressions& a) const {
-  Expressions result;
-  for (const auto e : a) result.push_back(product(factor, e));
-  return result;
+  return each(a, [&](std::size_t i) { return product(factor, a[i]); });
 }
 
 Expressions Algebra::negative(const Expressions& a) const {
-  Expressions result;
-  for (const auto e : a) result.push_back(negative(e));
-  return result;
+  return each(a, [&](std::size_t i) { return negative(a[i]); });
 }
 
 Expression Algebra::dot(const Expressions& a, const Expressions& b) const {
@@ -73,13 +90,7 @@ Expression Algebra::dot(const Expressions& a, const Expressions& b) const {
 }
 
 Expressions Algebra::product(const ExpressionMatrix& a, const Expressions& x) const {
-  Expressions result;
-  for (std::size_t i = 0; i < a.rows; ++i) {
-    Expression total = zero_;
-    for (std::size_t j = 0; j < a.columns; ++j) total = sum(total, product(a(i, j), x[j]));
-    result.push_back(total);
-  }
-  return result;
+  return product(a, column(x)).entries;
 }
 
 ExpressionMatrix Algebra::product(const ExpressionMatrix& a, const ExpressionMatrix& b) const {
@@ -187,35 +198,16 @@ std::optional<Expression> Algebra::simplified(Operation operation, Expression a,
 }
 
 Expressions Algebra::simplified(const Expressions& of) const {
-  const auto used = pool_.subexpressions(of);
-  Expressions made(used.size(), ExpressionPool::none);
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    if (!used[e]) continue;
-    const ExpressionPool::Node entry = pool_[static_cast<Expression>(e)];
-    std::array<Expression, 3> from{ExpressionPool::none, ExpressionPool::none, ExpressionPool::none};
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      if (entry.arguments[i] != ExpressionPool::none)
-        from[i] = made[static_cast<std::size_t>(entry.arguments[i])];
-    }
-    const bool is_leaf = entry.operation == Operation::variable || from[0] == ExpressionPool::none;
-    const auto simple = is_leaf || from[1] == ExpressionPool::none
-                            ? std::nullopt
-                            : simplified(entry.operation, from[0], from[1]);
-    if (is_leaf) {
-      made[e] = static_cast<Expression>(e);
-    } else if (simple) {
-      made[e] = *simple;
-    } else if (entry.operation == Operation::add) {
-      made[e] = sum(from[0], from[1]);
-    } else if (entry.operation == Operation::subtract) {
-      made[e] = difference(from[0], from[1]);
-    } else {
-      made[e] = pool_.make_expression(entry.operation, from[0], from[1], from[2]);
-    }
-  }
-  Expressions results;
-  for (const auto e : of) results.push_back(made[static_cast<std::size_t>(e)]);
-  return results;
+  const auto simple = [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+    const Expression a = parts(0), b = parts(1);
+    if (a == ExpressionPool::none) return e;
+    if (b != ExpressionPool::none)
+      if (const auto known = simplified(node.operation, a, b)) return *known;
+    if (node.operation == Operation::add) return sum(a, b);
+    if (node.operation == Operation::subtract) return difference(a, b);
+    return pool_.make_expression(node.operation, a, b, parts(2));
+  };
+  return values_from_parts(pool_, of, ExpressionPool::none, simple);
 }
 
 Expressions Algebra::gradient(Expression f, const std::vector<int>& variables) const {

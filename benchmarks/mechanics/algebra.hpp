@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -30,7 +31,9 @@ class Algebra {
   [[nodiscard]] ExpressionPool& pool() const { return pool_; }
   [[nodiscard]] Expression zero() const { return zero_; }
   [[nodiscard]] bool is_zero(Expression e) const { return e == zero_; }
-  [[nodiscard]] Expression number(double value) const;
+  [[nodiscard]] Expression number(double value) const { return pool_.number(value); }
+  [[nodiscard]] Expressions numbers(const Eigen::VectorXd& values) const;
+  [[nodiscard]] Expressions variables(const std::vector<int>& indices) const;
 
   [[nodiscard]] Expression sum(Expression a, Expression b) const;
   [[nodiscard]] Expression difference(Expression a, Expression b) const;
@@ -52,6 +55,9 @@ class Algebra {
   // positive definite a; an entry that is 0 as an expression is exchanged with one below it. Precondition: a
   // is not singular as a matrix of expressions.
   [[nodiscard]] ExpressionMatrix solve(ExpressionMatrix a, ExpressionMatrix b) const;
+  [[nodiscard]] Expressions solve(const ExpressionMatrix& a, const Expressions& b) const {
+    return solve(a, column(b)).entries;
+  }
 
   // The expressions with like terms added and constant factors multiplied: (x*2)/2 is x, sin(x)*cos(x) +
   // cos(x)*sin(x) is 2*sin(x)*cos(x). Equal to rounding.
@@ -62,6 +68,7 @@ class Algebra {
   [[nodiscard]] Expressions gradient(Expression f, const std::vector<int>& variables) const;
 
  private:
+  [[nodiscard]] ExpressionMatrix column(const Expressions& entries) const;
   // factor * rest, the factor being a number.
   struct Scaled {
     Expression factor;

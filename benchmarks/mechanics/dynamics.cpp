@@ -12,12 +12,6 @@ ExpressionMatrix unit_matrix(std::size_t size, const Algebra& algebra) {
   return unit;
 }
 
-Expressions variables(const std::vector<int>& indices, const Algebra& algebra) {
-  Expressions all;
-  for (const int i : indices) all.push_back(algebra.pool().variable(i));
-  return all;
-}
-
 }  // namespace
 
 Dynamics::Dynamics(const MechanicalSystem& system, const Algebra& algebra)
@@ -46,7 +40,7 @@ Expressions Dynamics::at_order_one(const Expressions& of) const {
 
 // d/dt dL/dv_i = sum_j G_ij v_j' + sum_j (d^2 L/dv_i dq_j) v_j + d^2 L/dv_i dt.
 void Dynamics::set_free_motion() {
-  const auto velocity = variables(system_.v(), algebra_);
+  const auto velocity = algebra_.variables(system_.v());
   const auto momenta = algebra_.gradient(system_.lagrangian, system_.v());
   metric_ = algebra_.jacobian(momenta, system_.v());
   const auto mixed = algebra_.jacobian(momenta, system_.q());
@@ -71,7 +65,7 @@ void Dynamics::set_free_motion() {
 
 void Dynamics::set_constraints() {
   const auto& f = system_.constraints;
-  const auto velocity = variables(system_.v(), algebra_);
+  const auto velocity = algebra_.variables(system_.v());
   const auto by_velocity = algebra_.jacobian(f, system_.v());
   const auto by_memory = algebra_.jacobian(f, system_.w());
   reaction_.entries = at_order_one(by_velocity.entries);
@@ -106,11 +100,11 @@ std::optional<double> Dynamics::force_order_with_memory_rates() const {
   return above == system_.memory.end() ? std::nullopt : std::optional(above->order);
 }
 
-bool Dynamics::is_affine() const {
+bool Dynamics::depends_on_motion(const Expressions& of) const {
   auto others = system_.v();
   const auto memory = system_.w();
   others.insert(others.end(), memory.begin(), memory.end());
-  return std::ranges::none_of(reaction_.entries, [&](Expression e) {
+  return std::ranges::any_of(of, [&](Expression e) {
     return std::ranges::any_of(others, [&](int variable) { return algebra_.pool().depends_on(e, variable); });
   });
 }

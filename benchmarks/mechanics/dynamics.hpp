@@ -34,7 +34,9 @@ class Dynamics {
   // The orders, other than 1, of the memory terms in constraints.
   [[nodiscard]] std::set<double> constraint_orders() const;
   // Whether constraints are affine in the velocity, with R a function of t and q.
-  [[nodiscard]] bool is_affine() const;
+  [[nodiscard]] bool is_affine() const { return !depends_on_motion(reaction_.entries); }
+  // Whether d^2 L/dv^2 does not depend on v.
+  [[nodiscard]] bool has_metric() const { return !depends_on_motion(metric_.entries); }
   // The order above 1 of a derivative in a force, beside memory terms of orders below 1 in the constraints:
   // its row D^(2 - order) w = v' contains their w'.
   [[nodiscard]] std::optional<double> force_order_with_memory_rates() const;
@@ -61,6 +63,7 @@ class Dynamics {
  private:
   void set_free_motion();
   void set_constraints();
+  [[nodiscard]] bool depends_on_motion(const Expressions& of) const;  // on v or w
 
   const MechanicalSystem& system_;
   const Algebra& algebra_;

@@ -3,23 +3,17 @@
 #include <memory>
 
 #include "fdebench/benchmarks/expressions/program.hpp"
-#include "fdebench/benchmarks/mechanics/scene_parts.hpp"
+#include "fdebench/benchmarks/mechanics/mechanical_scene.hpp"
 
 namespace fde::bench::mechanics {
 namespace {
-
-Expressions velocities(const MechanicalSystem& system, const Algebra& algebra) {
-  Expressions all;
-  for (const int v : system.v()) all.push_back(algebra.pool().variable(v));
-  return all;
-}
 
 // v.dL/dv - L; for a metric without velocities 1/2 v'G v - L(v = 0), which does not cancel.
 Expression energy(const Dynamics& dynamics) {
   const auto& system = dynamics.system();
   const auto& algebra = dynamics.algebra();
-  const auto velocity = velocities(system, algebra);
-  if (!has_metric(dynamics)) {
+  const auto velocity = algebra.variables(system.v());
+  if (!dynamics.has_metric()) {
     const auto momenta = algebra.gradient(system.lagrangian, system.v());
     return algebra.difference(algebra.dot(momenta, velocity), system.lagrangian);
   }
@@ -34,8 +28,8 @@ Expression energy(const Dynamics& dynamics) {
 // v.(df/dv)^T lambda.
 Expression reaction_power(const Dynamics& dynamics, const Expressions& lambda) {
   const auto& algebra = dynamics.algebra();
-  return algebra.dot(algebra.product(dynamics.reaction_directions(), velocities(dynamics.system(), algebra)),
-                     lambda);
+  return algebra.dot(
+      algebra.product(dynamics.reaction_directions(), algebra.variables(dynamics.system().v())), lambda);
 }
 
 // The columns followed by values of the rates w', 0 for memory terms that are not given.
@@ -86,9 +80,8 @@ Expressions column_of(const ExpressionMatrix& of, std::size_t k) {
 }
 
 Expressions memory_defect(const Dynamics& dynamics) {
-  Expressions rates;
-  for (const int rate : dynamics.system().rates()) rates.push_back(dynamics.algebra().pool().variable(rate));
-  return dynamics.algebra().product(dynamics.memory_jacobian(), rates);
+  const auto& algebra = dynamics.algebra();
+  return algebra.product(dynamics.memory_jacobian(), algebra.variables(dynamics.system().rates()));
 }
 
 std::vector<std::string> multiplier_names(std::size_t count) {
@@ -106,15 +99,6 @@ std::optional<Vec> multiplier_at_start(const Dynamics& dynamics) {
 
 }  // namespace
 
-bool has_metric(const Dynamics& dynamics) {
-  auto others = dynamics.system().v();
-  const auto memory = dynamics.system().w();
-  others.insert(others.end(), memory.begin(), memory.end());
-  return std::ranges::none_of(dynamics.metric().entries, [&](Expression e) {
-    return std::ranges::any_of(others, [&](int v) { return dynamics.algebra().pool().depends_on(e, v); });
-  });
-}
-
 Outputs outputs_of(const PosedEquations& equations, const std::vector<std::string>& names,
                    const ExpressionPool& pool) {
   const Expressions shown(equations.columns.begin(),
@@ -123,18 +107,13 @@ Outputs outputs_of(const PosedEquations& equations, const std::vector<std::strin
   for (const auto e : shown)
     if (pool[e].operation == Operation::variable) components.push_back(pool[e].variable - 1);
   if (components.size() == shown.size()) return select_components(names, components);
-  return {names, [program = Program(pool, shown, std::ssize(equations.rows))](double t, In y, Out columns) {
-            program.evaluate(t, y, {columns.data(), static_cast<std::size_t>(columns.size())});
-          }};
+  return {names, Program(pool, shown, std::ssize(equations.rows))};
 }
 
 Constraint constraint_of(const Dynamics& dynamics) {
   const auto& f = dynamics.constraint();
   const auto size = static_cast<Eigen::Index>(dynamics.system().shown_count());
-  return {std::ssize(f),
-          [program = Program(dynamics.algebra().pool(), f, size)](double t, In columns, Out value) {
-            program.evaluate(t, columns, {value.data(), static_cast<std::size_t>(value.size())});
-          }};
+  return {std::ssize(f), Program(dynamics.algebra().pool(), f, size)};
 }
 
 Energy energy_of(const Dynamics& dynamics) {
@@ -147,7 +126,7 @@ Energy energy_of(const Dynamics& dynamics) {
   result.value = [program = Program(pool, {energy(dynamics)}, size)](In columns) {
     return program(0.0, columns);
   };
-  const auto applied = algebra.dot(velocities(system, algebra), dynamics.at_order_one(system.forces));
+  const auto applied = algebra.dot(algebra.variables(system.v()), dynamics.at_order_one(system.forces));
   result.power =
       Program(pool, {algebra.sum(applied, reaction_power(dynamics, dynamics.regular_multiplier()))}, size);
   const auto terms = differentiated_terms(dynamics);
@@ -156,9 +135,7 @@ Energy energy_of(const Dynamics& dynamics) {
   Expressions shares;
   for (const auto k : terms)
     shares.push_back(reaction_power(dynamics, dynamics.multiplier(column_of(dynamics.memory_jacobian(), k))));
-  result.rate_coefficients = [program = Program(pool, shares, size)](double t, In columns, Out values) {
-    program.evaluate(t, columns, {values.data(), static_cast<std::size_t>(values.size())});
-  };
+  result.rate_coefficients = Program(pool, shares, size);
   return result;
 }
 
@@ -169,11 +146,11 @@ Reactions reactions_of(const Dynamics& dynamics, const std::vector<double>& star
   const auto& pool = algebra.pool();
   const auto size = static_cast<Eigen::Index>(system.shown_count());
   Reactions reactions{.names = multiplier_names(system.constraints.size())};
-  Expressions velocity_factors;
-  velocity_factors = algebra.product(dynamics.reaction_directions(), velocities(system, algebra));
+  const auto velocity_factors =
+      algebra.product(dynamics.reaction_directions(), algebra.variables(system.v()));
   reactions.power = [program = Program(pool, velocity_factors, size)](double t, In columns, In lambda) {
     Vec factors(lambda.size());
-    program.evaluate(t, columns, {factors.data(), static_cast<std::size_t>(factors.size())});
+    program(t, columns, factors);
     return factors.dot(lambda);
   };
   const auto terms = differentiated_terms(dynamics);
@@ -181,8 +158,7 @@ Reactions reactions_of(const Dynamics& dynamics, const std::vector<double>& star
   const auto lambda = dynamics.multiplier(algebra.sum(dynamics.free_defect(), memory_defect(dynamics)));
   reactions.multipliers = [arguments, program = Program(pool, lambda, arguments.size())](
                               double t, In columns, In rates, Out values) {
-    program.evaluate(t, arguments.joined(columns, rates),
-                     {values.data(), static_cast<std::size_t>(values.size())});
+    program(t, arguments.joined(columns, rates), values);
   };
   if (terms.empty()) return reactions;
   reactions.differentiated_columns = columns_of(terms, system);

@@ -7,8 +7,8 @@
 #include "fdebench/benchmarks/expressions/expression_problem.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/expressions/time_powers.hpp"
+#include "fdebench/benchmarks/mechanics/mechanical_scene.hpp"
 #include "fdebench/benchmarks/mechanics/memory_extremum.hpp"
-#include "fdebench/benchmarks/mechanics/scene_parts.hpp"
 
 namespace fde::bench::mechanics {
 namespace {
@@ -24,16 +24,14 @@ class Momenta {
   explicit Momenta(const Dynamics& dynamics) : dynamics_(dynamics) {
     const auto& system = dynamics.system();
     const auto& algebra = dynamics.algebra();
-    Expressions momenta;
-    for (const int v : system.v()) momenta.push_back(pool_variable(v));
+    const auto momenta = algebra.variables(system.v());
     const auto at_rest = algebra.gradient(system.lagrangian, system.v());
-    const auto free = solved(algebra.difference(momenta, without_velocities(at_rest)));
+    const auto free =
+        algebra.solve(dynamics.metric(), algebra.difference(momenta, without_velocities(at_rest)));
     const auto reactions = algebra.product(dynamics.reaction_directions(), dynamics.reaction_matrix());
     const auto defect = algebra.sum(algebra.product(dynamics.reaction_directions(), free),
                                     without_velocities(dynamics.constraint()));
-    ExpressionMatrix right(defect.size(), 1, algebra.zero());
-    right.entries = defect;
-    multipliers_ = defect.empty() ? Expressions{} : algebra.solve(reactions, right).entries;
+    multipliers_ = defect.empty() ? Expressions{} : algebra.solve(reactions, defect);
     velocity_ = algebra.difference(free, dynamics.reaction(multipliers_));
   }
 
@@ -75,12 +73,6 @@ class Momenta {
   [[nodiscard]] Expressions without_velocities(const Expressions& of) const {
     return with_velocity(of, Expressions(dynamics_.system().size(), dynamics_.algebra().zero()));
   }
-  // G^-1 x.
-  [[nodiscard]] Expressions solved(const Expressions& x) const {
-    ExpressionMatrix right(x.size(), 1, dynamics_.algebra().zero());
-    right.entries = x;
-    return dynamics_.algebra().solve(dynamics_.metric(), right).entries;
-  }
 
   const Dynamics& dynamics_;
   Expressions multipliers_{}, velocity_{};
@@ -115,11 +107,8 @@ ExtremumRows extremum_rows(const Dynamics& dynamics, const ExtremumEnds& ends) {
   const bool two_sided = is_two_sided(system, ends);
   ExtremumRows result;
   auto& equations = result.equations;
-  Expressions position, momenta;
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    position.push_back(
-        pool.variable(equations.add_row({RowKind::position, i}, 1.0, {value(system.position, i)})));
-  }
+  Expressions momenta;
+  const auto position = equations.add_rows(pool, {RowKind::position}, 1.0, system.position);
   const auto memory = add_memory_rows(equations, system);
   std::vector<int> adjoint;
   for (const auto& [coordinate, order] : system.memory) {
@@ -170,7 +159,7 @@ Smoothness extremum_smoothness(const Dynamics& dynamics, const PosedEquations& e
 }
 
 void require_affine(const Dynamics& dynamics) {
-  if (!has_metric(dynamics)) {
+  if (!dynamics.has_metric()) {
     throw std::invalid_argument(
         "its second derivatives with respect to velocities depend on them: must not, here");
   }

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/expressions/program.hpp"
-#include "fdebench/benchmarks/mechanics/scene_parts.hpp"
+#include "fdebench/benchmarks/mechanics/mechanical_scene.hpp"
 
 // Niminet & Blanuta 2009 with T = 1/2 g_ij y^i y^j, without the factor 1/2 of their (2.6) and (2.8).
 namespace fde::bench::mechanics {
@@ -36,8 +36,8 @@ class GeometryProgram {
     const auto& system = dynamics.system();
     const auto& algebra = dynamics.algebra();
     const auto symbols = christoffel_symbols(dynamics);
-    Expressions all = dynamics.metric().entries, velocity;
-    for (const int v : system.v()) velocity.push_back(algebra.pool().variable(v));
+    Expressions all = dynamics.metric().entries;
+    const auto velocity = algebra.variables(system.v());
     append(all, symbols.entries);
     ExpressionMatrix of_one(system.size(), system.size(), algebra.zero());
     for (std::size_t i = 0; i < system.size(); ++i) {
@@ -116,7 +116,7 @@ std::function<Vec(In q, In v)> allowed_velocity(const Dynamics& dynamics) {
     return velocity_on_constraints(v, [&](const Vec& now) -> Vec {
       Vec moved(now.size());
       columns.segment(q.size(), now.size()) = now;
-      program.evaluate(0.0, columns, {moved.data(), static_cast<std::size_t>(moved.size())});
+      program(0.0, columns, moved);
       return moved;
     });
   };

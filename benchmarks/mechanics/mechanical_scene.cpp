@@ -7,7 +7,6 @@
 #include "fdebench/benchmarks/expressions/expression_problem.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/mechanics/motion_smoothness.hpp"
-#include "fdebench/benchmarks/mechanics/scene_parts.hpp"
 
 namespace fde::bench::mechanics {
 namespace {
@@ -36,7 +35,7 @@ Domain regular_domain(const Dynamics& dynamics, const PosedEquations& equations)
       .constraints = [r, n, program = Program(pool, entries, std::ssize(equations.rows))](double t, In y) {
         using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
         Vec values(2 * r * n);
-        program.evaluate(t, y, {values.data(), static_cast<std::size_t>(values.size())});
+        program(t, y, values);
         return ConstraintMatrices{Eigen::Map<const ByRows>(values.data(), r, n),
                                   Eigen::Map<const ByRows>(values.data() + r * n, n, r)};
       }};
@@ -129,7 +128,7 @@ Scene mechanical_scene(const MechanicalSystem& system, const FormulationChoice& 
   }
   scene.energy = energy_of(dynamics);
   if (dynamics.has_constraints()) scene.constraint = constraint_of(dynamics);
-  if (has_metric(dynamics))
+  if (dynamics.has_metric())
     scene.geometry = geometry_of(dynamics, {names.begin(), names.begin() + std::ssize(system.coordinates)});
   add_memory_columns(scene, moving, powers);
   scene.reactions = reactions_of(dynamics, memory_powers(dynamics, powers));

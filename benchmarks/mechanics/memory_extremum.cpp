@@ -39,9 +39,7 @@ class MemoryRows {
     const auto stiffness = algebra.jacobian(momenta, ordered_memory());
     const auto slope = algebra.gradient(system.lagrangian, system.q());
     require_regular(stiffness, slope);
-    ExpressionMatrix right(system.size(), 1, algebra.zero());
-    right.entries = algebra.difference(pi, at_position(without_memory(momenta)));
-    rows_ = algebra.solve(stiffness, right).entries;
+    rows_ = algebra.solve(stiffness, algebra.difference(pi, at_position(without_memory(momenta))));
     for (const auto e : algebra.negative(at_position(slope))) rows_.push_back(e);
     rows_.resize(3 * system.size(), algebra.zero());
   }
@@ -99,17 +97,16 @@ class ProgramOfSingularPart {
  public:
   ProgramOfSingularPart(const ExpressionPool& pool, const Expressions& of, Eigen::Index size, double order,
                         double end)
-      : program_(pool, of, size + 1), count_(of.size()), order_(order), end_(end) {}
+      : program_(pool, of, size + 1), order_(order), end_(end) {}
 
-  void evaluate(double t, In y, double* results) const {
+  void operator()(double t, In y, Out results) const {
     Vec all(y.size() + 1);
     all << y, singular_part(order_, std::min(t / end_, 1.0));
-    program_.evaluate(t, all, {results, count_});
+    program_(t, all, results);
   }
 
  private:
   Program program_;
-  std::size_t count_;
   double order_, end_;
 };
 
@@ -143,9 +140,9 @@ DenseJacobian jacobian_of(const Expressions& rows, const Algebra& algebra, doubl
   const auto by_columns = algebra.transposed(algebra.jacobian(rows, variables)).entries;
   return {[size, program = ProgramOfSingularPart(algebra.pool(), by_columns, size, order, end)](
               double t, In y, OutMatrix jacobian) {
-    Matrix entries(size, size);
-    program.evaluate(t, y, entries.data());
-    jacobian = entries;
+    Vec entries(size * size);
+    program(t, y, entries);
+    jacobian = entries.reshaped(size, size);
   }};
 }
 
@@ -183,13 +180,11 @@ Scene memory_extremum_scene(const MechanicalSystem& system, const ExtremumEnds& 
   const auto size = std::ssize(of.rows());
   Scene scene;
   scene.problem = {.components = components_of(system, ends, order),
-                   .rhs = [program = ProgramOfSingularPart(pool, of.rows(), size, order, end)](
-                              double t, In y, Out f) { program.evaluate(t, y, f.data()); },
+                   .rhs = ProgramOfSingularPart(pool, of.rows(), size, order, end),
                    .derivatives = jacobian_of(of.rows(), algebra, order, end),
                    .end = end,
                    .conditions = conditions_of(ends)};
-  scene.outputs = {names, [program = ProgramOfSingularPart(pool, of.position(), size, order, end)](
-                              double t, In y, Out columns) { program.evaluate(t, y, columns.data()); }};
+  scene.outputs = {names, ProgramOfSingularPart(pool, of.position(), size, order, end)};
   scene.smoothness = smoothness_of(system.size(), order, !of.is_singular_part_alone());
   return scene;
 }

@@ -20,14 +20,6 @@ Matrix matrix_at(const Dynamics& dynamics, const ExpressionMatrix& of, In column
   return matrix;
 }
 
-// The acceleration that compensates a defect of df/dt, a number.
-Vec compensation_at_start(const Dynamics& dynamics, const Vec& defect) {
-  const auto& algebra = dynamics.algebra();
-  Expressions constants;
-  for (const double value : defect) constants.push_back(algebra.number(value));
-  return at_start(dynamics, dynamics.compensation(constants));
-}
-
 // The constraints as they are given, w = 0 and the reaction directions, at t = 0 and the velocity v.
 struct ConstraintsAtStart {
   Vec columns, value;
@@ -112,7 +104,8 @@ std::map<double, Vec> singular_directions(const Dynamics& dynamics) {
   for (auto& [order, defect] : defects) {
     auto& [sum, size] = defect;
     for (Eigen::Index i = 0; i < sum.size(); ++i) sum[i] = zero_if_rounding(sum[i], size[i]);
-    if (!sum.isZero(0.0)) directions[order] = compensation_at_start(dynamics, sum);
+    if (!sum.isZero(0.0))
+      directions[order] = at_start(dynamics, dynamics.compensation(dynamics.algebra().numbers(sum)));
   }
   return directions;
 }
@@ -134,9 +127,8 @@ ReactionStart reaction_start(const Dynamics& dynamics) {
   const Matrix metric = matrix_at(dynamics, dynamics.metric(), columns_at_start(system));
   for (Eigen::Index i = 0; i < moved.rows(); ++i) {
     const Vec direction = metric.lu().solve(moved.row(i).transpose());
-    Expressions constants;
-    for (const double value : direction) constants.push_back(algebra.number(value));
-    if (at_start(dynamics, dynamics.projected(constants)).norm() > rounding * direction.norm())
+    if (at_start(dynamics, dynamics.projected(algebra.numbers(direction))).norm() >
+        rounding * direction.norm())
       return ReactionStart::singular_with_varying_direction;
   }
   return ReactionStart::singular;

@@ -10,14 +10,6 @@
 namespace fde::bench {
 namespace {
 
-double smallest_order(const Problem& problem) {
-  double smallest = 1.0;
-  for (const auto& component : problem.components) {
-    if (component.order > 0.0) smallest = std::min(smallest, component.order);
-  }
-  return smallest;
-}
-
 // The relative distance from a jump below which times are not resolved: a rounding error d of the time
 // changes y ~ s^order by s^(order-1) d, which is rounding error from here on.
 double least_after_jump(double order) {
@@ -40,9 +32,7 @@ std::vector<int> comparison_steps(int steps, int most) {
   if (steps <= most) return compared;
   for (auto& n : compared) n = static_cast<int>(std::int64_t{n} * steps / most);
   for (int n = 0; n <= first; ++n) compared.push_back(n);
-  std::ranges::sort(compared);
-  compared.erase(std::unique(compared.begin(), compared.end()), compared.end());
-  return compared;
+  return increasing(std::move(compared));
 }
 
 std::vector<double> comparison_times(const Grid& grid, int most) {
@@ -64,9 +54,7 @@ std::vector<double> comparison_times(const Problem& problem, int evenly) {
     for (int k = 0; k <= between; ++k)
       times.push_back(std::min(limit.from + (limit.to - limit.from) * k / between, problem.end));
   }
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  return increasing(std::move(times));
 }
 
 }  // namespace fde::bench

@@ -1,15 +1,42 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "fdebench/benchmarks/observers/rate.hpp"
-#include "fdebench/benchmarks/observers/running_maximum.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/problem/grid.hpp"
 
 namespace fde::bench {
+
+// A quantity as a function of time, at increasing times.
+struct Course {
+  std::vector<double> t{}, value{};
+
+  [[nodiscard]] bool empty() const { return t.empty(); }
+  bool operator==(const Course&) const = default;
+};
+
+// The largest value up to t as a function of t, for charts: at eight times per factor of 2, from end/1024 on,
+// to three digits. A time at which no value was positive is left out.
+class RunningMaximum {
+ public:
+  explicit RunningMaximum(double end);
+
+  // Times must increase.
+  void observe(double t, double value);
+
+  [[nodiscard]] const Course& course() const { return course_; }
+
+ private:
+  void add(double t, double value);
+
+  double next_, largest_ = 0.0;
+  Course course_{};
+};
 
 // The drift of a run from its constraints as a function of time.
 class DriftGrowth {
@@ -70,6 +97,37 @@ class DriftObserver {
   std::vector<int> evaluated_steps_{};
   std::vector<Vec> columns_{};  // columns at these steps
   Matrix velocities_{};         // one row a step, one column a memory column
+};
+
+// max_n |E(t_n) - E(0) - int_0^(t_n) power dt - sum_k int_0^(t_n) c_k dx_k|, with x_k the columns
+// `differentiated_columns` of the Energy and c_k its `rate_coefficients`, accumulated step by step without
+// storing the path. The integrals are those of the parabola through the last three steps, of third order,
+// which is higher than the rate of any scheme here. If the c_k are affine in x, the second integral is exact
+// at any step size, also at the singular start of a reaction.
+class EnergyObserver {
+ public:
+  // `energy` must outlive this object.
+  explicit EnergyObserver(const Energy& energy) : energy_(energy) {}
+
+  // Called after steps 0, 1, 2, ... in order.
+  void observe(double t, In columns);
+
+  // nullopt before three steps. Not finite if an energy was not.
+  [[nodiscard]] std::optional<double> residual() const;
+
+ private:
+  struct Point {
+    double t = 0.0, energy = 0.0, power = 0.0;
+    Vec rate_coefficients{}, differentiated_columns{};
+  };
+  [[nodiscard]] Point point_at(double t, In columns) const;
+  void compare(const Point& at);
+
+  const Energy& energy_;
+  std::array<Point, 3> last_{};
+  int step_count_ = 0;
+  double start_ = 0.0, largest_ = 0.0;
+  RunningSums work_{1};
 };
 
 }  // namespace fde::bench

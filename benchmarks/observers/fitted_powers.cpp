@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/observers/fitted_powers.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
-#include "fdebench/benchmarks/observers/least_squares.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde::bench {
 
 FittedExponents::FittedExponents(std::vector<double> powers) : powers_(std::move(powers)) {
-  std::ranges::sort(powers_);
-  powers_.erase(std::unique(powers_.begin(), powers_.end(), same_order), powers_.end());
+  powers_ = increasing(std::move(powers_), same_order);
   if (powers_.size() > most) powers_.resize(most);
   const auto count = static_cast<Eigen::Index>(powers_.size());
   if (count == 0) return;
@@ -30,6 +29,13 @@ FittedExponents::FittedExponents(std::vector<double> powers) : powers_(std::move
 
 Vec FittedExponents::coefficients(const Vec& values) const {
   return inverse_ * (values.segment(1, inverse_.cols()).array() - values[0]).matrix();
+}
+
+reference::LongMatrix least_squares(const reference::LongMatrix& a, const reference::LongMatrix& b) {
+  const Eigen::ColPivHouseholderQR<reference::LongMatrix> orthogonal(a);
+  reference::LongMatrix x(a.cols(), b.cols());
+  for (Eigen::Index j = 0; j < b.cols(); ++j) x.col(j) = orthogonal.solve(reference::LongVec(b.col(j)));
+  return x;
 }
 
 }  // namespace fde::bench

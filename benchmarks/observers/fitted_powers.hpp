@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "fdebench/reference/nonlinear/quadrature/gauss.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde::bench {
@@ -27,5 +28,9 @@ class FittedExponents {
   std::vector<double> powers_;
   Matrix inverse_{};  // (power, step - 1)
 };
+
+// Minimises |A x - b|, one column of x for each column b. Precondition: A has full rank and at least as many
+// rows as columns.
+reference::LongMatrix least_squares(const reference::LongMatrix& a, const reference::LongMatrix& b);
 
 }  // namespace fde::bench

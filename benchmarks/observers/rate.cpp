@@ -10,7 +10,6 @@
 namespace fde::bench {
 namespace {
 
-constexpr double rounding = 1e-12;
 constexpr std::size_t fewest_points = 3;
 
 Eigen::VectorXd from_mean(const std::vector<double>& values) {
@@ -21,6 +20,7 @@ Eigen::VectorXd from_mean(const std::vector<double>& values) {
 }  // namespace
 
 Fit fit_rate(std::span<const ErrorSample> points) {
+  constexpr double rounding = 1e-12;
   double largest = 0.0;
   for (const auto& point : points) largest = std::max(largest, point.error);
   std::vector<double> x, y;

@@ -13,11 +13,11 @@
 #include "fdebench/benchmarks/measures/column_errors.hpp"
 #include "fdebench/benchmarks/measures/judge.hpp"
 #include "fdebench/benchmarks/measures/run_outcome.hpp"
-#include "fdebench/benchmarks/observers/running_maximum.hpp"
+#include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/records/quantity_values.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/records/scene_description.hpp"
-#include "fdebench/benchmarks/scenes/scene_settings.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 
 namespace fde::bench {
 

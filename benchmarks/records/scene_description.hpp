@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 #include "fdebench/benchmarks/scenes/scene_facts.hpp"
-#include "fdebench/benchmarks/scenes/scene_settings.hpp"
 #include "fdebench/schemes/problem/resolution.hpp"
 
 namespace fde::bench {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fdebench/benchmarks/scenes/scene_settings.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 #include "fdebench/benchmarks/text/range.hpp"
 
 namespace fde::bench {

@@ -87,8 +87,7 @@ class BlockedSignals {
     pthread_sigmask(SIG_BLOCK, &held, &before_);
   }
   ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  BlockedSignals(const BlockedSignals&) = delete;
-  BlockedSignals& operator=(const BlockedSignals&) = delete;
+  BlockedSignals& operator=(BlockedSignals&&) = delete;
 
  private:
   sigset_t before_{};

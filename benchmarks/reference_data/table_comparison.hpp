@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fdebench/benchmarks/reference_data/data_table.hpp"
@@ -60,5 +61,16 @@ class TableComparison {
   std::optional<std::size_t> bound_;
   int digits_ = 0;
 };
+
+// The precision of a decimal number as written. Places are powers of ten: 12.50 has four digits, first place
+// 1 and last place -2. Zero has no significant digit.
+struct DecimalPrecision {
+  int digits = 0;  // from the first nonzero digit to the last digit written
+  int first_place = 0;
+  int last_place = 0;
+};
+
+// nullopt if the text is no decimal number like -12.50 or 1e-9, or its exponent exceeds a million.
+std::optional<DecimalPrecision> decimal_precision(std::string_view text);
 
 }  // namespace fde::bench

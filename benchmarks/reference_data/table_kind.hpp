@@ -14,6 +14,10 @@
 
 namespace fde::bench {
 
+inline constexpr int table_digits = 50;   // of values with an exact solution
+inline constexpr int double_digits = 17;  // of values in double
+inline constexpr int more_digits = 3;     // extra digits of a recomputed value
+
 enum class ColumnType { number, integer, text };
 
 struct TableColumn {

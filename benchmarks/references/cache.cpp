@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/reference/nonlinear/collocation.hpp"
 #include "fdebench/reference/two_sided/solution.hpp"
+#include "fdebench/schemes/stepping/setup_time.hpp"
 
 namespace fde::bench {
 
@@ -110,13 +110,6 @@ bool in_missing_home(const std::filesystem::path& folder) {
   if (!home || !home->is_absolute() || std::filesystem::exists(*home, none)) return false;
   const auto below = folder.lexically_normal().lexically_relative(home->lexically_normal());
   return !below.empty() && *below.begin() != "..";
-}
-
-// Processor seconds of this thread.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 TimedTable table_of(const Problem& problem) {

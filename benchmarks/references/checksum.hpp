@@ -16,8 +16,7 @@ class Sha256 {
  public:
   Sha256();
   ~Sha256();
-  Sha256(const Sha256&) = delete;
-  Sha256& operator=(const Sha256&) = delete;
+  Sha256& operator=(Sha256&&) = delete;
 
   void add(std::string_view bytes);
   // The digest of all added bytes; nothing may be added afterwards.

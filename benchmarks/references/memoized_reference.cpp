@@ -10,12 +10,6 @@
 namespace fde::bench {
 namespace {
 
-std::vector<Eigen::Index> all_columns(const Scene& scene) {
-  std::vector<Eigen::Index> all(scene.outputs.names.size());
-  std::iota(all.begin(), all.end(), Eigen::Index{0});
-  return all;
-}
-
 // The matrix with columns at(t).
 template <class At>
 Rows by_time(Eigen::Index rows, const std::vector<double>& times, const At& at) {
@@ -25,6 +19,12 @@ Rows by_time(Eigen::Index rows, const std::vector<double>& times, const At& at) 
 }
 
 }  // namespace
+
+std::vector<Eigen::Index> all_columns(const Scene& scene) {
+  std::vector<Eigen::Index> all(scene.outputs.names.size());
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  return all;
+}
 
 MemoizedReference::MemoizedReference(const Scene& scene) : MemoizedReference(scene, all_columns(scene)) {}
 

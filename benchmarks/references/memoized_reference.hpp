@@ -9,6 +9,9 @@
 
 namespace fde::bench {
 
+// The indices of all columns of the scene.
+std::vector<Eigen::Index> all_columns(const Scene& scene);
+
 // The cached reference of one scene: each time is evaluated once, because refined grids share times. The
 // scene must outlive this object.
 class MemoizedReference {

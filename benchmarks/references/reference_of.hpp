@@ -24,4 +24,11 @@ bool is_examined_at_points_only(const Scene& scene);
 // examined at points only" where the right-hand side is no formula, or "estimate".
 std::string_view evidence_of(const Scene& scene);
 
+// Compares a reference at three times with two schemes that share no code with it, radau_exponentials and
+// spectral_collocation, with a tolerance of 1e-5 of the solution. Throws std::runtime_error naming the
+// column, the time and the three values if the schemes agree with each other to a thousandth of the solution
+// and the reference differs by more than a hundredth. There is no check if one of them refuses the problem or
+// does not finish within two seconds.
+void require_agreement(const Scene& scene, const reference::Reference& reference);
+
 }  // namespace fde::bench

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {
+
 namespace {
 
 // A list is shown in brackets if the parameter is not a list.
@@ -130,6 +132,23 @@ std::string Parameters::text() const {
 
 void reject(std::string_view name, const ParameterValue& value, std::string_view allowed) {
   reject_text(name, to_text(value), allowed);
+}
+
+std::string settings_text(const SceneSettings& scene) {
+  std::vector<std::string> texts;
+  for (const auto& [name, value] : scene.values) texts.push_back(fmt::format("{}={}", name, to_text(value)));
+  if (scene.until) texts.push_back(fmt::format("until={}", *scene.until));
+  return fmt::format("{}", fmt::join(texts, ","));
+}
+
+std::string label_of(const SceneSettings& scene) {
+  const auto settings = settings_text(scene);
+  return settings.empty() ? scene.id : fmt::format("{}:{}", scene.id, settings);
+}
+
+std::string short_checksum(const SceneSettings& scene) {
+  constexpr std::size_t digits = 8;
+  return scene.checksum.substr(0, digits);
 }
 
 }  // namespace fde::bench

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 

@@ -3,10 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
-#include "fdebench/benchmarks/scenes/scene_settings.hpp"
 
 namespace fde::bench {
 
@@ -59,5 +60,15 @@ std::vector<SceneVariant> parse_variants(const std::string& text, const std::vec
 
 // Ends of time intervals: end times a number of steps and the inverse of that do not overflow or underflow.
 inline constexpr Range valid_end_times{.low = 1e-290, .high = 1e290};
+
+// Extension of an equation file.
+inline constexpr std::string_view equation_file_extension = ".toml";
+
+// "FILE.toml" from "FILE.toml" or "FILE.toml:NAME=VALUE,..."; nullopt: the text names no equation file.
+inline std::optional<std::string> equation_file_of_label(const std::string& text) {
+  const auto end = text.find(std::string(equation_file_extension) + ':');
+  if (end != std::string::npos) return text.substr(0, end + equation_file_extension.size());
+  return text.ends_with(equation_file_extension) ? std::optional(text) : std::nullopt;
+}
 
 }  // namespace fde::bench

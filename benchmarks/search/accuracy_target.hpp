@@ -2,12 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
-#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 
 namespace fde::bench {
 
@@ -23,12 +22,5 @@ struct AccuracyTarget {
 
 // Progress callback: `what` is being run, `part` in [0, 1] is the elapsed fraction of the time.
 using SearchProgress = std::function<void(const std::string& what, double part)>;
-
-// The indices of all columns of the scene.
-inline std::vector<Eigen::Index> all_columns(const Scene& scene) {
-  std::vector<Eigen::Index> columns(scene.outputs.names.size());
-  std::iota(columns.begin(), columns.end(), Eigen::Index{0});
-  return columns;
-}
 
 }  // namespace fde::bench

@@ -99,8 +99,8 @@ void RunEvaluator::compare_at_own_steps(const Configuration& configuration, Cand
 }
 
 void RunEvaluator::time_again(const Configuration& configuration, CandidateRun& run) const {
-  constexpr double long_enough = 2e-4, long_run = 5e-3;
-  const int fewest = run.seconds < long_run ? 2 : 1;
+  constexpr double long_enough = 2e-4, long_solve = 5e-3;
+  const int fewest = run.seconds < long_solve ? 2 : 1;
   double total = 0.0, least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < fewest || total < long_enough; ++i) {
     const auto start = std::chrono::steady_clock::now();

@@ -20,7 +20,7 @@
 #include "fdebench/benchmarks/search/configurations.hpp"
 #include "fdebench/benchmarks/search/interpolated_run.hpp"
 #include "fdebench/benchmarks/search/search_candidate.hpp"
-#include "fdebench/reference/nonlinear/march/singularity.hpp"
+#include "fdebench/reference/nonlinear/march/march_limits.hpp"
 
 namespace fde::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 
 namespace fde::bench {
 

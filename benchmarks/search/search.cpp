@@ -24,8 +24,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Configurations within this factor of the quickest, by few solves of each, are timed against it.
 constexpr double margin = 1.5;
 
@@ -99,10 +97,10 @@ class Search {
   [[nodiscard]] double quickest() const { return quickest_seconds(goal_, refinements_).front(); }
 
   std::vector<std::optional<StepsOrTolerance>> next_runs() {
-    constexpr double part_of_scan = 0.1, runs_of_scan = 25.0, long_run = 0.05;
+    constexpr double part_of_scan = 0.1, runs_of_scan = 25.0, long_solve = 0.05;
     goal_.most_seconds = most_of_rest * left();
     goal_.most_seconds_scanned = part_of_scan * left() / runs_of_scan;
-    goal_.closeness = quickest() < long_run ? 1.015 : 1.1;
+    goal_.closeness = quickest() < long_solve ? 1.015 : 1.1;
     return next_resolutions(goal_, refinements_);
   }
 
@@ -123,10 +121,10 @@ class Search {
   bool make_next_runs() {
     constexpr double alike = 4.0, short_run = 5e-5;
     const auto next = next_runs();
-    double shortest = infinity;
+    double shortest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < next.size(); ++i)
       if (next[i]) shortest = std::min(shortest, expected_seconds(i, *next[i]));
-    if (shortest == infinity) return false;
+    if (shortest == std::numeric_limits<double>::infinity()) return false;
     for (std::size_t i = 0; i < next.size(); ++i) {
       if (left() == 0.0) return false;
       if (next[i] && expected_seconds(i, *next[i]) <= std::max(alike * shortest, short_run))

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 #include "fdebench/benchmarks/search/candidate_run.hpp"
 #include "fdebench/benchmarks/search/error_model.hpp"
 

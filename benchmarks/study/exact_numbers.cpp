@@ -15,9 +15,6 @@ class Real {
   explicit Real(double number) : Real() {
     mpfr_set_str(value_, fmt::format("{}", number).c_str(), 10, MPFR_RNDN);
   }
-  Real(const Real&) = delete;
-  Real& operator=(const Real&) = delete;
-  Real(Real&&) = delete;
   Real& operator=(Real&&) = delete;
   ~Real() { mpfr_clear(value_); }
 

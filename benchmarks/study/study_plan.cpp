@@ -15,7 +15,7 @@
 #include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/files/unfinished.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde::bench {
 namespace {
@@ -69,8 +69,7 @@ struct UnfinishedFolder {
   explicit UnfinishedFolder(const std::filesystem::path& beside) : path(unfinished_name(beside)) {
     std::filesystem::create_directory(path);
   }
-  UnfinishedFolder(const UnfinishedFolder&) = delete;
-  UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+  UnfinishedFolder& operator=(UnfinishedFolder&&) = delete;
   ~UnfinishedFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path, ignored);

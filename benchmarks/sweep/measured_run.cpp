@@ -15,7 +15,6 @@
 #include "fdebench/benchmarks/measures/total_variation.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/observers/drift.hpp"
-#include "fdebench/benchmarks/observers/energy_balance.hpp"
 #include "fdebench/benchmarks/observers/retained_columns.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 #include "fdebench/schemes/stepping/setup_time.hpp"

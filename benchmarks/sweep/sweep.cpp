@@ -13,7 +13,7 @@
 
 #include "fdebench/benchmarks/sweep/described_scene.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
-#include "fdebench/schemes/stepping/optimal_grading.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde::bench {
 

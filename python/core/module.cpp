@@ -19,8 +19,6 @@
 #include "fdebench/python/core/python_problem.hpp"
 #include "fdebench/python/core/without_gil.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
-#include "fdebench/reports/command/arguments.hpp"
-#include "fdebench/reports/command/captured_command.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/own_problem.hpp"
 #include "fdebench/reports/command/solved_table.hpp"
@@ -45,7 +43,7 @@ SceneRegistry named_scenes(NoteReceiver on_note = {}) {
 }
 
 SceneVariant variant_of(const SceneSelection& named, const SceneRegistry& known) {
-  return read_variant(SceneArguments{named.name, named.settings}, known);
+  return read_variant(named.name, named.settings, known);
 }
 
 std::string command(const std::vector<std::string>& arguments, const Scene* problem) {
@@ -75,11 +73,11 @@ py::tuple facts(const SceneSelection& named) {
 }
 
 // Tuple of names, times, values (one row a time), warning, cost as JSON, and the names of events or None.
-py::tuple solve(const SceneSelection& named, const RunArguments& arguments) {
+py::tuple solve(const SceneSelection& named, const Given& given) {
   const SolvedTable table = without_gil([&] {
     const SceneRegistry all = named_scenes();
     return solved_table(named.problem == nullptr ? make_scene(variant_of(named, all)) : *named.problem,
-                        arguments);
+                        given);
   });
   const py::array_t<double> times(std::ssize(table.times), table.times.data());
   const py::array_t<double> values({table.values.cols(), table.values.rows()}, table.values.data());
@@ -156,10 +154,10 @@ PYBIND11_MODULE(_core, module) {
   module.def("solve", [](const std::string& name, const std::vector<std::string>& settings,
                          const Scene* problem, const std::string& scheme,
                          const std::map<std::string, std::string>& texts, bool check, bool events) {
-    auto arguments = fde::bench::run_arguments(scheme, texts);
-    arguments.check = check;
-    arguments.events = events;
-    return solve({name, settings, problem}, arguments);
+    auto given = fde::bench::given_to_solve(scheme, texts);
+    if (check) given.set("--check", {"yes"});
+    if (events) given.set("--events", {"yes"});
+    return solve({name, settings, problem}, given);
   });
   module.def("mittag_leffler", mittag_leffler_of);
   module.def("mittag_leffler_in_digits", mittag_leffler_in_digits);

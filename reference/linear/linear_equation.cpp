@@ -11,22 +11,22 @@
 namespace fde::reference {
 namespace {
 
-constexpr const char* name = "linear equation";
+constexpr const char* equation_name = "linear equation";
 
-void require(bool holds, const char* message) {
-  if (!holds) throw std::invalid_argument(fmt::format("{}: {}", name, message));
+void require_equation(bool holds, const char* message) {
+  if (!holds) throw std::invalid_argument(fmt::format("{}: {}", equation_name, message));
 }
 
 void require_finite(const LinearEquation& equation) {
   for (const auto& [coefficient, order, time_scale] : equation.terms) {
-    require(std::isfinite(coefficient), "coefficients have to be finite");
-    require(order >= 0.0 && order <= 2.0, "orders have to be in [0, 2]");
-    require(time_scale > 0.0 && std::isfinite(time_scale), "time scales have to be positive");
+    require_equation(std::isfinite(coefficient), "coefficients have to be finite");
+    require_equation(order >= 0.0 && order <= 2.0, "orders have to be in [0, 2]");
+    require_equation(time_scale > 0.0 && std::isfinite(time_scale), "time scales have to be positive");
   }
-  require(std::ranges::all_of(equation.initial, [](double value) { return std::isfinite(value); }),
-          "initial values have to be finite");
+  require_equation(std::ranges::all_of(equation.initial, [](double value) { return std::isfinite(value); }),
+                   "initial values have to be finite");
   for (const auto& load : equation.loads)
-    require(!validation_error(load), validation_error(load).value_or(""));
+    require_equation(!validation_error(load), validation_error(load).value_or(""));
 }
 
 // The equation without its zero terms, whose orders would otherwise count. Throws std::invalid_argument.
@@ -34,13 +34,13 @@ LinearEquationOf<Rational> checked(LinearEquationOf<Rational> equation, const st
   std::erase_if(equation.terms, [](const auto& term) { return term.coefficient == 0; });
   Rational top(0);
   for (const auto& term : equation.terms) top = std::max(top, term.order);
-  require(top > 0, "a derivative with a coefficient other than zero is needed");
-  require(top <= 2, "orders have to be in [0, 2]");
+  require_equation(top > 0, "a derivative with a coefficient other than zero is needed");
+  require_equation(top <= 2, "orders have to be in [0, 2]");
   const auto needed = static_cast<std::size_t>(ceiling(top));
-  require(equation.initial.size() >= needed, "an initial value is missing");
+  require_equation(equation.initial.size() >= needed, "an initial value is missing");
   equation.initial.resize(needed);
   for (const auto& order : orders)
-    require(order >= 0 && ceiling(order) <= ceiling(top), "this derivative is not known at 0");
+    require_equation(order >= 0 && ceiling(order) <= ceiling(top), "this derivative is not known at 0");
   return equation;
 }
 
@@ -105,8 +105,9 @@ Reference linear_reference(const LinearEquation& equation, const std::vector<dou
 
 Reference exact_linear_reference(const LinearEquationOf<Rational>& equation,
                                  const std::vector<Rational>& orders) {
-  return linear_reference(
-      name, [equation = checked(equation, orders), orders] { return transform_of(equation, orders); });
+  return linear_reference(equation_name, [equation = checked(equation, orders), orders] {
+    return transform_of(equation, orders);
+  });
 }
 
 }  // namespace fde::reference

@@ -11,7 +11,7 @@
 
 #include "fdebench/reference/linear/transfer_functions/characteristic_zeros.hpp"
 #include "fdebench/reference/linear/transfer_functions/linear_response.hpp"
-#include "fdebench/reference/special_functions/laplace/adaptive_precision_contour.hpp"
+#include "fdebench/reference/special_functions/laplace/contour.hpp"
 
 namespace fde::reference {
 namespace {

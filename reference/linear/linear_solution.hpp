@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "fdebench/reference/linear/closed_forms/evaluation.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 #include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
 namespace fde::reference {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fdebench/reference/linear/load.hpp"
+#include "fdebench/reference/linear/linear_equation.hpp"
 #include "fdebench/reference/reference.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 

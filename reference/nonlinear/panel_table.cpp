@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
+#include "fdebench/reference/nonlinear/collocation/panels.hpp"
 
 namespace fde::reference {
 

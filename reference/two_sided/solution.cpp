@@ -8,9 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fdebench/reference/two_sided/clustered_panels.hpp"
-#include "fdebench/reference/two_sided/nodal_solution.hpp"
-#include "fdebench/reference/two_sided/sinc_nodes.hpp"
+#include "fdebench/reference/two_sided/nodal_basis.hpp"
+#include "fdebench/reference/two_sided/nodal_equations.hpp"
 
 namespace fde::reference {
 namespace {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -13,29 +12,6 @@
 
 namespace fde::bench {
 namespace {
-
-using TableRow = std::vector<std::string>;
-
-// Characters, not bytes: a letter like µ has two bytes.
-std::size_t width_of(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-// The rows with cells padded to the widest of their column, separated by two spaces.
-std::string aligned(const std::vector<TableRow>& rows) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const TableRow& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
-  }
-  std::string text;
-  for (const TableRow& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += row[i] + std::string(widths[i] - width_of(row[i]) + 2, ' ');
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
-  }
-  return text;
-}
 
 // Why the first option is quicker than the second: fewer steps or cheaper steps.
 std::string reason_for_speed(const RecommendedRun& first, const RecommendedRun& second,
@@ -94,7 +70,7 @@ std::string table_of(const Recommendation& made, bool verbose) {
     if (!listed.insert(scheme.finest.schemes.front()).second && !verbose) continue;
     rows.push_back(row_of(scheme.finest, scheme.reason));
   }
-  return aligned(rows);
+  return aligned(rows, 2);
 }
 
 // "error 8.7e-13 in 9.6 µs; the first run of a process takes 12.3 ms".

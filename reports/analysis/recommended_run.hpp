@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
-#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 #include "fdebench/benchmarks/search/error_model.hpp"
 #include "fdebench/reports/analysis/runs.hpp"
 

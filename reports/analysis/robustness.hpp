@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 
 namespace fde::bench {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
 
 namespace fde::bench {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fde::bench {
 
@@ -22,5 +24,9 @@ std::string count_text(double count);
 
 // The number rounded to two significant digits: 35 000 for 34567.
 std::string rough_count_text(double count);
+
+// The rows with cells padded to the widest of their column, with `gap` blanks between them.
+using TableRow = std::vector<std::string>;
+std::string aligned(const std::vector<TableRow>& rows, std::size_t gap);
 
 }  // namespace fde::bench

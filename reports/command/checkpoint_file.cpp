@@ -11,6 +11,8 @@
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/schemes/history/block_kernels.hpp"
 
 namespace fde::bench {
 namespace {
@@ -179,6 +181,46 @@ void CheckpointFile::write(const fde::StateArchiver& state) {
 void CheckpointFile::remove() const {
   std::error_code ignored;
   fs::remove(path_, ignored);
+}
+
+namespace {
+
+// The option that selects the output times.
+std::string times_text(const Given& given) {
+  for (const auto* option : {"--at", "--every", "--points"})
+    if (given.has(option)) return fmt::format("{} {}", option, given.text(option));
+  return "all";
+}
+
+RunFacts facts_of(const Scene& scene, const RequestedRun& run, const Given& given) {
+  const Session session = this_session();
+  return {{"program",
+           fmt::format("{} {} {} {}", session.version, session.commit, session.compiler, session.flags)},
+          {"instructions", std::string(vector_targets().front())},
+          {"scene", scene.name},
+          {"end", fmt::format("{}", scene.problem.end)},
+          {"scheme", std::string(run.scheme.id)},
+          {"steps", resolution_text(run.setup)},
+          {"grid", grid_text(run.setup.grading)},
+          {"history", std::string(name(run.setup.history))},
+          {"tolerance", fmt::format("{}", run.setup.tolerance)},
+          {"times", times_text(given)}};
+}
+
+}  // namespace
+
+std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const RequestedRun& run,
+                                                   const Given& given, RetainedColumns& kept,
+                                                   const std::function<void(const std::string&)>& say) {
+  const auto file = given.find("--checkpoint");
+  if (!file && given.has("--checkpoint-every")) given.refuse("--checkpoint-every", "with --checkpoint");
+  if (!file) return std::nullopt;
+  const double between = given.number("--checkpoint-every");
+  if (const auto reason = unsupported_checkpoints_reason(run.scheme, scene.problem))
+    given.refuse("--checkpoint", fmt::format("left out: {} {}", run.scheme.id, *reason));
+  return std::optional<CheckpointFile>(
+      std::in_place, *file, std::chrono::duration<double>(between), facts_of(scene, run, given),
+      [&kept](Archive& archive) { archive(kept); }, say);
 }
 
 }  // namespace fde::bench

@@ -5,10 +5,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/observers/retained_columns.hpp"
+#include "fdebench/reports/command/requested_run.hpp"
 #include "fdebench/schemes/stepping/checkpoints.hpp"
 
 namespace fde::bench {
@@ -60,5 +63,13 @@ class CheckpointFile final : public CheckpointStore {
   bool failed_ = false, resumed_ = false;
   WriteCost spent_;
 };
+
+// The file of --checkpoint, with the columns `kept` as part of the state; nullopt without --checkpoint. `say`
+// is called with a message if the file cannot be written. The file is valid for runs with the same scene,
+// scheme, resolution, history, tolerance and times by the same build. Throws std::invalid_argument naming the
+// argument, the text and what is allowed.
+std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const RequestedRun& run,
+                                                   const Given& given, RetainedColumns& kept,
+                                                   const std::function<void(const std::string&)>& say);
 
 }  // namespace fde::bench

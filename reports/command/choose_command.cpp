@@ -19,35 +19,18 @@
 #include "fdebench/reports/analysis/compared_columns.hpp"
 #include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/text.hpp"
-#include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/help_text.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
 #include "fdebench/reports/command/recorded_scene.hpp"
-#include "fdebench/reports/command/terminal_text.hpp"
 
 namespace fde::bench {
 namespace {
 
-struct ChooseArguments {
-  SceneArguments scene;
-  std::string error, norm = "maximum", scale = "mixed";
-  std::string runs = "many";
-  std::optional<std::string> columns, until, max_time, results;
-  bool json = false, verbose = false;
-};
-
-constexpr double default_seconds = 60.0;
-constexpr Range accuracies{.low = 1e-15, .high = 1.0, .open_low = true, .open_high = true};
-constexpr Range search_seconds{.low = 0.0, .high = 1e6, .open_low = true};
-
-std::vector<std::string> settings_of(const ChooseArguments& arguments) {
-  auto settings = arguments.scene.settings;
-  if (arguments.until) settings.push_back("until=" + *arguments.until);
+std::vector<std::string> settings_of(const Given& given) {
+  auto settings = given.all("--set");
+  if (const auto until = given.find("--until")) settings.push_back("until=" + *until);
   return settings;
-}
-
-SceneVariant chosen_scene(const ChooseArguments& arguments, const SceneRegistry& known) {
-  return parse_variant(arguments.scene.scene, settings_of(arguments), known);
 }
 
 // The columns named in `requested`, or all.
@@ -101,8 +84,8 @@ Recommendation searched(const SceneVariant& variant, Scene scene, const Accuracy
 }
 
 // The errors of the recorded runs over the columns of --columns.
-void compare_over_requested(Runs& runs, const SceneSettings& scene, const ChooseArguments& arguments) {
-  const auto requested = split_names(*arguments.columns);
+void compare_over_requested(Runs& runs, const SceneSettings& scene, const Given& given) {
+  const auto requested = split_names(given.text("--columns"));
   std::set<std::string> known;
   for (const Record& run : of_scene(runs.finished, scene)) {
     if (!run.columns.values.empty()) known.insert(run.columns.names.begin(), run.columns.names.end());
@@ -113,23 +96,22 @@ void compare_over_requested(Runs& runs, const SceneSettings& scene, const Choose
                 known.empty()
                     ? fmt::format("without --results, or with errors of single columns, which {} does not "
                                   "have: fdebench run measures them anew",
-                                  *arguments.results)
+                                  given.text("--results"))
                     : fmt::format("of {}", fmt::join(known, ", ")));
   }
   compare_over(runs, scene, requested);
 }
 
 // A recommendation from recorded runs, which need no search time.
-Recommendation recorded(const ErrorKind& kind, double accuracy, bool first_run,
-                        const ChooseArguments& arguments, const Streams& streams,
-                        const SceneRegistry& known) {
-  if (arguments.max_time) reject_text("--max-time", *arguments.max_time, "without --results");
-  auto [sessions, runs, warning] = read_runs(*arguments.results);
+Recommendation recorded(const ErrorKind& kind, double accuracy, bool first_run, const Given& given,
+                        const Streams& streams, const SceneRegistry& known) {
+  if (given.has("--max-time")) given.refuse("--max-time", "without --results");
+  const auto results = given.text("--results");
+  auto [sessions, runs, warning] = read_runs(results);
   warn(streams, warning);
-  const SceneArguments scene{arguments.scene.scene, settings_of(arguments)};
   if (first_run) count_first_runs(runs);
-  const auto requested = recorded_scene(runs, *arguments.results, scene, known);
-  if (arguments.columns) compare_over_requested(runs, requested, arguments);
+  const auto requested = recorded_scene(runs, results, given.text("scene"), settings_of(given), known);
+  if (given.has("--columns")) compare_over_requested(runs, requested, given);
   warn(streams, not_compared_text(runs, requested));
   return recommend(runs, requested, kind, accuracy);
 }
@@ -152,21 +134,21 @@ std::string with_bold_labels(const std::string& answer, bool coloured) {
   return text;
 }
 
-void choose(const ChooseArguments& arguments, const Streams& streams, const SceneRegistry& known) {
-  const double accuracy = parse_number("--error", arguments.error, accuracies);
-  const ErrorKind kind{parse_norm(arguments.norm), parse_scale(arguments.scale)};
-  const double seconds =
-      arguments.max_time ? parse_number("--max-time", *arguments.max_time, search_seconds) : default_seconds;
-  const bool first_run = requests_first_run(arguments.runs);
+void choose(const Given& given, const Streams& streams, const SceneRegistry& known) {
+  const double accuracy = given.number("--error");
+  const ErrorKind kind{parse_norm(given.text("--norm")), parse_scale(given.text("--scale"))};
+  const double seconds = given.number("--max-time");
+  const bool first_run = requests_first_run(given);
   Recommendation made;
-  if (arguments.results) {
-    made = recorded(kind, accuracy, first_run, arguments, streams, known);
+  if (given.has("--results")) {
+    made = recorded(kind, accuracy, first_run, given, streams, known);
   } else {
-    const auto variant = chosen_scene(arguments, known);
+    const auto columns = given.find("--columns");
+    const auto variant = parse_variant(given.text("scene"), settings_of(given), known);
     const Scene scene = make_scene(variant);
-    const AccuracyTarget question{kind, accuracy, chosen_columns(scene, arguments.columns), first_run};
+    const AccuracyTarget question{kind, accuracy, chosen_columns(scene, columns), first_run};
     made = searched(variant, scene, question, seconds, streams);
-    if (arguments.columns) made.columns = split_names(*arguments.columns);
+    if (columns) made.columns = split_names(*columns);
   }
   if (made.options.empty()) {
     if (made.estimate) made.missing.push_back(estimate_text(*made.estimate));
@@ -175,45 +157,43 @@ void choose(const ChooseArguments& arguments, const Streams& streams, const Scen
                                        error_text(accuracy), kind_text(kind), columns,
                                        fmt::join(made.missing, "; ")));
   }
-  streams.out << (arguments.json ? json_of(made)
-                                 : with_bold_labels(to_text(made, arguments.verbose),
-                                                    streams.out_columns > 0 && streams.colours));
+  streams.out << (given.has("--json") ? json_of(made)
+                                      : with_bold_labels(to_text(made, given.has("--verbose")),
+                                                         streams.out_columns > 0 && streams.colours));
 }
 
 }  // namespace
 
-void add_choose_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
-  auto arguments = std::make_shared<ChooseArguments>();
-  Subcommand command(program, "choose", "Recommend scheme, grid and steps for a scene and an accuracy");
-  command.group("Solve and choose");
-  add_scene(command, arguments->scene);
-  command.required("--error", arguments->error, "largest error wanted").takes("E", accuracies);
-  command.option("--norm", arguments->norm, "where the error is measured: at the end, or at all steps")
-      .takes("NORM", Words{std::string(name(Norm::end)), std::string(name(Norm::maximum))})
-      .usual(arguments->norm);
-  command
-      .option("--scale", arguments->scale,
-              "what an error is divided by: 1, |y|, 1 + |y| or the largest |y| of its column")
-      .takes("SCALE", scale_names())
-      .usual(arguments->scale);
-  command.option("--columns", arguments->columns, "columns that count").takes("A,B,...").usual("all");
-  add_runs(command, arguments->runs);
-  add_until(command, arguments->until);
-  command.option("--max-time", arguments->max_time, "time for the search")
-      .takes("SECONDS", search_seconds, "seconds")
-      .usual(fmt::format("{}", default_seconds));
-  command.option("--results", arguments->results, "take the runs of a results file; nothing is measured")
-      .takes("FILE")
-      .completed_by(Completion::results);
-  command.flag("--verbose", arguments->verbose,
-               "print all grids, why the first is the quickest, and the schemes that refuse");
-  command.flag("--json", arguments->json, "print one JSON object");
-  command.example("fdebench choose pendulum --error 1e-6",
-                  "recommends a scheme for the pendulum up to t = 20.");
-  command.example("fdebench choose mine.toml --error 1e-4 --norm end --scale relative --max-time 10",
-                  "does so for an equation file, by the relative error at the end, in ten seconds.");
-  command.see_also({"solve", "run", "choosing", "accuracy"});
-  command.callback([=, &streams, &known] { choose(*arguments, streams, known); });
+Command choose_command() {
+  return {
+      {"choose",
+       "Solve and choose",
+       "Recommend scheme, grid and steps for a scene and an accuracy",
+       {scene_argument(),
+        set_argument(),
+        {"--error E", "largest error wanted",
+         Range{.low = 1e-15, .high = 1.0, .open_low = true, .open_high = true}},
+        {"[--norm NORM]", "where the error is measured: at the end, or at all steps",
+         Words{std::string(name(Norm::end)), std::string(name(Norm::maximum))}, "maximum"},
+        {"[--scale SCALE]", "what an error is divided by: 1, |y|, 1 + |y| or the largest |y| of its column",
+         scale_names(), "mixed"},
+        {"[--columns A,B,...]", "columns that count", {}, "all"},
+        runs_argument(),
+        until_argument(),
+        {"[--max-time SECONDS]", "time for the search", Range{.low = 0.0, .high = 1e6, .open_low = true},
+         "60"},
+        {"[--results FILE]",
+         "take the runs of a results file; nothing is measured",
+         {},
+         "",
+         Completion::results},
+        {"[--verbose]", "print all grids, why the first is the quickest, and the schemes that refuse"},
+        {"[--json]", "print one JSON object"}},
+       {{"fdebench choose pendulum --error 1e-6", "recommends a scheme for the pendulum up to t = 20."},
+        {"fdebench choose mine.toml --error 1e-4 --norm end --scale relative --max-time 10",
+         "does so for an equation file, by the relative error at the end, in ten seconds."}},
+       {"solve", "run", "choosing", "accuracy"}},
+      choose};
 }
 
 }  // namespace fde::bench

@@ -2,14 +2,17 @@
 #include "fdebench/reports/command/command.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <ostream>
 #include <set>
+#include <span>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -17,9 +20,8 @@
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/scenes/parameters.hpp"
-#include "fdebench/reports/command/command_line.hpp"
-#include "fdebench/reports/command/completion.hpp"
-#include "fdebench/reports/command/terminal_text.hpp"
+#include "fdebench/benchmarks/text/entry_named.hpp"
+#include "fdebench/reports/command/help_text.hpp"
 
 namespace fde::bench {
 namespace {
@@ -48,10 +50,12 @@ std::string printable(std::string_view message) {
   return line;
 }
 
-void add_subcommands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
-#define FDE_COMMAND(file) add_##file(program, streams, known);
-#include "fdebench/reports/command/list.def"
-#undef FDE_COMMAND
+std::vector<Command> commands() {
+  return {solve_command(),     choose_command(),         run_command(),       report_command(),
+          study_command(),     judge_command(),          compare_command(),   merge_command(),
+          export_command(),    plot_command(),           scenes_command(),    schemes_command(),
+          exact_command(),     mittag_leffler_command(), stability_command(), geometry_command(),
+          reference_command(), help_command(),           completion_command()};
 }
 
 int complain(const Streams& streams, int code, std::string_view message) {
@@ -71,33 +75,78 @@ NoteReceiver said_once(const Streams& streams) {
   };
 }
 
-// CLI11 takes an empty argument for the name of an option group and does not terminate. No argument of
-// fdebench may be empty.
 void check_none_empty(const std::vector<std::string>& arguments) {
   const auto found = std::ranges::find(arguments, "");
   if (found == arguments.end()) return;
   throw std::invalid_argument(fmt::format("argument {} is empty", found - arguments.begin() + 1));
 }
 
-// CLI11's own message only says that a subcommand is missing.
-void check_subcommand(const ProgramText& program, const std::vector<std::string>& arguments) {
-  const auto first =
-      std::ranges::find_if(arguments, [](const auto& word) { return word != "-q" && word != "--quiet"; });
-  if (first == arguments.end() || first->starts_with('-') || program.find(*first) != nullptr) return;
-  std::vector<std::string_view> names;
-  for (const auto& subcommand : program.subcommands) names.push_back(subcommand.name);
-  throw std::invalid_argument(fmt::format("command {}: no such command{}; there are {}", *first,
-                                          did_you_mean(*first, names), fmt::join(names, ", ")));
+// The options in front of the name of a command, which may stand behind it too, but for --version.
+bool asks_for_version(std::span<const std::string> options) {
+  constexpr std::array known{"-q", "--quiet", "-h", "--help", "-V", "--version"};
+  for (const auto& option : options) {
+    if (std::ranges::find(known, option.substr(0, option.find('='))) == known.end())
+      throw std::invalid_argument(
+          fmt::format("{}: no such option; {} help lists the subcommands", option, name_of_program));
+  }
+  return std::ranges::any_of(options, [](const auto& word) { return word == "-V" || word == "--version"; });
+}
+
+void run_words(std::vector<std::string> words, Streams& streams, const SceneRegistry& known) {
+  const auto program = program_text();
+  const auto name = std::ranges::find_if(words, [](const auto& word) { return !word.starts_with('-'); });
+  if (asks_for_version({words.begin(), name})) {
+    streams.out << program.version << '\n';
+    return;
+  }
+  if (name == words.end()) {
+    if (std::ranges::none_of(words, [](const auto& word) { return word == "-h" || word == "--help"; }))
+      throw std::invalid_argument(
+          fmt::format("A subcommand is required; {} help lists the subcommands", name_of_program));
+    streams.out << overview_text(program, output_style(streams));
+    return;
+  }
+  const auto all = commands();
+  const auto command = std::ranges::find_if(all, [&](const Command& one) { return one.text.name == *name; });
+  if (command == all.end()) {
+    throw std::invalid_argument(fmt::format("command {}: no such command{}; there are {}", *name,
+                                            did_you_mean(*name, program.names()),
+                                            fmt::join(program.names(), ", ")));
+  }
+  words.erase(name);
+  const auto given = parse_words(command->text, words, streams.quiet);
+  given ? command->run(*given, streams, known)
+        : void(streams.out << help_text(program, command->text, output_style(streams)));
 }
 
 }  // namespace
 
 ProgramText program_text() {
-  std::ostringstream nowhere;
-  Streams streams{.out = nowhere, .err = nowhere};
-  CommandLine program(name_of_program, purpose, this_session().version, streams.quiet);
-  add_subcommands(program, streams, built_in_scenes());
-  return program.text();
+  ProgramText program{.name = name_of_program, .what = purpose, .version = this_session().version};
+  for (auto& command : commands()) program.subcommands.push_back(std::move(command.text));
+  return program;
+}
+
+std::string output_of(const std::vector<std::string>& arguments, const SceneRegistry& known) {
+  std::ostringstream out, err;
+  const int code = run_fdebench(arguments, {.out = out, .err = err}, known);
+  if (code == 0) return out.str();
+  std::string line = err.str();
+  if (line.ends_with('\n')) line.pop_back();
+  line = line.substr(line.find_last_of('\n') + 1);
+  constexpr std::string_view speaker = "fdebench: ";
+  if (line.starts_with(speaker)) line = line.substr(speaker.size());
+  if (code == bad_input) throw std::invalid_argument(line);
+  throw NumericalFailure(line);
+}
+
+std::string without_dashes(std::string text) {
+  for (auto at = text.find("--"); at != std::string::npos; at = text.find("--", at)) {
+    const bool begins_option = at == 0 || text[at - 1] == ' ';
+    if (begins_option) text.erase(at, 2);
+    at += 1;
+  }
+  return text;
 }
 
 void say(const Streams& streams, Message kind, std::string_view message) {
@@ -124,15 +173,12 @@ int run_fdebench(const std::vector<std::string>& arguments, const Streams& given
   Streams streams = given;
   try {
     const SceneRegistry named = with_equation_files(known, said_once(streams));
-    CommandLine program(name_of_program, purpose, this_session().version, streams.quiet);
-    add_subcommands(program, streams, named);
     if (!arguments.empty() && arguments.front() == completion_request) {
-      streams.out << candidates(program.text(), {arguments.begin() + 1, arguments.end()}, named);
+      streams.out << candidates(program_text(), {arguments.begin() + 1, arguments.end()}, named);
       return 0;
     }
     check_none_empty(arguments);
-    check_subcommand(program.text(), arguments);
-    program.run(arguments, streams);
+    run_words(arguments, streams, named);
     streams.out.flush();
     return streams.out.good() ? 0 : complain(streams, bad_input, "standard output: cannot be written");
   } catch (const WorseResults& worse) {

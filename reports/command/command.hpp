@@ -8,11 +8,9 @@
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
-#include "fdebench/reports/command/program_text.hpp"
+#include "fdebench/reports/command/given.hpp"
 
 namespace fde::bench {
-
-class CommandLine;
 
 // A scheme or a reference failed before the end time: exit code 3.
 struct NumericalFailure : std::runtime_error {
@@ -48,13 +46,25 @@ void warn(const Streams& streams, std::string_view text);
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& given,
                  const SceneRegistry& known = built_in_scenes());
 
-// What the help says of the program.
-ProgramText program_text();
+// Runs the command with these arguments and returns its standard output. Throws std::invalid_argument (exit
+// code 2) or NumericalFailure (any other but 0) with the last line of its standard error.
+std::string output_of(const std::vector<std::string>& arguments,
+                      const SceneRegistry& known = built_in_scenes());
 
-// Each file of list.def defines add_<file>(), which adds its subcommands to the program.
-#define FDE_COMMAND(file) \
-  void add_##file(CommandLine& program, const Streams& streams, const SceneRegistry& known);
-#include "fdebench/reports/command/list.def"
-#undef FDE_COMMAND
+// Removes the dashes of options in a message, "--steps = 0: must be ...": in a language they are arguments.
+std::string without_dashes(std::string text);
+
+// A subcommand: what it takes, and what it does with what it is given.
+struct Command {
+  SubcommandText text;
+  void (*run)(const Given& given, const Streams& streams, const SceneRegistry& known);
+};
+Command solve_command(), choose_command(), run_command(), report_command(), study_command(), judge_command(),
+    compare_command(), merge_command(), export_command(), plot_command(), scenes_command(), schemes_command(),
+    exact_command(), mittag_leffler_command(), stability_command(), geometry_command(), reference_command(),
+    help_command(), completion_command();
+
+// All subcommands, as the help lists them.
+ProgramText program_text();
 
 }  // namespace fde::bench

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/command/completion.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,8 @@
 #include <variant>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
-#include "fdebench/reports/command/topics.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/reports/command/help_text.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 // The symbols of assets.S for each script: its first byte, and one past its last.
@@ -77,7 +75,6 @@ void add_values(const ProgramText& program, const ArgumentText& argument,
                 const std::vector<std::string>& words, const SceneRegistry& known, Candidates& found) {
   if (const auto* choices = std::get_if<Words>(&argument.allowed))
     for (const auto& word : *choices) found.add(word, argument.name);
-  for (const auto& word : argument.offered) found.add(word, argument.name);
   switch (argument.completion) {
     case Completion::nothing:
       break;
@@ -90,6 +87,9 @@ void add_values(const ProgramText& program, const ArgumentText& argument,
     case Completion::setting:
       add_settings(words, known, found);
       break;
+    case Completion::grid:
+      for (const auto* grid : {"uniform", "graded:", "graded:auto"}) found.add(grid, argument.name);
+      break;
     case Completion::results:
       found.add_files(".jsonl");
       break;
@@ -101,8 +101,6 @@ void add_values(const ProgramText& program, const ArgumentText& argument,
       break;
     case Completion::topic:
       for (const auto& topic : topics()) found.add(topic.name, topic.what);
-      [[fallthrough]];
-    case Completion::command:
       add_names(program, found);
       break;
   }
@@ -127,8 +125,8 @@ const ArgumentText* argument_at_end(const SubcommandText& subcommand, const std:
     if (open != nullptr) {
       open = nullptr;
     } else if (word.starts_with("--")) {
-      const auto option = std::ranges::find(subcommand.arguments, word, &ArgumentText::name);
-      if (option != subcommand.arguments.end() && !option->value.empty()) open = &*option;
+      const auto* option = subcommand.find(word);
+      if (option != nullptr && !option->value.empty()) open = option;
     } else if (next < positional.size() && !positional[next]->repeated) {
       ++next;
     }

@@ -3,26 +3,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
-#include <optional>
 #include <ostream>
 
 #include "fdebench/benchmarks/reference_data/reference_check.hpp"
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
-#include "fdebench/benchmarks/text/number_text.hpp"
-#include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
 
 namespace fde::bench {
 namespace {
-
-constexpr CountRange every_counts{1, 1'000'000};
-
-struct ReferenceArguments {
-  std::optional<std::string> out, check;
-  std::string every = "1";
-};
 
 TableProgress reporter(ProgressLine& line) {
   return
@@ -90,37 +79,27 @@ void check_tables(const std::string& folder, std::size_t every, const Streams& s
     throw std::invalid_argument(fmt::format("{}: all rows hold, but its checksum differs", *changed.begin()));
 }
 
-void reference(const ReferenceArguments& arguments, const Streams& streams) {
-  if (arguments.out) {
-    write_tables(*arguments.out, streams);
-  } else {
-    check_tables(*arguments.check,
-                 static_cast<std::size_t>(parse_count("--every", arguments.every, every_counts)), streams);
-  }
+void reference(const Given& given, const Streams& streams, const SceneRegistry& /*known*/) {
+  if (given.has("--out") == given.has("--check")) given.refuse("one of --out and --check is required");
+  if (given.has("--every") && !given.has("--check")) given.refuse("--every requires --check");
+  if (const auto out = given.find("--out")) return write_tables(*out, streams);
+  check_tables(given.text("--check"), static_cast<std::size_t>(given.count("--every")), streams);
 }
 
 }  // namespace
 
-void add_data_commands(CommandLine& program, const Streams& streams, const SceneRegistry& /*known*/) {
-  auto arguments = std::make_shared<ReferenceArguments>();
-  Subcommand command(program, "reference", "Write the tables of reference data, or check a folder of them");
-  command.group("Data");
-  Subcommand action = command.one_of();
-  action.option("--out", arguments->out, "folder to write: CSV, JSON, index and checksums")
-      .takes("DIR")
-      .completed_by(Completion::folder);
-  const auto check = action.option("--check", arguments->check, "folder to recompute, of any program")
-                         .takes("DIR")
-                         .completed_by(Completion::folder);
-  Subcommand::need(command.option("--every", arguments->every, "with --check: recompute each K-th row only")
-                       .takes("K", every_counts)
-                       .usual(arguments->every),
-                   check);
-  command.example("fdebench reference --check reference/data --every 29",
-                  "recomputes each 29th row of the tables of the repository.");
-  command.example("fdebench reference --out tables", "writes all tables to a folder; this takes minutes.");
-  command.see_also({"exact", "mittag-leffler", "accuracy"});
-  command.callback([=, &streams] { reference(*arguments, streams); });
+Command reference_command() {
+  return {{"reference",
+           "Data",
+           "Write the tables of reference data, or check a folder of them",
+           {{"(--out DIR |", "folder to write: CSV, JSON, index and checksums", {}, "", Completion::folder},
+            {"--check DIR)", "folder to recompute, of any program", {}, "", Completion::folder},
+            {"[--every K]", "with --check: recompute each K-th row only", CountRange{1, 1'000'000}, "1"}},
+           {{"fdebench reference --check reference/data --every 29",
+             "recomputes each 29th row of the tables of the repository."},
+            {"fdebench reference --out tables", "writes all tables to a folder; this takes minutes."}},
+           {"exact", "mittag-leffler", "accuracy"}},
+          reference};
 }
 
 }  // namespace fde::bench

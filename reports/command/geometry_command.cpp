@@ -3,29 +3,22 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <optional>
 #include <ostream>
 #include <utility>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
-#include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 
 namespace fde::bench {
 namespace {
 
-struct GeometryArguments {
-  SceneArguments scene;
-  std::optional<std::string> place, velocity;
-};
-
 // n numbers of an argument, or the initial value.
-Vec state_of(std::string_view name, const std::optional<std::string>& text, In at_start) {
-  if (!text) return at_start;
-  const auto numbers = parse_numbers(name, *text, any_number);
+Vec state_of(const Given& given, std::string_view name, In at_start) {
+  if (!given.has(name)) return at_start;
+  const auto numbers = given.numbers(name);
   if (std::ssize(numbers) != at_start.size())
-    reject_text(name, *text, fmt::format("{} numbers, one a coordinate", at_start.size()));
+    given.refuse(name, fmt::format("{} numbers, one a coordinate", at_start.size()));
   return Eigen::Map<const Vec>(numbers.data(), std::ssize(numbers));
 }
 
@@ -89,48 +82,42 @@ std::string geometry_text(const std::vector<std::string>& names, const Geometry&
 
 // The velocities of the argument, which have to keep the constraints at q to a millionth of themselves. Those
 // at t = 0 are brought onto the constraints, which at another place may be others.
-Vec velocity_at(In q, const StateGeometry& geometry, const std::optional<std::string>& text) {
+Vec velocity_at(In q, const StateGeometry& geometry, const Given& given) {
   constexpr double typed = 1e-6;
-  Vec v = state_of("--velocity", text, geometry.velocity);
+  Vec v = state_of(given, "--velocity", geometry.velocity);
   if (!geometry.allowed) return v;
   Vec allowed = geometry.allowed(q, v);
-  if (text && (v - allowed).norm() > typed * allowed.norm()) {
-    reject_text("--velocity", *text,
-                fmt::format("velocities that keep the constraints at this place, as {:.17g}",
-                            fmt::join(allowed.begin(), allowed.end(), ",")));
+  if (given.has("--velocity") && (v - allowed).norm() > typed * allowed.norm()) {
+    given.refuse("--velocity", fmt::format("velocities that keep the constraints at this place, as {:.17g}",
+                                           fmt::join(allowed.begin(), allowed.end(), ",")));
   }
   return allowed;
 }
 
-void print_geometry(const GeometryArguments& arguments, const Streams& streams, const SceneRegistry& known) {
-  const auto variant = read_variant(arguments.scene, known);
+void print_geometry(const Given& given, const Streams& streams, const SceneRegistry& known) {
+  const auto variant = read_variant(given, known);
   const Scene scene = make_scene_unchecked(*variant.maker, variant.values);
   if (!scene.geometry)
     reject_text("scene", variant.maker->id, "one of mechanics with a metric and constraints");
-  const Vec q = state_of("--place", arguments.place, scene.geometry.position),
-            v = velocity_at(q, scene.geometry, arguments.velocity);
+  const Vec q = state_of(given, "--place", scene.geometry.position),
+            v = velocity_at(q, scene.geometry, given);
   streams.out << geometry_text(scene.geometry.coordinates, scene.geometry.at(q, v));
 }
 
 }  // namespace
 
-void add_geometry_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
-  auto arguments = std::make_shared<GeometryArguments>();
-  Subcommand command(program, "geometry",
-                     "Print metric, Christoffel symbols, connection and semispray of a scene; CSV");
-  command.group("Look up");
-  add_scene(command, arguments->scene, "id of a scene of mechanics");
-  command.option("--place", arguments->place, "coordinates")
-      .takes("Q1,Q2,...", any_number)
-      .usual("those at t = 0");
-  command.option("--velocity", arguments->velocity, "velocities that keep the constraints")
-      .takes("V1,V2,...", any_number)
-      .usual("those at t = 0");
-  command.example("fdebench geometry loxodrome --place 0.7,0",
-                  "prints the Christoffel symbols at theta = 0.7.");
-  command.example("fdebench geometry knife_edge", "prints the geometry at the start of the motion.");
-  command.see_also({"scenes", "solve"});
-  command.callback([=, &streams, &known] { print_geometry(*arguments, streams, known); });
+Command geometry_command() {
+  return {{"geometry",
+           "Look up",
+           "Print metric, Christoffel symbols, connection and semispray of a scene; CSV",
+           {scene_argument("id of a scene of mechanics"),
+            set_argument(),
+            {"[--place Q1,Q2,...]", "coordinates", any_number, "those at t = 0"},
+            {"[--velocity V1,V2,...]", "velocities that keep the constraints", any_number, "those at t = 0"}},
+           {{"fdebench geometry loxodrome --place 0.7,0", "prints the Christoffel symbols at theta = 0.7."},
+            {"fdebench geometry knife_edge", "prints the geometry at the start of the motion."}},
+           {"scenes", "solve"}},
+          print_geometry};
 }
 
 }  // namespace fde::bench

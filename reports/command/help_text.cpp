@@ -5,11 +5,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <vector>
 
 #include "fdebench/reports/command/command.hpp"
-#include "fdebench/reports/command/terminal_text.hpp"
+
+// The symbols of assets.S for each topic: its first byte, and one past its last.
+#define FDE_TOPIC(id, name) extern "C" const char fde_asset_topic_##id[], fde_asset_topic_##id##_end[];
+#include "fdebench/reports/command/topics.def"
+#undef FDE_TOPIC
 
 namespace fde::bench {
 namespace {
@@ -47,7 +52,21 @@ std::string examples_text(const SubcommandText& subcommand, const Style& style) 
   return text;
 }
 
+Topic topic_of(std::string_view name, std::string_view file) {
+  const auto end = file.find('\n');
+  return {name, file.substr(0, end), file.substr(file.find_first_not_of('\n', end))};
+}
+
 }  // namespace
+
+std::span<const Topic> topics() {
+  static const std::array all{
+#define FDE_TOPIC(id, name) topic_of(name, {fde_asset_topic_##id, fde_asset_topic_##id##_end}),
+#include "fdebench/reports/command/topics.def"
+#undef FDE_TOPIC
+  };
+  return all;
+}
 
 Style output_style(const Streams& streams) {
   constexpr int fewest = 40;

@@ -15,25 +15,17 @@
 #include <system_error>
 #include <vector>
 
-#include "fdebench/benchmarks/external/temporary_file.hpp"
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 #include "fdebench/benchmarks/measures/measures.hpp"
 #include "fdebench/benchmarks/records/external_trajectory.hpp"
 #include "fdebench/benchmarks/records/record_validation.hpp"
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "fdebench/benchmarks/sweep/described_scene.hpp"
-#include "fdebench/benchmarks/text/number_text.hpp"
-#include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
 
 namespace fde::bench {
 namespace {
-
-struct JudgeArguments {
-  SceneArguments scene;
-  std::string file;
-  std::optional<std::string> seconds, name, out;
-};
 
 // Sets the end of the scene to the last time of the trajectory, so that the error at the end is at that time.
 // Throws std::invalid_argument for a two-sided problem, whose solution depends on its end.
@@ -57,14 +49,14 @@ std::unique_ptr<const TemporaryFile> file_of_pipe(const std::string& name) {
   if (!std::filesystem::is_fifo(path, ignored)) return nullptr;
   std::ifstream stream(path, std::ios::binary);
   auto file = std::make_unique<const TemporaryFile>(".csv");
-  std::string piece(std::size_t{1} << 16, '\0');
+  std::string buffer(std::size_t{1} << 16, '\0');
   for (std::uintmax_t bytes = 0; stream;) {
-    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     const auto count = static_cast<std::size_t>(stream.gcount());
     bytes += count;
     if (bytes > most_bytes_of_pipe)
       throw std::invalid_argument(fmt::format("{}: is longer than {} bytes", name, most_bytes_of_pipe));
-    file->write(std::string_view(piece).substr(0, count));
+    file->write(std::string_view(buffer).substr(0, count));
   }
   return file;
 }
@@ -100,16 +92,18 @@ void print(const SceneVariant& scene, const Record& run, std::ostream& out) {
   print_values(run.timing.values);
 }
 
-void judge(const JudgeArguments& arguments, const Streams& streams, const SceneRegistry& known) {
-  auto variant = read_variant(arguments.scene, known);
+void judge(const Given& given, const Streams& streams, const SceneRegistry& known) {
+  auto variant = read_variant(given, known);
   Scene scene = make_scene(variant);
-  const auto name = arguments.name.value_or(std::filesystem::path(arguments.file).stem().string());
-  if (arguments.name || arguments.out) require_external_name("--name", name);
+  const auto file_name = given.text("file");
+  const auto out = given.find("--out");
+  const auto name = given.find("--name").value_or(std::filesystem::path(file_name).stem().string());
+  if (given.has("--name") || out) require_external_name("--name", name);
   std::vector<double> seconds;
-  if (arguments.seconds) seconds = parse_numbers("--seconds", *arguments.seconds, positive);
-  const auto path = path_in(arguments.file, scene);
-  if (!arguments.seconds) seconds = path.report.seconds;
-  end_with(path, arguments.file, variant, scene);
+  if (given.has("--seconds")) seconds = given.numbers("--seconds");
+  const auto path = path_in(file_name, scene);
+  if (!given.has("--seconds")) seconds = path.report.seconds;
+  end_with(path, file_name, variant, scene);
   MemoizedReference reference(scene);
   const auto judgement = [&] {
     ProgressLine line(streams, "evaluates the reference");
@@ -118,7 +112,7 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const SceneR
   Record run = assessed(run_of(variant, name, path), judgement);
   if (!seconds.empty() && is_compared(run.ending.kind)) run.timing = timing_of({.seconds = seconds});
   std::optional<ResultsFile> file;
-  if (arguments.out) file.emplace(*arguments.out, longest_wait);
+  if (out) file.emplace(*out, longest_wait);
   if (file) warn(streams, file->warning());
   if (file && !file->describes(run.key.scene)) file->append(describe(variant, scene, reference));
   if (file) file->append(run);
@@ -127,28 +121,26 @@ void judge(const JudgeArguments& arguments, const Streams& streams, const SceneR
 
 }  // namespace
 
-void add_judge_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
-  auto arguments = std::make_shared<JudgeArguments>();
-  Subcommand command(program, "judge", "Judge a trajectory that another program wrote");
-  command.group("Measure");
-  add_scene(command, arguments->scene);
-  command
-      .required("file", arguments->file, "CSV with the header t,COLUMN,... of the scene; - is standard input")
-      .completed_by(Completion::file);
-  command.option("--seconds", arguments->seconds, "time of the other program, or the times of its repeats")
-      .takes("S1,S2,...", positive, "seconds")
-      .usual("that of the file's line '# seconds: S'");
-  command.option("--name", arguments->name, "what to call the other program")
-      .takes("NAME")
-      .usual("the name of the file");
-  command.option("--out", arguments->out, "results file that the run is added to")
-      .takes("RESULTS")
-      .completed_by(Completion::results);
-  command.example("fdebench judge relaxation mine.csv", "prints the errors of a solution in a file.");
-  command.example("fdebench judge relaxation - --seconds 0.0052 --name numpy --out results.jsonl < mine.csv",
-                  "adds errors and time to a results file.");
-  command.see_also({"run", "report", "accuracy"});
-  command.callback([=, &streams, &known] { judge(*arguments, streams, known); });
+Command judge_command() {
+  return {{"judge",
+           "Measure",
+           "Judge a trajectory that another program wrote",
+           {scene_argument(),
+            set_argument(),
+            {"FILE",
+             "CSV with the header t,COLUMN,... of the scene; - is standard input",
+             {},
+             "",
+             Completion::file},
+            {"[--seconds S1,S2,...]", "time of the other program, or the times of its repeats", positive,
+             "that of the file's line '# seconds: S'"},
+            {"[--name NAME]", "what to call the other program", {}, "the name of the file"},
+            {"[--out RESULTS]", "results file that the run is added to", {}, "", Completion::results}},
+           {{"fdebench judge relaxation mine.csv", "prints the errors of a solution in a file."},
+            {"fdebench judge relaxation - --seconds 0.0052 --name numpy --out results.jsonl < mine.csv",
+             "adds errors and time to a results file."}},
+           {"run", "report", "accuracy"}},
+          judge};
 }
 
 }  // namespace fde::bench

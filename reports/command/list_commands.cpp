@@ -1,30 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string_view>
-#include <type_traits>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
-#include "fdebench/reports/command/arguments.hpp"
+#include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/command/command.hpp"
-#include "fdebench/reports/command/command_line.hpp"
 
 namespace fde::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Row = std::vector<std::string>;
+using Row = TableRow;
 
-constexpr std::size_t few_names = 16;
+constexpr std::size_t few_names = 16, gap = 3;
 
 std::string column_text(const std::vector<std::string>& names) {
   if (names.size() <= few_names) return fmt::format("{}", fmt::join(names, ", "));
@@ -105,20 +102,6 @@ void print_json(const Entries& entries, std::ostream& out) {
   out << all.dump(2) << '\n';
 }
 
-// Prints rows with columns aligned to their widest cell.
-void print_table(const std::vector<Row>& rows, std::ostream& out) {
-  constexpr std::size_t gap = 3;
-  std::vector<std::size_t> widths;
-  for (const Row& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size() + gap);
-  }
-  for (const Row& row : rows) {
-    for (std::size_t c = 0; c + 1 < row.size(); ++c) out << fmt::format("{:<{}}", row[c], widths[c]);
-    out << row.back() << '\n';
-  }
-}
-
 template <typename Entries>
 std::vector<Row> titles(const Entries& entries) {
   std::vector<Row> rows;
@@ -179,7 +162,7 @@ void print_one(const SceneFactory& maker, std::ostream& out) {
     for (const auto& parameter : maker.parameters)
       rows.push_back({parameter.name, to_text(parameter.value), parameter.allowed(), parameter.description});
     out << '\n';
-    print_table(rows, out);
+    out << aligned(rows, gap);
   }
   if (!over_grids.empty()) {
     out << fmt::format("\nfdebench solve {} --scheme {} --steps 1024 --at {}\n", shell_word(maker.id),
@@ -199,7 +182,7 @@ void print_one(const Scheme& scheme, std::ostream& out) {
   std::vector<Row> rows;
   const Json needs = capabilities_of(scheme);
   for (const auto& [need, value] : needs.items()) rows.push_back({need, need_text(value)});
-  print_table(rows, out);
+  out << aligned(rows, gap);
 }
 
 // Prints the equation file of a scene.
@@ -208,62 +191,63 @@ void print_toml(const SceneFactory& maker, std::ostream& out) {
   out << maker.toml;
 }
 
-struct ListArguments {
-  std::optional<std::string> id;
-  bool json = false, detail = false, toml = false;
-};
-
-// A command that lists entries: id and title, or `details` with the flag `detail`, or JSON; or one entry in
-// full.
-template <typename Entries, typename Named, typename Details>
-void add_list(Subcommand command, const std::string& detail, const std::string& help, Entries entries,
-              Named named, Details details, std::ostream& out) {
-  using Entry = std::remove_cvref_t<decltype(named(std::string()))>;
-  auto arguments = std::make_shared<ListArguments>();
-  command.group("Look up");
-  const auto json = command.flag("--json", arguments->json, "everything about each, as JSON");
-  command.exclude(command.flag(detail, arguments->detail, help), json);
-  constexpr bool of_scenes = std::is_same_v<Entry, SceneFactory>;
-  auto id = command.option("id", arguments->id, "one of them, in full");
-  id.completed_by(of_scenes ? Completion::scene : Completion::scheme);
-  command.show_as_alternatives(id, json);  // the callback refuses both
-  if constexpr (of_scenes)
-    command.flag("--toml", arguments->toml, "the equation file of the scene, a start for one's own");
-  command.callback([=, &out] {
-    if (arguments->toml && !arguments->id) throw std::invalid_argument("--toml: must have the id of a scene");
-    if (arguments->id) {
-      const auto& one = named(*arguments->id);
-      if (arguments->json || arguments->detail) reject_text("id", *arguments->id, "alone");
-      if constexpr (std::is_same_v<Entry, SceneFactory>) {
-        if (arguments->toml) return print_toml(one, out);
-      }
-      print_one(one, out);
-    } else if (arguments->json) {
-      print_json(entries(), out);
-    } else {
-      print_table(arguments->detail ? details(entries()) : titles(entries()), out);
-    }
-  });
+// Prints all: id and title, or `details` with the flag `detail`, or JSON.
+template <typename Entries, typename Details>
+void print_all(const Given& given, std::string_view detail, const Entries& entries, const Details& details,
+               std::ostream& out) {
+  if (given.has("--json")) return print_json(entries, out);
+  out << aligned(given.has(detail) ? details(entries) : titles(entries), gap);
 }
+
+void require_alone(const Given& given, std::string_view detail) {
+  if (given.has("--json") || given.has(detail)) given.refuse("id", "alone");
+}
+
+void print_scenes(const Given& given, const Streams& streams, const SceneRegistry& known) {
+  if (given.has("--toml") && !given.has("id"))
+    throw std::invalid_argument("--toml: must have the id of a scene");
+  if (!given.has("id")) return print_all(given, "--parameters", known, parameters_of, streams.out);
+  const auto& one = known.named(given.text("id"));
+  require_alone(given, "--parameters");
+  given.has("--toml") ? print_toml(one, streams.out) : print_one(one, streams.out);
+}
+
+void print_schemes(const Given& given, const Streams& streams, const SceneRegistry& /*known*/) {
+  if (!given.has("id")) return print_all(given, "--needs", schemes(), capabilities_of_all, streams.out);
+  const auto& one = scheme_named(given.text("id"));
+  require_alone(given, "--needs");
+  print_one(one, streams.out);
+}
+
+constexpr auto all_as_json = "everything about each, as JSON", one_in_full = "one of them, in full";
 
 }  // namespace
 
-void add_list_commands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
-  Subcommand scenes(program, "scenes", "List the scenes, or describe one");
-  scenes.example("fdebench scenes pendulum", "describes a scene and the schemes that accept it.");
-  scenes.example("fdebench scenes pendulum --toml > mine.toml", "starts an equation file of one's own.");
-  scenes.see_also({"schemes", "solve", "equation-files"});
-  add_list(
-      scenes, "--parameters", "the parameters of each, with defaults and what is allowed",
-      [&known]() -> const SceneRegistry& { return known; },
-      [&known](const std::string& id) -> const SceneFactory& { return known.named(id); }, parameters_of,
-      streams.out);
-  Subcommand of_schemes(program, "schemes", "List the schemes, or describe one");
-  of_schemes.example("fdebench schemes --needs", "prints what each scheme takes and needs.");
-  of_schemes.example("fdebench schemes spectral_collocation", "describes a scheme and names its source.");
-  of_schemes.see_also({"scenes", "choose", "stability"});
-  add_list(of_schemes, "--needs", "what each takes and needs of a problem", schemes, scheme_named,
-           capabilities_of_all, streams.out);
+Command scenes_command() {
+  return {{"scenes",
+           "Look up",
+           "List the scenes, or describe one",
+           {{"[--json |", all_as_json},
+            {"--parameters |", "the parameters of each, with defaults and what is allowed"},
+            {"ID]", one_in_full, {}, "", Completion::scene},
+            {"[--toml]", "the equation file of the scene, a start for one's own"}},
+           {{"fdebench scenes pendulum", "describes a scene and the schemes that accept it."},
+            {"fdebench scenes pendulum --toml > mine.toml", "starts an equation file of one's own."}},
+           {"schemes", "solve", "equation-files"}},
+          print_scenes};
+}
+
+Command schemes_command() {
+  return {{"schemes",
+           "Look up",
+           "List the schemes, or describe one",
+           {{"[--json |", all_as_json},
+            {"--needs |", "what each takes and needs of a problem"},
+            {"ID]", one_in_full, {}, "", Completion::scheme}},
+           {{"fdebench schemes --needs", "prints what each scheme takes and needs."},
+            {"fdebench schemes spectral_collocation", "describes a scheme and names its source."}},
+           {"scenes", "choose", "stability"}},
+          print_schemes};
 }
 
 }  // namespace fde::bench

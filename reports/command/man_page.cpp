@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/command/man_page.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fdebench/reports/command/terminal_text.hpp"
-#include "fdebench/reports/command/topics.hpp"
+#include "fdebench/reports/command/help_text.hpp"
 
 namespace fde::bench {
 namespace {

@@ -16,21 +16,21 @@
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
-#include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/reference_progress.hpp"
 
 namespace fde::bench {
 namespace {
 
-struct Arguments {
-  std::string alpha, beta;
-  std::optional<std::string> z, derivative, gamma, matrix, digits, budget;
-};
-
-constexpr Range alphas{.low = 0.0, .high = 5.0, .open_low = true};
 constexpr Range parameters{.low = -reference::largest_parameter, .high = reference::largest_parameter};
-constexpr CountRange derivative_counts{0, reference::max_derivative};
+
+// The arguments of the function as they are given.
+struct Arguments {
+  const Given& given;
+  std::string alpha = given.text("ALPHA"), beta = given.text("BETA");
+  std::optional<std::string> z = given.find("Z"), gamma = given.find("--gamma"),
+                             matrix = given.find("--matrix");
+};
 
 // Digits computed before rounding to double, when --digits is not given: the bound stays close to half a unit
 // in the last place.
@@ -42,10 +42,11 @@ constexpr int digits_of_doubles = 20;
 
 // At most one of the options, and Z or --matrix.
 void check(const Arguments& x) {
-  if (x.matrix && x.derivative) reject_option("--derivative", *x.derivative, "without --matrix");
+  const auto derivative = x.given.find("--derivative");
+  if (x.matrix && derivative) reject_option("--derivative", *derivative, "without --matrix");
   if (x.matrix && x.gamma) reject_option("--gamma", *x.gamma, "without --matrix");
   if (x.matrix && x.z) reject_option("Z", *x.z, "left out with --matrix");
-  if (x.derivative && x.gamma) reject_option("--gamma", *x.gamma, "without --derivative");
+  if (derivative && x.gamma) reject_option("--gamma", *x.gamma, "without --derivative");
   if (!x.matrix && !x.z)
     throw std::invalid_argument("Z is missing: must be RE, RE,IM or RE+IMi, or --matrix in its place");
 }
@@ -58,14 +59,9 @@ void check_parameter(std::string_view name, const std::string& text) {
 
 // Checks the parameters without z.
 void check_parameters(const Arguments& x) {
-  parse_number("ALPHA", x.alpha, alphas);
+  static_cast<void>(x.given.number("ALPHA"));
   check_parameter("BETA", x.beta);
   if (x.gamma) check_parameter("--gamma", *x.gamma);
-}
-
-std::optional<int> digits_of(const Arguments& x) {
-  if (!x.digits) return std::nullopt;
-  return parse_count("--digits", *x.digits, digit_counts);
 }
 
 // A multiprecision value without a finite bound exceeds the exponent range of its type.
@@ -88,18 +84,16 @@ void print(std::complex<double> value, double bound, std::ostream& out) {
 }
 
 reference::DecimalComplex in_digits(const Arguments& x, const ComplexText& z, int digits) {
-  if (x.derivative) {
-    const int k = parse_count("--derivative", *x.derivative, derivative_counts);
-    return reference::mittag_leffler_derivative(k, x.alpha, x.beta, z.re, z.im, digits);
-  }
+  if (const auto k = x.given.find_count("--derivative"))
+    return reference::mittag_leffler_derivative(*k, x.alpha, x.beta, z.re, z.im, digits);
   return x.gamma ? reference::prabhakar(x.alpha, x.beta, *x.gamma, z.re, z.im, digits)
                  : reference::mittag_leffler(x.alpha, x.beta, z.re, z.im, digits);
 }
 
 // The value in double. Takes microseconds if every argument is exactly a double (0.5, not 0.1).
 reference::MittagLefflerValue evaluate_in_double(const Arguments& x, const ComplexText& text) {
-  if (!x.derivative && !x.gamma)
-    return reference::mittag_leffler_in_double(x.alpha, x.beta, text.re, text.im);
+  const auto k = x.given.find_count("--derivative");
+  if (!k && !x.gamma) return reference::mittag_leffler_in_double(x.alpha, x.beta, text.re, text.im);
   const auto alpha = reference::exact_double(x.alpha), beta = reference::exact_double(x.beta),
              gamma = reference::exact_double(x.gamma.value_or("1")), re = reference::exact_double(text.re),
              im = reference::exact_double(text.im);
@@ -107,15 +101,14 @@ reference::MittagLefflerValue evaluate_in_double(const Arguments& x, const Compl
     return rounded_to_double(in_digits(x, text, digits_of_doubles));
   const std::complex<double> z(*re, *im);
   if (x.gamma) return reference::prabhakar(*alpha, *beta, *gamma, z);
-  const int k = parse_count("--derivative", *x.derivative, derivative_counts);
-  return reference::mittag_leffler_derivative(k, *alpha, *beta, z);
+  return reference::mittag_leffler_derivative(*k, *alpha, *beta, z);
 }
 
 void of_number(const Arguments& x, std::ostream& out) {
   const auto z = split_complex(*x.z);
   require_decimal("Z", z.re);
   require_decimal("Z", z.im);
-  if (const auto digits = digits_of(x)) return print(in_digits(x, z, *digits), out);
+  if (const auto digits = x.given.find_count("--digits")) return print(in_digits(x, z, *digits), out);
   const auto [value, bound] = evaluate_in_double(x, z);
   print(value, bound, out);
 }
@@ -187,7 +180,7 @@ std::optional<ComplexMatrix> exact_matrix(const std::vector<reference::DecimalCo
 void of_matrix(const Arguments& x, std::ostream& out) {
   const auto entries = entries_of(*x.matrix);
   const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
-  const auto digits = digits_of(x);
+  const auto digits = x.given.find_count("--digits");
   const auto alpha = reference::exact_double(x.alpha), beta = reference::exact_double(x.beta);
   const auto matrix = exact_matrix(entries, static_cast<Eigen::Index>(size));
   if (!digits && alpha && beta && matrix)
@@ -195,45 +188,40 @@ void of_matrix(const Arguments& x, std::ostream& out) {
   print(mittag_leffler(x.alpha, x.beta, entries, digits.value_or(digits_of_doubles)), size, !digits, out);
 }
 
+void print_mittag_leffler(const Given& given, const Streams& streams, const SceneRegistry& /*known*/) {
+  const Arguments x{given};
+  check(x);
+  check_parameters(x);
+  ReferenceProgress work(streams, given.find_number("--budget"), "the value");
+  try {
+    std::ostringstream lines;
+    x.matrix ? of_matrix(x, lines) : of_number(x, lines);
+    streams.out << lines.str();
+  } catch (const Cancelled&) {
+    work.fail();
+  }
+}
+
 }  // namespace
 
-void add_mittag_leffler_command(CommandLine& program, const Streams& streams,
-                                const SceneRegistry& /*known*/) {
-  auto arguments = std::make_shared<Arguments>();
-  Subcommand command(program, "mittag-leffler",
-                     "Print the Mittag-Leffler function E_{ALPHA,BETA}(Z): re im bound");
-  command.group("Look up");
-  command.required("ALPHA", arguments->alpha, "the first parameter").takes("ALPHA", alphas);
-  command.required("BETA", arguments->beta, "the second parameter").takes("BETA", parameters);
-  command.option("Z", arguments->z, "the argument: RE, RE,IM or RE+IMi").takes("Z");
-  command.option("--derivative", arguments->derivative, "the K-th derivative in Z")
-      .takes("K", derivative_counts);
-  command.option("--gamma", arguments->gamma, "the three-parameter function of Prabhakar")
-      .takes("G", parameters);
-  command
-      .option(
-          "--matrix", arguments->matrix,
-          "a square matrix in place of Z, \"1,2;3,4+i\"; then a line for each entry: row column re im bound")
-      .takes("ROWS");
-  add_digits(command, arguments->digits);
-  add_evaluation_budget(command, arguments->budget);
-  command.example("fdebench mittag-leffler 0.5 1 -30",
-                  "prints E_{1/2,1}(-30), its imaginary part and a bound.");
-  command.example("fdebench mittag-leffler 0.8 1 -1+2i --digits 50",
-                  "prints fifty digits for a complex argument.");
-  command.see_also({"exact", "reference"});
-  command.callback([=, &streams] {
-    check(*arguments);
-    check_parameters(*arguments);
-    ReferenceProgress work(streams, parse_budget(arguments->budget), "the value");
-    try {
-      std::ostringstream lines;
-      arguments->matrix ? of_matrix(*arguments, lines) : of_number(*arguments, lines);
-      streams.out << lines.str();
-    } catch (const Cancelled&) {
-      work.fail();
-    }
-  });
+Command mittag_leffler_command() {
+  return {
+      {"mittag-leffler",
+       "Look up",
+       "Print the Mittag-Leffler function E_{ALPHA,BETA}(Z): re im bound",
+       {{"ALPHA:ALPHA", "the first parameter", Range{.low = 0.0, .high = 5.0, .open_low = true}},
+        {"BETA:BETA", "the second parameter", parameters},
+        {"[Z:Z]", "the argument: RE, RE,IM or RE+IMi"},
+        {"[--derivative K]", "the K-th derivative in Z", CountRange{0, reference::max_derivative}},
+        {"[--gamma G]", "the three-parameter function of Prabhakar", parameters},
+        {"[--matrix ROWS]",
+         "a square matrix in place of Z, \"1,2;3,4+i\"; then a line for each entry: row column re im bound"},
+        digits_argument(),
+        evaluation_budget_argument()},
+       {{"fdebench mittag-leffler 0.5 1 -30", "prints E_{1/2,1}(-30), its imaginary part and a bound."},
+        {"fdebench mittag-leffler 0.8 1 -1+2i --digits 50", "prints fifty digits for a complex argument."}},
+       {"exact", "reference"}},
+      print_mittag_leffler};
 }
 
 }  // namespace fde::bench

@@ -7,9 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <ostream>
 #include <set>
 #include <stdexcept>
@@ -17,16 +15,14 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 #include "fdebench/benchmarks/external/shell_command.hpp"
-#include "fdebench/benchmarks/external/temporary_file.hpp"
 #include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/measures/error_kind.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/analysis/compared_columns.hpp"
-#include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
-#include "fdebench/reports/command/command_line.hpp"
 #include "fdebench/reports/command/plot_data.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
 #include "fdebench/reports/command/recorded_scene.hpp"
@@ -34,13 +30,6 @@
 
 namespace fde::bench {
 namespace {
-
-struct PlotArguments {
-  SceneArguments scene;
-  std::string kind, out;
-  std::optional<std::string> results, columns, scale;
-  std::vector<std::string> schemes;
-};
 
 // The source of a figure's data.
 enum class FigureData { runs, drifts, solution, regions };
@@ -71,59 +60,55 @@ Words kind_names() {
 }
 
 const FigureKind& kind_named(const std::string& name) {
-  const auto* const found = std::ranges::find(kinds, name, &FigureKind::name);
-  if (found != kinds.end()) return *found;
-  throw std::invalid_argument(fmt::format("--kind = {}: must be {}", name, choice_text(kind_names())));
+  return *std::ranges::find(kinds, name, &FigureKind::name);
 }
 
-void check(const PlotArguments& arguments, const FigureKind& kind) {
-  const auto& out = arguments.out;
+void check(const Given& given, const FigureKind& kind) {
+  const auto out = given.text("--out");
   if (!out.ends_with(".svg") && !out.ends_with(".pdf") && !out.ends_with(".vl.json"))
     throw std::invalid_argument(fmt::format("--out = {}: must end in .svg, .pdf or .vl.json", out));
-  if (arguments.scale) parse_scale(*arguments.scale);
+  parse_scale(given.text("--scale"));
   const bool measured = kind.of == FigureData::runs || kind.of == FigureData::drifts;
-  if (measured && !arguments.results) {
+  if (measured && !given.has("--results")) {
     throw std::invalid_argument(
         fmt::format("--results: --kind {} draws runs, and needs a results file", kind.name));
   }
-  if (!arguments.schemes.empty() && kind.of == FigureData::solution) {
-    throw std::invalid_argument(fmt::format("--scheme = {}: --kind {} draws no schemes: must not be given",
-                                            arguments.schemes.front(), kind.name));
-  }
-  if (arguments.scale && kind.of != FigureData::runs) {
-    throw std::invalid_argument(fmt::format("--scale = {}: --kind {} draws no errors: must not be given",
-                                            *arguments.scale, kind.name));
-  }
-  if (arguments.columns && !kind.depends_on_columns_only) {
-    throw std::invalid_argument(
-        fmt::format("--columns = {}: must be given with --kind solution or phase only", *arguments.columns));
+  const auto refuse = [&](const char* option, const char* what) {
+    throw std::invalid_argument(fmt::format("{} = {}: --kind {} draws no {}: must not be given", option,
+                                            given.all(option).front(), kind.name, what));
+  };
+  if (given.has("--scheme") && kind.of == FigureData::solution) refuse("--scheme", "schemes");
+  if (given.has("--scale") && kind.of != FigureData::runs) refuse("--scale", "errors");
+  if (given.has("--columns") && !kind.depends_on_columns_only) {
+    throw std::invalid_argument(fmt::format(
+        "--columns = {}: must be given with --kind solution or phase only", given.text("--columns")));
   }
 }
 
-nlohmann::json data_of_results(const PlotArguments& arguments, const FigureKind& kind, const Streams& streams,
+nlohmann::json data_of_results(const Given& given, const FigureKind& kind, const Streams& streams,
                                const SceneRegistry& known) {
-  const auto& results = *arguments.results;
+  const auto results = given.text("--results");
   ReadRuns read = read_runs(results);
   warn(streams, read.warning);
   // A figure of drifts has all formulations of the scene.
   const auto* any = kind.of == FigureData::drifts ? "formulation" : "";
-  const auto scene = recorded_scene(read.runs, results, arguments.scene, known, any);
+  const auto scene = recorded_scene(read.runs, results, given.text("scene"), given.all("--set"), known, any);
   if (kind.of == FigureData::runs) warn(streams, not_compared_text(read.runs, scene));
   return kind.of == FigureData::runs ? data_of_runs(std::move(read), scene)
                                      : data_of_drifts(std::move(read), scene);
 }
 
-nlohmann::json data_of(const PlotArguments& arguments, const FigureKind& kind, const Streams& streams,
+nlohmann::json data_of(const Given& given, const FigureKind& kind, const Streams& streams,
                        const SceneRegistry& known) {
-  const auto& [scene, settings] = arguments.scene;
   switch (kind.of) {
     case FigureData::runs:
     case FigureData::drifts:
-      return data_of_results(arguments, kind, streams, known);
+      return data_of_results(given, kind, streams, known);
     case FigureData::solution:
-      return data_of_solutions(read_variants(scene, settings, known), arguments.columns.has_value());
+      return data_of_solutions(read_variants(given.text("scene"), given.all("--set"), known),
+                               given.has("--columns"));
     case FigureData::regions:
-      return data_of_regions(read_variant(arguments.scene, known));
+      return data_of_regions(read_variant(given, known));
   }
   return {};
 }
@@ -145,10 +130,10 @@ std::set<std::string> schemes_in(const nlohmann::json& data) {
   return names;
 }
 
-std::vector<std::string> columns_in(const PlotArguments& arguments, const FigureKind& kind) {
-  auto names = arguments.columns ? split_names(*arguments.columns) : std::vector<std::string>();
-  if (kind.name == "phase" && !names.empty() && names.size() != 2)
-    throw std::invalid_argument(fmt::format("--columns = {}: must be two", *arguments.columns));
+std::vector<std::string> columns_in(const Given& given, const FigureKind& kind) {
+  if (!given.has("--columns")) return {};
+  auto names = split_names(given.text("--columns"));
+  if (kind.name == "phase" && names.size() != 2) given.refuse("--columns", "two");
   return names;
 }
 
@@ -205,83 +190,77 @@ void print_on_paper(const std::filesystem::path& svg, const std::string& out) {
 }
 
 // Writes the figure and returns its absolute path.
-std::filesystem::path figure(const PlotArguments& arguments, const FigureKind& kind,
+std::filesystem::path figure(const Given& given, const FigureKind& kind,
                              const std::vector<std::string>& columns, const Streams& streams,
                              const SceneRegistry& known) {
-  const auto data = data_of(arguments, kind, streams, known);
-  require_schemes(arguments.schemes, schemes_in(data));
+  const auto data = data_of(given, kind, streams, known);
+  const auto name = given.text("--out");
+  require_schemes(given.all("--scheme"), schemes_in(data));
   require_columns(columns, data["sections"].front());
   const bool several = data["sections"].front().contains("family");
   if (several && kind.family.empty())
     throw std::invalid_argument(fmt::format("--kind = {}: one value of each parameter", kind.name));
-  auto out = std::filesystem::absolute(arguments.out);
-  const bool on_paper = arguments.out.ends_with(".pdf");
+  auto out = std::filesystem::absolute(name);
+  const bool on_paper = name.ends_with(".pdf");
   const TemporaryFile script(".cjs"), request(".json"), drawn(".svg");
   script.write(assets::plot());
-  request.write(
-      nlohmann::json{{"data", data},
-                     {"charts", assets::charts()},
-                     {"chart", several ? kind.family : kind.chart},
-                     {"kind", error_measure({.scale = parse_scale(arguments.scale.value_or("mixed"))})},
-                     {"columns", columns},
-                     {"schemes", arguments.schemes},
-                     {"vega", assets::vega()},
-                     {"out", on_paper ? drawn.path().string() : out.string()}}
-          .dump());
+  request.write(nlohmann::json{{"data", data},
+                               {"charts", assets::charts()},
+                               {"chart", several ? kind.family : kind.chart},
+                               {"kind", error_measure({.scale = parse_scale(given.text("--scale"))})},
+                               {"columns", columns},
+                               {"schemes", given.all("--scheme")},
+                               {"vega", assets::vega()},
+                               {"out", on_paper ? drawn.path().string() : out.string()}}
+                    .dump());
   const TemporaryFile said(".txt");
-  draw("node of Debian's nodejs", fmt::format("node '{}'", script.path().string()), request.path(),
-       arguments.out, said);
-  if (on_paper) print_on_paper(drawn.path(), arguments.out);
+  draw("node of Debian's nodejs", fmt::format("node '{}'", script.path().string()), request.path(), name,
+       said);
+  if (on_paper) print_on_paper(drawn.path(), name);
   return out;
 }
 
-void plot(const PlotArguments& arguments, const Streams& streams, const SceneRegistry& known) {
-  const FigureKind& kind = kind_named(arguments.kind);
-  check(arguments, kind);
-  const auto columns = columns_in(arguments, kind);
+void plot(const Given& given, const Streams& streams, const SceneRegistry& known) {
+  const FigureKind& kind = kind_named(given.word("--kind"));
+  check(given, kind);
+  const auto columns = columns_in(given, kind);
   const auto path = [&] {
-    ProgressLine line(streams, fmt::format("draws {}", arguments.out));
-    return figure(arguments, kind, columns, streams, known);
+    ProgressLine line(streams, fmt::format("draws {}", given.text("--out")));
+    return figure(given, kind, columns, streams, known);
   }();
   streams.out << path.string() << '\n';
 }
 
 }  // namespace
 
-void add_plot_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
-  auto arguments = std::make_shared<PlotArguments>();
-  Subcommand command(program, "plot", "Draw a figure of a scene for a paper of two columns");
-  command.group("Measure");
-  add_scene(command, arguments->scene);
-  command.required("--kind", arguments->kind, "what is drawn; all but the last four draw runs of --results")
-      .takes("KIND", kind_names());
-  command.option("--results", arguments->results, "results file; kinds that draw no runs do not read it")
-      .takes("FILE")
-      .completed_by(Completion::results);
-  command
-      .option("--scale", arguments->scale, "what an error is divided by: 1, |y|, 1 + |y| or the largest |y|")
-      .takes("SCALE", scale_names())
-      .usual("mixed");
-  command.list("--scheme", arguments->schemes, "id of a scheme to draw")
-      .takes("ID")
-      .usual("all")
-      .completed_by(Completion::scheme);
-  command
-      .option("--columns", arguments->columns,
-              "of the kinds solution and phase: columns, energy, multipliers and coordinates of the motion")
-      .takes("A,B,...");
-  command
-      .required("--out", arguments->out,
-                "the figure, whose name ends in .svg, .pdf, or .vl.json for its Vega-Lite specification")
-      .takes("FILE")
-      .completed_by(Completion::file);
-  command.example("fdebench plot pendulum --kind solution --columns phi --set beta=0:1:0.25 --out family.svg",
-                  "draws one curve for each of five values of a parameter.");
-  command.example(
-      "fdebench plot pendulum --results results.jsonl --kind work-precision --scheme l1 --out l1.pdf",
-      "draws the error of l1 against its run time.");
-  command.see_also({"run", "report", "output"});
-  command.callback([=, &streams, &known] { plot(*arguments, streams, known); });
+Command plot_command() {
+  return {{"plot",
+           "Measure",
+           "Draw a figure of a scene for a paper of two columns",
+           {scene_argument(),
+            set_argument(),
+            {"--kind KIND", "what is drawn; all but the last four draw runs of --results", kind_names()},
+            {"[--results FILE]",
+             "results file; kinds that draw no runs do not read it",
+             {},
+             "",
+             Completion::results},
+            {"[--scale SCALE]", "what an error is divided by: 1, |y|, 1 + |y| or the largest |y|",
+             scale_names(), "mixed"},
+            {"[--scheme ID]...", "id of a scheme to draw", {}, "all", Completion::scheme},
+            {"[--columns A,B,...]",
+             "of the kinds solution and phase: columns, energy, multipliers and coordinates of the motion"},
+            {"--out FILE",
+             "the figure, whose name ends in .svg, .pdf, or .vl.json for its Vega-Lite specification",
+             {},
+             "",
+             Completion::file}},
+           {{"fdebench plot pendulum --kind solution --columns phi --set beta=0:1:0.25 --out family.svg",
+             "draws one curve for each of five values of a parameter."},
+            {"fdebench plot pendulum --results results.jsonl --kind work-precision --scheme l1 --out l1.pdf",
+             "draws the error of l1 against its run time."}},
+           {"run", "report", "output"}},
+          plot};
 }
 
 }  // namespace fde::bench

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_members = 24;  // of a family in one chart
-constexpr std::ptrdiff_t most_times = 8000;
+constexpr std::ptrdiff_t most_drawn_times = 8000;
 constexpr int points = 48;  // of a stability curve
 
 json page_of(json section) {
@@ -30,7 +30,7 @@ json page_of(json section) {
 }
 
 json solution(const SceneVariant& of, bool with_all_columns) {
-  SampleLimits limits{.times = most_times};
+  SampleLimits limits{.times = most_drawn_times};
   if (with_all_columns) limits.columns = std::numeric_limits<Eigen::Index>::max();
   Scene scene = make_scene_unchecked(*of.maker, of.values);
   if (of.until) set_end(scene, *of.until);

@@ -4,29 +4,94 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
-#include <string_view>
 
 namespace fde::bench {
 namespace {
 
-std::string value_text(const ArgumentText& argument) {
-  if (argument.is_positional() || argument.value.empty()) return argument.value;
-  return " " + argument.value;
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::tolower(c); });
+  return result;
+}
+
+template <typename Items>
+auto* named(Items& items, std::string_view name) {
+  const auto found = std::ranges::find_if(items, [&](const auto& item) { return item.name == name; });
+  return found == items.end() ? nullptr : &*found;
 }
 
 // "--steps N", "SCENE".
 std::string with_value(const ArgumentText& argument) {
-  return argument.is_positional() ? argument.value : argument.name + value_text(argument);
+  if (argument.is_positional()) return argument.value;
+  return argument.value.empty() ? argument.name : argument.name + " " + argument.value;
 }
 
 std::string part_of(const ArgumentText& argument) {
-  const bool needed = argument.required || (argument.repeated && argument.is_positional());
-  const auto part = needed ? with_value(argument) : fmt::format("[{}]", with_value(argument));
+  const auto part = argument.required ? with_value(argument) : fmt::format("[{}]", with_value(argument));
   return argument.repeated ? part + "..." : part;
 }
 
 }  // namespace
+
+ArgumentText::ArgumentText(std::string_view form, std::string what_for, Allowed values,
+                           std::string by_default, Completion offered)
+    : what(std::move(what_for)),
+      allowed(std::move(values)),
+      usual(std::move(by_default)),
+      completion(offered),
+      required(!form.starts_with('[')),
+      repeated(form.ends_with("...") && !form.ends_with(",...")) {
+  if (repeated) form.remove_suffix(3);
+  const bool opens = form.starts_with('[') || form.starts_with('(');
+  begins_choice = opens && form.ends_with('|');
+  ends_choice = !opens && (form.ends_with(']') || form.ends_with(')'));
+  form.remove_prefix(opens ? 1 : 0);
+  form = form.substr(0, form.find_last_not_of(" |])") + 1);
+  const bool is_option = form.starts_with('-');
+  const auto end = std::min(form.find(is_option ? ' ' : ':'), form.size());
+  value = form.substr(std::min(end + 1, form.size()));
+  name = form.substr(0, end);
+  if (is_option || !value.empty()) return;
+  value = std::exchange(name, lower_case(name));
+}
+
+SubcommandText::SubcommandText(std::string its_name, std::string its_group, std::string purpose,
+                               std::vector<ArgumentText> takes, Examples of_use,
+                               std::vector<std::string> related)
+    : name(std::move(its_name)),
+      group(std::move(its_group)),
+      what(std::move(purpose)),
+      arguments(std::move(takes)),
+      examples(std::move(of_use)),
+      see_also(std::move(related)) {
+  int last = 0, open = 0;
+  bool is_required = false;
+  for (auto& argument : arguments) {
+    if (argument.begins_choice) {
+      open = ++last;
+      is_required = argument.required;
+    }
+    argument.choice = open;
+    if (open != 0) argument.required = is_required;
+    if (argument.ends_choice) open = 0;
+  }
+}
+
+const ArgumentText* SubcommandText::find(std::string_view argument) const {
+  return named(arguments, argument);
+}
+
+const SubcommandText* ProgramText::find(std::string_view subcommand) const {
+  return named(subcommands, subcommand);
+}
+
+std::vector<std::string_view> ProgramText::names() const {
+  std::vector<std::string_view> all;
+  for (const auto& subcommand : subcommands) all.emplace_back(subcommand.name);
+  return all;
+}
 
 std::string choice_text(const Words& words) {
   std::string text;
@@ -43,11 +108,6 @@ std::string allowed_text(const Allowed& allowed) {
   return {};
 }
 
-const SubcommandText* ProgramText::find(const std::string& subcommand) const {
-  const auto found = std::ranges::find(subcommands, subcommand, &SubcommandText::name);
-  return found == subcommands.end() ? nullptr : &*found;
-}
-
 std::string display_name(const ArgumentText& flag) {
   const auto comma = flag.name.find(',');
   return comma == std::string::npos
@@ -57,19 +117,16 @@ std::string display_name(const ArgumentText& flag) {
 
 const std::vector<ArgumentText>& common_options() {
   static const std::vector<ArgumentText> options{
-      {.name = "-q,--quiet",
-       .what =
-           "no progress and no notes on standard error; warnings, errors and what an option asks for, such "
-           "as --cost, are still written",
-       .value = ""},
-      {.name = "-h,--help", .what = "print this help", .value = ""}};
+      {"[-q,--quiet]",
+       "no progress and no notes on standard error; warnings, errors and what an option asks for, such as "
+       "--cost, are still written"},
+      {"[-h,--help]", "print this help"}};
   return options;
 }
 
 std::string exit_codes_text() {
   return "0 done; 1 compare finds the second file worse; 2 bad input, too little memory, or output that "
-         "cannot "
-         "be written; 3 numerical failure";
+         "cannot be written; 3 numerical failure";
 }
 
 std::vector<std::string> synopsis_parts(const SubcommandText& subcommand) {
@@ -113,7 +170,7 @@ std::string full_description(const ArgumentText& argument) {
     if (!more.empty()) text += (text.empty() ? "" : "; ") + more;
   };
   add(allowed_text(argument.allowed));
-  if (!argument.unit.empty()) add("in " + argument.unit);
+  if (argument.value == "SECONDS" || argument.name == "--seconds") add("in seconds");
   if (!argument.usual.empty()) add("default " + argument.usual);
   if (argument.repeated && !argument.is_positional()) add("may be repeated");
   return text;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <deque>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace fde::bench {
 
-// What help, manual pages and completions say of a program: its subcommands with their arguments.
+// What a program takes: its parser, its help, its manual pages and its completions follow from these texts.
 
 // The values of an argument: anything, a number, a whole number, one of some words, or what a text says.
 using Words = std::vector<std::string>;
@@ -20,45 +20,47 @@ using Allowed = std::variant<std::monostate, Range, CountRange, Words, std::stri
 std::string allowed_text(const Allowed& allowed);  // as refusals say it; "" for anything
 std::string choice_text(const Words& words);       // "a, b or c"
 
-// What a shell offers for the value of an argument.
-enum class Completion {
-  nothing,
-  scene,
-  scheme,
-  setting,  // NAME=, a parameter of the scene
-  results,  // a results file
-  file,
-  folder,
-  topic,
-  command
-};
+// What a shell offers for the value of an argument, besides words that are allowed. `setting` is NAME=, a
+// parameter of the scene; `results` are results files.
+enum class Completion { nothing, scene, scheme, setting, grid, results, file, folder, topic };
 
+// `form` is the argument as a synopsis has it: "--gamma G", "[--until T]", "[--json]", "[--scheme ID]...",
+// "SCENE"; of arguments that exclude each other "[--at T1,T2,... |", "--every K |", "--points K]". A
+// positional argument is named by its value in small letters, or in front of it: "files:FILE...".
 struct ArgumentText {
-  std::string name;   // "--steps"; without dashes: positional
-  std::string what;   // what it is for
-  std::string value;  // stands for the value, "N"; empty: a flag
-  Allowed allowed{};
-  std::string unit{}, usual{};  // the usual value is the default
-  Completion completion = Completion::nothing;
-  Words offered{};  // what a shell offers besides
-  bool required = false, repeated = false;
+  ArgumentText(std::string_view form, std::string what, Allowed allowed = {}, std::string usual = {},
+               Completion completion = Completion::nothing);
+
+  std::string name, value;  // "--steps" and what stands for its value, "N"; empty: a flag
+  std::string what;         // what it is for
+  Allowed allowed;
+  std::string usual;  // the default
+  Completion completion;
+  bool required, repeated, begins_choice, ends_choice;
   int choice = 0;  // arguments with the same number exclude each other; 0: none
 
   [[nodiscard]] bool is_positional() const { return !name.starts_with('-'); }
 };
 
 struct SubcommandText {
-  std::string name, what, group;
-  std::deque<ArgumentText> arguments{};
-  std::vector<std::pair<std::string, std::string>> examples{};  // a command, and what it does
-  std::vector<std::string> see_also{};                          // subcommands and topics
+  using Examples = std::vector<std::pair<std::string, std::string>>;  // a command, and what it does
+  SubcommandText(std::string name, std::string group, std::string what, std::vector<ArgumentText> arguments,
+                 Examples examples, std::vector<std::string> see_also);
+
+  std::string name, group, what;
+  std::vector<ArgumentText> arguments;
+  Examples examples;
+  std::vector<std::string> see_also;  // subcommands and topics
+
+  [[nodiscard]] const ArgumentText* find(std::string_view argument) const;  // nullptr: none
 };
 
 struct ProgramText {
   std::string name, what, version;
-  std::deque<SubcommandText> subcommands{};
+  std::vector<SubcommandText> subcommands{};
 
-  [[nodiscard]] const SubcommandText* find(const std::string& subcommand) const;  // nullptr: none
+  [[nodiscard]] const SubcommandText* find(std::string_view subcommand) const;  // nullptr: none
+  [[nodiscard]] std::vector<std::string_view> names() const;                    // of the subcommands
 };
 
 // The names of a flag as they are shown: "-q, --quiet".

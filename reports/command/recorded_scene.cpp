@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "fdebench/benchmarks/scenes/equation_file_name.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde::bench {
 namespace {
@@ -33,13 +33,13 @@ bool same_name(SceneSettings scene, const SceneSettings& requested) {
 
 // The scene that is named; nullopt if its equation file does not exist or, of a scene with runs, if this
 // build does not have it.
-std::optional<SceneSettings> known_scene(const std::set<SceneSettings>& scenes,
-                                         const SceneArguments& arguments, const SceneSettings& unread,
-                                         const SceneRegistry& known) {
-  const auto file = equation_file_of_label(arguments.scene);
+std::optional<SceneSettings> known_scene(const std::set<SceneSettings>& scenes, const std::string& text,
+                                         const std::vector<std::string>& settings,
+                                         const SceneSettings& unread, const SceneRegistry& known) {
+  const auto file = equation_file_of_label(text);
   if (file && !std::filesystem::exists(*file)) return std::nullopt;
   try {
-    return read_variant(arguments, known).key();
+    return read_variant(text, settings, known).key();
   } catch (const std::invalid_argument&) {
     const bool has_runs =
         std::ranges::any_of(scenes, [&](const auto& one) { return same_name(one, unread); });
@@ -50,11 +50,12 @@ std::optional<SceneSettings> known_scene(const std::set<SceneSettings>& scenes,
 
 }  // namespace
 
-SceneSettings recorded_scene(const Runs& runs, const std::string& results, const SceneArguments& arguments,
-                             const SceneRegistry& known, const std::string& any) {
+SceneSettings recorded_scene(const Runs& runs, const std::string& results, const std::string& text,
+                             const std::vector<std::string>& settings, const SceneRegistry& known,
+                             const std::string& any) {
   const auto scenes = scenes_of(runs, any);
-  const auto unread = without(any, read_settings(arguments.scene, arguments.settings));
-  const auto found_scene = known_scene(scenes, arguments, unread, known);
+  const auto unread = without(any, read_settings(text, settings));
+  const auto found_scene = known_scene(scenes, text, settings, unread, known);
   const SceneSettings requested = found_scene ? without(any, *found_scene) : unread;
   std::vector<SceneSettings> found;
   const SceneSettings* other = nullptr;

@@ -9,24 +9,15 @@
 
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
-#include "fdebench/benchmarks/references/verified_reference.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
-#include "fdebench/reports/command/arguments.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/reference_progress.hpp"
 
 namespace fde::bench {
 namespace {
-
-struct ExactArguments {
-  SceneArguments scene;
-  std::string at;
-  std::optional<std::string> digits, budget;
-  bool bounds = false;
-};
 
 std::string time_text(double t) { return fmt::format("t = {}", t); }
 
@@ -107,31 +98,38 @@ std::string rows_in_digits(const Scene& scene, const std::vector<double>& times,
   return rows;
 }
 
-// The number of --digits; nullopt for double.
-std::optional<int> parse_digits(const ExactArguments& arguments, const Scene& scene, std::string_view id) {
-  if (!arguments.digits) return std::nullopt;
-  const int digits = parse_count("--digits", *arguments.digits, digit_counts);
-  if (scene.reference.digits) return digits;
-  throw std::invalid_argument(fmt::format(
-      "--digits = {}: scene {} has no exact solution in digits, only what is known in double", digits, id));
+// The times of --at, sorted, without repetitions: "2,1,2" gives 1, 2.
+std::vector<double> sorted_times(const Given& given) {
+  auto times = given.numbers("--at");
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
 }
 
-void exact(const ExactArguments& arguments, const Streams& streams, const SceneRegistry& known) {
-  const auto variant = read_variant(arguments.scene, known);
+// The number of --digits; nullopt for double.
+std::optional<int> parse_digits(const Given& given, const Scene& scene, std::string_view id) {
+  const auto digits = given.find_count("--digits");
+  if (!digits || scene.reference.digits) return digits;
+  throw std::invalid_argument(fmt::format(
+      "--digits = {}: scene {} has no exact solution in digits, only what is known in double", *digits, id));
+}
+
+void exact(const Given& given, const Streams& streams, const SceneRegistry& known) {
+  const auto variant = read_variant(given, known);
   Scene scene = make_scene_unchecked(*variant.maker, variant.values);
-  const auto times = sorted_times("--at", arguments.at);
+  const auto times = sorted_times(given);
   const double last = times.back();
-  const auto budget = parse_budget(arguments.budget);
-  const bool two_ends = is_two_sided(scene.problem);
+  const auto budget = given.find_number("--budget");
+  const bool two_ends = is_two_sided(scene.problem), each_bound = given.has("--bounds");
   if (two_ends && last > scene.problem.end)
     reject("--at", last, fmt::format("in [0, {}], the time of the scene", scene.problem.end));
-  const auto digits = parse_digits(arguments, scene, variant.maker->id);
+  const auto digits = parse_digits(given, scene, variant.maker->id);
   if (!digits && !two_ends && last > 0.0) set_end(scene, last);
   ReferenceProgress work(streams, budget, "the reference");
   try {
     if (digits && scene.from_file) require_agreement(scene, scene.reference);
-    streams.out << (digits ? rows_in_digits(scene, times, *digits, arguments.bounds, work)
-                           : rows_in_double(scene, times, arguments.bounds, work));
+    streams.out << (digits ? rows_in_digits(scene, times, *digits, each_bound, work)
+                           : rows_in_double(scene, times, each_bound, work));
   } catch (const Cancelled&) {
     work.fail();
   }
@@ -139,21 +137,21 @@ void exact(const ExactArguments& arguments, const Streams& streams, const SceneR
 
 }  // namespace
 
-void add_reference_commands(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
-  auto of_exact = std::make_shared<ExactArguments>();
-  Subcommand command(program, "exact", "Print the reference of a scene: its columns and a bound; CSV");
-  command.group("Look up");
-  add_scene(command, of_exact->scene);
-  command.required("--at", of_exact->at, "times to print").takes("T1,T2,...", not_negative);
-  add_digits(command, of_exact->digits);
-  command.flag("--bounds", of_exact->bounds, "print a bound of each column, after the largest");
-  add_evaluation_budget(command, of_exact->budget);
-  command.example("fdebench exact pendulum --at 1,20",
-                  "prints the solution at two times and the largest bound.");
-  command.example("fdebench exact relaxation:gamma=0.3 --at 1 --digits 40",
-                  "prints forty digits of a linear scene.");
-  command.see_also({"solve", "mittag-leffler", "accuracy"});
-  command.callback([=, &streams, &known] { exact(*of_exact, streams, known); });
+Command exact_command() {
+  return {
+      {"exact",
+       "Look up",
+       "Print the reference of a scene: its columns and a bound; CSV",
+       {scene_argument(),
+        set_argument(),
+        {"--at T1,T2,...", "times to print", not_negative},
+        digits_argument(),
+        {"[--bounds]", "print a bound of each column, after the largest"},
+        evaluation_budget_argument()},
+       {{"fdebench exact pendulum --at 1,20", "prints the solution at two times and the largest bound."},
+        {"fdebench exact relaxation:gamma=0.3 --at 1 --digits 40", "prints forty digits of a linear scene."}},
+       {"solve", "mittag-leffler", "accuracy"}},
+      exact};
 }
 
 }  // namespace fde::bench

@@ -5,9 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,8 +15,9 @@
 
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/command/command.hpp"
 #include "fdebench/schemes/history/history.hpp"
-#include "fdebench/schemes/stepping/optimal_grading.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde::bench {
 namespace {
@@ -27,16 +26,16 @@ constexpr int most_direct_steps = 1 << 21;  // more steps take hours
 
 constexpr double rounding = 1e-12;
 
-RunSettings parse_setup(const RunArguments& arguments) {
+RunSettings parse_setup(const Given& given) {
   StepsOrTolerance resolution;
-  if (arguments.accuracy) {
-    resolution = parse_accuracy(*arguments.accuracy);
-    if (arguments.settings.grid != RunSettingsArguments{}.grid)
-      reject_text("--grid", arguments.settings.grid, "without --accuracy, whose schemes choose their times");
+  if (const auto accuracy = given.find("--accuracy")) {
+    resolution = parse_accuracy(*accuracy);
+    if (given.text("--grid") != uniform_grid)
+      given.refuse("--grid", "without --accuracy, whose schemes choose their times");
   } else {
-    resolution = parse_count("--steps", *arguments.steps, step_counts);
+    resolution = given.count("--steps");
   }
-  RunSettings setup = parse_run_settings(arguments.settings);
+  RunSettings setup = parse_run_settings(given);
   setup.resolution = resolution;
   return setup;
 }
@@ -61,10 +60,10 @@ double time_at(const Grid& grid, double t) {
                      grid.time(below + 1)));
 }
 
-std::vector<double> parse_times(const std::string& text, const Resolution& resolution, double end) {
+std::vector<double> parse_times(const Given& given, const Resolution& resolution, double end) {
   const auto* grid = std::get_if<Grid>(&resolution);
   std::vector<double> times;
-  for (const double t : parse_numbers("--at", text, not_negative)) {
+  for (const double t : given.numbers("--at")) {
     if (t > end * (1 + rounding)) reject("--at", t, fmt::format("in [0, {}], the times of the run", end));
     times.push_back(grid != nullptr ? time_at(*grid, t) : t);
   }
@@ -75,16 +74,16 @@ std::vector<double> parse_times(const std::string& text, const Resolution& resol
 
 // The grid times of --every K (every K-th and the last) or --points K (K times from 0 to the end, equally
 // spaced in the step number).
-std::vector<double> spread_times(const RunArguments& arguments, const Grid& grid) {
+std::vector<double> spread_times(const Given& given, const Grid& grid) {
   int count = 0;
   double stride = 0.0;
-  if (arguments.every) {
+  if (const auto every = given.find("--every")) {
     const int fewest = grid.steps / most_rows + 1;
-    const int each = parse_count("--every", *arguments.every, fewest, most_steps);
+    const int each = parse_count("--every", *every, fewest, most_steps);
     count = 1 + (grid.steps - 1) / each + 1;
     stride = each;
   } else {
-    count = parse_count("--points", *arguments.points, point_counts);
+    count = given.count("--points");
     stride = static_cast<double>(grid.steps) / (count - 1);
   }
   std::vector<double> times;
@@ -102,19 +101,16 @@ std::vector<double> spread_times(int count, double end) {
 }
 
 // The output times; empty: all.
-std::vector<double> times_of(const RunArguments& arguments, const Resolution& resolution, double end) {
-  const std::array given{arguments.at.has_value(), arguments.every.has_value(), arguments.points.has_value()};
-  if (std::ranges::count(given, true) > 1)
+std::vector<double> times_of(const Given& given, const Resolution& resolution, double end) {
+  const bool has_every = given.has("--every"), has_points = given.has("--points");
+  if (given.has("--at") + has_every + has_points > 1)
     throw std::invalid_argument("--at, --every and --points: one of them at most");
-  if (arguments.at) return parse_times(*arguments.at, resolution, end);
+  if (given.has("--at")) return parse_times(given, resolution, end);
   const auto* grid = std::get_if<Grid>(&resolution);
-  if (arguments.every || arguments.points) {
-    if (grid != nullptr) return spread_times(arguments, *grid);
-    if (arguments.every) {
-      reject_text("--every", *arguments.every,
-                  "with --steps; with --accuracy --points K prints K equal times");
-    }
-    return spread_times(parse_count("--points", *arguments.points, point_counts), end);
+  if (has_every || has_points) {
+    if (grid != nullptr) return spread_times(given, *grid);
+    if (has_every) given.refuse("--every", "with --steps; with --accuracy --points K prints K equal times");
+    return spread_times(given.count("--points"), end);
   }
   if (grid != nullptr && grid->steps > most_rows) {
     throw std::invalid_argument(
@@ -130,10 +126,10 @@ std::optional<Grid> grid_of(const Resolution& resolution) {
 }
 
 // Throws std::invalid_argument if --events is given and the run or the scene has no events.
-void require_events(const Scene& scene, const RunArguments& arguments) {
-  if (!arguments.events) return;
-  if (!arguments.accuracy) throw std::invalid_argument("--events: is only taken with --accuracy");
-  if (arguments.at || arguments.points)
+void require_events(const Scene& scene, const Given& given) {
+  if (!given.has("--events")) return;
+  if (!given.has("--accuracy")) throw std::invalid_argument("--events: is only taken with --accuracy");
+  if (given.has("--at") || given.has("--points"))
     throw std::invalid_argument("--events: is not taken with --at and --points");
   if (scene.events.empty())
     throw std::invalid_argument("--events: the scene has none; a file declares them under [event.NAME]");
@@ -141,75 +137,60 @@ void require_events(const Scene& scene, const RunArguments& arguments) {
 
 // Throws std::invalid_argument if --field is given with more than 2e8 values, or with an option that excludes
 // it.
-void require_field(const Scene& scene, const RunArguments& arguments, const std::vector<double>& times,
+void require_field(const Scene& scene, const Given& given, const std::vector<double>& times,
                    const std::optional<Grid>& grid) {
-  if (!arguments.field) return;
+  if (!given.has("--field")) return;
   constexpr double most_values = 2e8;
-  if (arguments.checkpoint) reject_text("--field", *arguments.field, "without --checkpoint");
-  if (arguments.events) reject_text("--field", *arguments.field, "without --events");
+  if (given.has("--checkpoint")) given.refuse("--field", "without --checkpoint");
+  if (given.has("--events")) given.refuse("--field", "without --events");
   const double rows = times.empty() && grid ? grid->steps + 1.0 : static_cast<double>(times.size());
   const double values = rows * static_cast<double>(scene.problem.size());
   if (values <= most_values) return;
-  reject_text("--field", *arguments.field,
-              fmt::format("of at most {:g} values, not {:g}: --at, --every and --points choose times",
-                          most_values, values));
+  given.refuse("--field",
+               fmt::format("of at most {:g} values, not {:g}: --at, --every and --points choose times",
+                           most_values, values));
 }
 
 // Throws std::invalid_argument if --all is given for an initial value problem, or with an option that
 // excludes it.
-void require_several(const Scene& scene, const RunArguments& arguments) {
-  if (!arguments.all) return;
+void require_several(const Scene& scene, const Given& given) {
+  if (!given.has("--all")) return;
   if (!is_two_sided(scene.problem))
     throw std::invalid_argument("--all: is only taken of problems at both ends");
-  if (arguments.field) reject_text("--field", *arguments.field, "without --all");
-  if (arguments.check) throw std::invalid_argument("--all: is not taken with --check");
+  if (given.has("--field")) given.refuse("--field", "without --all");
+  if (given.has("--check")) throw std::invalid_argument("--all: is not taken with --check");
 }
 
 }  // namespace
 
-RunArguments run_arguments(const std::string& scheme, const std::map<std::string, std::string>& texts) {
-  auto others = texts;
-  RunArguments arguments;
-  arguments.scheme = scheme;
-  std::string check = "0";
-  std::vector<std::string_view> names;
-  const auto take = [&](const char* name, auto& into) {
-    names.emplace_back(name);
-    if (auto given = others.extract(name)) into = std::move(given.mapped());
-  };
-  take("accuracy", arguments.accuracy);
-  take("at", arguments.at);
-  take("budget", arguments.settings.budget);
-  take("check", check);
-  take("every", arguments.every);
-  take("grid", arguments.settings.grid);
-  take("history", arguments.settings.history);
-  take("points", arguments.points);
-  take("steps", arguments.steps);
-  take("threads", arguments.threads);
-  take("tolerance", arguments.settings.tolerance);
-  if (!others.empty())
-    reject_text("option", others.begin()->first, fmt::format("of {}", fmt::join(names, ", ")));
-  arguments.check = parse_count("--check", check, 0, 1) == 1;
-  return arguments;
+Given given_to_solve(const std::string& scheme, const std::map<std::string, std::string>& texts) {
+  const Words known{"accuracy", "at",     "budget", "check",   "every",    "grid",
+                    "history",  "points", "steps",  "threads", "tolerance"};
+  Given given(solve_command().text, {{"--scheme", {scheme}}});
+  for (const auto& [name, text] : texts) {
+    if (std::ranges::find(known, name) == known.end())
+      reject_text("option", name, fmt::format("of {}", fmt::join(known, ", ")));
+    if (name != "check" || parse_count("--check", text, 0, 1) == 1) given.set("--" + name, {text});
+  }
+  return given;
 }
 
-RequestedRun requested_run(const Scene& scene, const RunArguments& arguments) {
-  if (!arguments.steps && !arguments.accuracy) throw std::invalid_argument("--steps is required");
-  const auto& scheme = scheme_named(arguments.scheme);
-  RunSettings setup = parse_setup(arguments);
-  const bool chosen = requests_optimal_grading(arguments.settings);
+RequestedRun requested_run(const Scene& scene, const Given& given) {
+  if (!given.has("--steps") && !given.has("--accuracy")) throw std::invalid_argument("--steps is required");
+  const auto& scheme = scheme_named(given.text("--scheme"));
+  RunSettings setup = parse_setup(given);
+  const bool chosen = given.text("--grid") == optimal_grid;
   if (chosen) setup.grading = optimal_grading(scheme, scene.problem);
   const Resolution resolution = resolution_of(setup, scene.problem.end);
   Options options = setup.options();
-  options.all_solutions = arguments.all;
-  if (arguments.threads) options.threads = parse_count("--threads", *arguments.threads, thread_counts);
+  options.all_solutions = given.has("--all");
+  options.threads = given.count("--threads");
   const auto grid = grid_of(resolution);
   if (grid) require_affordable(*grid, options.history);
-  require_events(scene, arguments);
-  require_several(scene, arguments);
-  auto times = times_of(arguments, resolution, scene.problem.end);
-  require_field(scene, arguments, times, grid);
+  require_events(scene, given);
+  require_several(scene, given);
+  auto times = times_of(given, resolution, scene.problem.end);
+  require_field(scene, given, times, grid);
   if (const auto reason = unsupported_reason(scheme, scene.problem, resolution))
     throw std::invalid_argument(fmt::format("--scheme = {}: {} {}", scheme.id, scheme.id, *reason));
   return {scheme,
@@ -218,7 +199,7 @@ RequestedRun requested_run(const Scene& scene, const RunArguments& arguments) {
           grid,
           std::move(times),
           std::move(options),
-          arguments.field.has_value(),
+          given.has("--field"),
           chosen ? grid_text(setup.grading) : ""};
 }
 

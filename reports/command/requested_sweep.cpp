@@ -13,6 +13,7 @@
 #include "fdebench/benchmarks/sweep/shard.hpp"
 #include "fdebench/benchmarks/sweep/trials.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/command/command.hpp"
 
 namespace fde::bench {
 namespace {
@@ -22,12 +23,12 @@ constexpr TimingRepeats of_default_sweep{.min_seconds = 0.003, .enough_seconds =
 // Budgets of a run: in seconds with --steps or --accuracy; in seconds in a thorough sweep; otherwise as a
 // multiple of the goal's most_seconds. Schemes with adaptive step size may need very many steps on unsuitable
 // problems.
-constexpr auto usual_budget = "600";
-constexpr double thorough_budget = 60.0, far_from_an_answer = 5.0;
+constexpr double usual_budget = 600.0, thorough_budget = 60.0, far_from_an_answer = 5.0;
 
-std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
-                                        const std::vector<std::string>& settings,
-                                        const SceneRegistry& known) {
+bool is_listed(const Given& given) { return given.has("--steps") || given.has("--accuracy"); }
+
+std::vector<SceneVariant> chosen_scenes(const Given& given, const SceneRegistry& known) {
+  const auto &texts = given.all("--scene"), &settings = given.all("--set");
   if (texts.empty() && !settings.empty()) reject_text("--set", settings.front(), "with --scene");
   if (texts.empty()) return sweep_scenes();
   std::vector<SceneVariant> variants;
@@ -37,76 +38,75 @@ std::vector<SceneVariant> chosen_scenes(const std::vector<std::string>& texts,
 }
 
 // The named schemes. If none is named: all, or none if external programs are given.
-std::vector<const Scheme*> chosen_schemes(const SweepArguments& arguments) {
-  const auto& ids = arguments.schemes;
-  if (ids.empty()) return arguments.externals.empty() ? sweep_schemes() : std::vector<const Scheme*>{};
+std::vector<const Scheme*> chosen_schemes(const Given& given) {
+  if (!given.has("--scheme")) return given.has("--external") ? std::vector<const Scheme*>{} : sweep_schemes();
   std::vector<const Scheme*> entries;
-  for (const auto& id : ids) entries.push_back(&scheme_named(id));
+  for (const auto& id : given.all("--scheme")) entries.push_back(&scheme_named(id));
   return entries;
 }
 
-std::vector<ExternalProgram> chosen_programs(const SweepArguments& arguments) {
+std::vector<ExternalProgram> chosen_programs(const Given& given) {
   std::vector<ExternalProgram> programs;
-  for (const auto& text : arguments.externals) {
+  for (const auto& text : given.all("--external")) {
     programs.push_back(parse_external(text));
     const auto& name = programs.back().name;
     if (std::ranges::count(programs, name, &ExternalProgram::name) > 1)
       reject_text("--external", text, "a name that no other program has");
   }
-  if (!programs.empty() && arguments.accuracies)
-    reject_text("--accuracy", *arguments.accuracies, "without --external, whose programs take --steps");
+  if (!programs.empty() && given.has("--accuracy"))
+    given.refuse("--accuracy", "without --external, whose programs take --steps");
   return programs;
 }
 
 // The requested numbers of steps and tolerances; by default default_plan() or thorough_plan().
-SweepPlan chosen_plan(const SweepArguments& arguments) {
-  if (!arguments.steps && !arguments.accuracies) return arguments.thorough ? thorough_plan() : default_plan();
+SweepPlan chosen_plan(const Given& given) {
+  if (!is_listed(given)) return given.has("--thorough") ? thorough_plan() : default_plan();
   SweepPlan chosen;
-  for (const auto& text : arguments.steps ? split_list(*arguments.steps) : std::vector<std::string>{})
-    chosen.resolutions.emplace_back(parse_count("--steps", text, step_counts));
-  for (const auto& text :
-       arguments.accuracies ? split_list(*arguments.accuracies) : std::vector<std::string>{})
-    chosen.resolutions.emplace_back(parse_accuracy(text));
+  const auto texts = [&](const char* name) {
+    return given.has(name) ? split_list(given.text(name)) : std::vector<std::string>{};
+  };
+  for (const auto& text : texts("--steps"))
+    chosen.resolutions.emplace_back(parse_count("--steps", text, step_counts.lowest, step_counts.highest));
+  for (const auto& text : texts("--accuracy")) chosen.resolutions.emplace_back(parse_accuracy(text));
   return chosen;
 }
 
-Sweep sweep_of(const SweepArguments& arguments, std::vector<SceneVariant> scenes) {
+Sweep sweep_of(const Given& given, std::vector<SceneVariant> scenes) {
+  const auto grid = given.text("--grid");
   Sweep sweep{.scenes = std::move(scenes),
-              .schemes = chosen_schemes(arguments),
-              .programs = chosen_programs(arguments),
-              .plan = chosen_plan(arguments),
-              .setup = parse_run_settings(arguments.means),
-              .optimal_grids = requests_optimal_grading(arguments.means)};
-  if (arguments.accuracies && !arguments.steps && arguments.means.grid != RunSettingsArguments{}.grid) {
-    reject_text("--grid", arguments.means.grid,
-                "with --steps: schemes that take --accuracy choose their times");
-  }
+              .schemes = chosen_schemes(given),
+              .programs = chosen_programs(given),
+              .plan = chosen_plan(given),
+              .setup = parse_run_settings(given),
+              .optimal_grids = grid == optimal_grid};
+  if (given.has("--accuracy") && !given.has("--steps") && grid != uniform_grid)
+    given.refuse("--grid", "with --steps: schemes that take --accuracy choose their times");
   if (sweep.optimal_grids && !sweep.programs.empty())
-    reject_text("--grid", arguments.means.grid, "uniform or graded:R beside --external");
+    given.refuse("--grid", "uniform or graded:R beside --external");
   if (sweep.plan.goal) sweep.repeats = of_default_sweep;
-  const bool listed = arguments.steps || arguments.accuracies;
-  if (!listed && arguments.means.budget == usual_budget) {
-    sweep.setup.budget =
-        sweep.plan.goal ? far_from_an_answer * sweep.plan.goal->most_seconds : thorough_budget;
+  if (!given.has("--budget")) {
+    sweep.setup.budget = is_listed(given)  ? usual_budget
+                         : sweep.plan.goal ? far_from_an_answer * sweep.plan.goal->most_seconds
+                                           : thorough_budget;
   }
-  sweep.repeats.most = parse_count("--repeat", arguments.repeats, repeat_counts);
+  sweep.repeats.most = given.count("--repeat");
   return sweep;
 }
 
 // The sweeps of the options, without those of a study.
-std::vector<Sweep> listed_sweeps(const SweepArguments& arguments, const SceneRegistry& known) {
-  const bool listed = arguments.steps || arguments.accuracies;
-  if (arguments.trials && (listed || !arguments.scenes.empty()))
+std::vector<Sweep> listed_sweeps(const Given& given, const SceneRegistry& known) {
+  const bool listed = is_listed(given), has_scenes = given.has("--scene"), trials = given.has("--trials"),
+             thorough = given.has("--thorough");
+  if (trials && (listed || has_scenes))
     throw std::invalid_argument("--trials = yes: must be without --scene and --steps, trials have their own");
-  if (arguments.thorough && listed)
+  if (thorough && listed)
     throw std::invalid_argument("--thorough = yes: must be without --steps and --accuracy, it has its own");
-  Sweep sweep = sweep_of(arguments, chosen_scenes(arguments.scenes, arguments.settings, known));
+  Sweep sweep = sweep_of(given, chosen_scenes(given, known));
   std::vector<Sweep> sweeps;
-  if (arguments.trials || (!listed && arguments.scenes.empty()))
-    sweeps = sweeps_of_trials(sweep, arguments.thorough);
-  const bool whole = !listed && arguments.scenes.empty() && arguments.schemes.empty();
-  if (whole && arguments.means.grid == RunSettingsArguments{}.grid) sweep.graded = graded_schemes();
-  if (!arguments.trials) sweeps.push_back(std::move(sweep));
+  if (trials || (!listed && !has_scenes)) sweeps = sweeps_of_trials(sweep, thorough);
+  const bool whole = !listed && !has_scenes && !given.has("--scheme");
+  if (whole && given.text("--grid") == uniform_grid) sweep.graded = graded_schemes();
+  if (!trials) sweeps.push_back(std::move(sweep));
   return sweeps;
 }
 
@@ -123,30 +123,15 @@ void set_timing(bool examine, bool undisturbed, Sweep& sweep) {
 }
 
 // The options of `run` that the settings of a family stand for.
-SweepArguments arguments_of(const StudySettings& settings) {
-  SweepArguments arguments;
-  const auto set = [&](std::string_view key, auto& into) {
-    const auto found = settings.find(std::string(key));
-    if (found == settings.end()) return;
-    if constexpr (requires {
-                    into.push_back(std::string());
-                    into.front().front();
-                  }) {
-      into = found->second.texts;
-    } else {
-      into = fmt::format("{}", fmt::join(found->second.texts, ","));
-    }
-  };
-  set("schemes", arguments.schemes);
-  set("external", arguments.externals);
-  set("steps", arguments.steps);
-  set("accuracies", arguments.accuracies);
-  set("grid", arguments.means.grid);
-  set("history", arguments.means.history);
-  set("tolerance", arguments.means.tolerance);
-  set("budget", arguments.means.budget);
-  set("repeat", arguments.repeats);
-  return arguments;
+Given given_of(const StudySettings& settings) {
+  Given given(run_command().text);
+  for (const auto& [key, setting] : settings) {
+    const auto& option = std::ranges::find(study_keys, key, &StudyKey::key)->option;
+    const bool is_repeated = option == "--scheme" || option == "--external";
+    given.set(std::string(option),
+              is_repeated ? setting.texts : std::vector{fmt::format("{}", fmt::join(setting.texts, ","))});
+  }
+  return given;
 }
 
 // The message names an option, or a scheme: it gets the place and the name of the key.
@@ -184,7 +169,7 @@ std::vector<Sweep> sweeps_of(const Study& study) {
       continue;
     }
     try {
-      sweeps.push_back(sweep_of(arguments_of(family.settings), family.scenes));
+      sweeps.push_back(sweep_of(given_of(family.settings), family.scenes));
     } catch (const std::invalid_argument& wrong) {
       reject_setting(study, family, wrong.what());
     }
@@ -194,18 +179,16 @@ std::vector<Sweep> sweeps_of(const Study& study) {
   return sweeps;
 }
 
-RunSettingsArguments SweepArguments::usual_settings() {
-  return {.budget = usual_budget,
-          .budget_text =
-              fmt::format("{} with --steps or --accuracy, {} with --thorough, otherwise {}", usual_budget,
-                          thorough_budget, far_from_an_answer * default_plan().goal->most_seconds)};
+std::string budget_of_sweeps_text() {
+  return fmt::format("{} with --steps or --accuracy, {} with --thorough, otherwise {}", usual_budget,
+                     thorough_budget, far_from_an_answer * default_plan().goal->most_seconds);
 }
 
-std::vector<Sweep> sweeps_of(const SweepArguments& arguments, const SceneRegistry& known) {
-  auto sweeps =
-      arguments.study ? sweeps_of(read_study(*arguments.study, known)) : listed_sweeps(arguments, known);
-  for (auto& sweep : sweeps) set_timing(arguments.examine, arguments.undisturbed, sweep);
-  return arguments.shard ? shard_of(std::move(sweeps), parse_shard(*arguments.shard)) : sweeps;
+std::vector<Sweep> sweeps_of(const Given& given, const SceneRegistry& known) {
+  const auto study = given.find("--study"), shard = given.find("--shard");
+  auto sweeps = study ? sweeps_of(read_study(*study, known)) : listed_sweeps(given, known);
+  for (auto& sweep : sweeps) set_timing(given.has("--examine"), given.has("--undisturbed"), sweep);
+  return shard ? shard_of(std::move(sweeps), parse_shard(*shard)) : sweeps;
 }
 
 bool count_is_exact(const std::vector<Sweep>& sweeps) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <ostream>
 #include <set>
@@ -12,18 +11,14 @@
 #include <vector>
 
 #include "fdebench/benchmarks/records/merge.hpp"
-#include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/reports/analysis/comparison.hpp"
 #include "fdebench/reports/analysis/line_names.hpp"
 #include "fdebench/reports/analysis/runs.hpp"
 #include "fdebench/reports/command/command.hpp"
-#include "fdebench/reports/command/command_line.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
 
 namespace fde::bench {
 namespace {
-
-constexpr Range factors{.low = 1.0};
 
 // "machine, compiler, commit" of each build, without repetitions.
 std::set<std::string> builds_of(const std::vector<Session>& sessions) {
@@ -49,12 +44,6 @@ std::string disturbed_text(const std::string& file, const Runs& runs) {
                         : fmt::format("{}: other work disturbed {} of {} times\n", file, disturbed, timed);
 }
 
-struct CompareArguments {
-  std::string first, second;
-  std::optional<std::string> max_slowdown;
-  bool require_all = false;
-};
-
 // The requested checks that the second file fails.
 std::vector<std::string> complaints(const Comparison& comparison, const std::optional<double>& max_slowdown,
                                     bool require_all) {
@@ -69,10 +58,9 @@ std::vector<std::string> complaints(const Comparison& comparison, const std::opt
   return all;
 }
 
-void compare_files(const CompareArguments& arguments, const Streams& streams) {
-  const auto& [first, second, slowdown, require_all] = arguments;
-  std::optional<double> most;
-  if (slowdown) most = parse_number("--max-slowdown", *slowdown, factors);
+void compare_files(const Given& given, const Streams& streams, const SceneRegistry& /*known*/) {
+  const auto first = given.text("first"), second = given.text("second");
+  const auto most = given.find_number("--max-slowdown");
   const auto read = [&](const std::string& file) {
     ProgressLine line(streams, "reads " + file);
     return read_runs(file);
@@ -91,11 +79,13 @@ void compare_files(const CompareArguments& arguments, const Streams& streams) {
     streams.out << "times are of different machines: they say nothing of the programs\n";
   streams.out << disturbed_text(first, before) << disturbed_text(second, now);
   streams.out << comparison_text(comparison, LineNames(now));
-  const auto worse = complaints(comparison, most, require_all);
+  const auto worse = complaints(comparison, most, given.has("--require-all"));
   if (!worse.empty()) throw WorseResults(fmt::format("{}: {}", second, fmt::join(worse, "; ")));
 }
 
-void merge_files(const std::vector<std::string>& files, const std::string& out, const Streams& streams) {
+void merge_files(const Given& given, const Streams& streams, const SceneRegistry& /*known*/) {
+  const auto& files = given.all("files");
+  const auto out = given.text("--out");
   const auto merged = [&] {
     ProgressLine line(streams, fmt::format("merges {} files", files.size()));
     return merge_results({files.begin(), files.end()}, out);
@@ -108,43 +98,33 @@ void merge_files(const std::vector<std::string>& files, const std::string& out, 
 
 }  // namespace
 
-void add_results_commands(CommandLine& program, const Streams& streams, const SceneRegistry& /*known*/) {
-  auto compared = std::make_shared<CompareArguments>();
-  Subcommand compare_command(program, "compare", "Print what is worse or better in the second results file");
-  compare_command.group("Measure");
-  compare_command.required("first", compared->first, "results file, before")
-      .completed_by(Completion::results);
-  compare_command.required("second", compared->second, "results file, now").completed_by(Completion::results);
-  compare_command
-      .option("--max-slowdown", compared->max_slowdown,
-              "how many times as long a run may take; beyond it the exit code is 1")
-      .takes("FACTOR", factors);
-  compare_command.flag("--require-all", compared->require_all,
-                       "exit code 1 where runs or times of the first are not in the second");
-  compare_command.example("fdebench compare old.jsonl new.jsonl",
-                          "prints what changed; exit code 1 if an error grew.");
-  compare_command.example("fdebench compare old.jsonl new.jsonl --max-slowdown 1.2 --require-all",
-                          "also fails where a run is slower by a fifth, or missing.");
-  compare_command.see_also({"run", "report", "exit-codes"});
-  compare_command.callback([=, &streams] { compare_files(*compared, streams); });
+Command compare_command() {
+  return {{"compare",
+           "Measure",
+           "Print what is worse or better in the second results file",
+           {{"FIRST", "results file, before", {}, "", Completion::results},
+            {"SECOND", "results file, now", {}, "", Completion::results},
+            {"[--max-slowdown FACTOR]", "how many times as long a run may take; beyond it the exit code is 1",
+             Range{.low = 1.0}},
+            {"[--require-all]", "exit code 1 where runs or times of the first are not in the second"}},
+           {{"fdebench compare old.jsonl new.jsonl", "prints what changed; exit code 1 if an error grew."},
+            {"fdebench compare old.jsonl new.jsonl --max-slowdown 1.2 --require-all",
+             "also fails where a run is slower by a fifth, or missing."}},
+           {"run", "report", "exit-codes"}},
+          compare_files};
+}
 
-  auto files = std::make_shared<std::vector<std::string>>();
-  auto out = std::make_shared<std::string>();
-  Subcommand merge_command(program, "merge", "Put results files together; sessions stay apart");
-  merge_command.group("Measure");
-  merge_command.list("files", *files, "results files").takes("FILE").completed_by(Completion::results);
-  merge_command.required("--out", *out, "the new results file")
-      .takes("NEW")
-      .completed_by(Completion::results);
-  merge_command.example("fdebench merge first.jsonl second.jsonl --out both.jsonl",
-                        "writes one file from two.");
-  merge_command.example("fdebench merge shard-*.jsonl --out sweep.jsonl",
-                        "puts the parts of a sweep together that run --shard measured.");
-  merge_command.see_also({"run", "compare"});
-  merge_command.callback([=, &streams] {
-    if (files->empty()) throw std::invalid_argument("files is required");
-    merge_files(*files, *out, streams);
-  });
+Command merge_command() {
+  return {{"merge",
+           "Measure",
+           "Put results files together; sessions stay apart",
+           {{"files:FILE...", "results files", {}, "", Completion::results},
+            {"--out NEW", "the new results file", {}, "", Completion::results}},
+           {{"fdebench merge first.jsonl second.jsonl --out both.jsonl", "writes one file from two."},
+            {"fdebench merge shard-*.jsonl --out sweep.jsonl",
+             "puts the parts of a sweep together that run --shard measured."}},
+           {"run", "compare"}},
+          merge_files};
 }
 
 }  // namespace fde::bench

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/command/run_warnings.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,9 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "fdebench/reports/command/command.hpp"
-#include "fdebench/schemes/diagnostics/missed_accuracy.hpp"
-#include "fdebench/schemes/diagnostics/stored_path.hpp"
+#include "fdebench/reports/command/solved_table.hpp"
+#include "fdebench/schemes/diagnostics/other_steps.hpp"
 #include "fdebench/schemes/diagnostics/warnings.hpp"
 
 namespace fde::bench {

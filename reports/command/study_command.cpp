@@ -4,16 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "fdebench/benchmarks/study/study_plan.hpp"
-#include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/reports/command/command.hpp"
-#include "fdebench/reports/command/command_line.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
 #include "fdebench/reports/command/requested_sweep.hpp"
 
@@ -21,11 +17,6 @@ namespace fde::bench {
 namespace {
 
 constexpr CountRange shard_counts{1, 9999};
-
-struct StudyArguments {
-  std::string action, file;
-  std::optional<std::string> shards, seconds, out;
-};
 
 Forecast forecast_in_one_thread(std::vector<Sweep> sweeps, const Streams& streams) {
   ProgressLine line(streams, "solves some scenes to forecast the times");
@@ -37,23 +28,13 @@ Forecast forecast_in_one_thread(std::vector<Sweep> sweeps, const Streams& stream
   return expected;
 }
 
-// Read before the forecast, which takes long.
-struct Division {
-  explicit Division(const StudyArguments& arguments) {
-    if (arguments.shards) shards = parse_count("--shards", *arguments.shards, shard_counts);
-    if (arguments.seconds) seconds = parse_number("--seconds", *arguments.seconds, positive);
-  }
-  int shards = 1;
-  std::optional<double> seconds{};
-};
-
-int shard_count(const StudyArguments& arguments, const Division& wanted, const PlannedWork& work) {
-  if (!wanted.seconds) return wanted.shards;
-  const double count = std::ceil(work.seconds.total() / *wanted.seconds);
+int shard_count(const Given& given, const PlannedWork& work) {
+  const auto seconds = given.find_number("--seconds");
+  if (!seconds) return given.count("--shards");
+  const double count = std::ceil(work.seconds.total() / *seconds);
   if (count > shard_counts.highest) {
-    reject_text("--seconds", *arguments.seconds,
-                fmt::format("at least {:.3g}: the study would have more than {} shards",
-                            work.seconds.total() / shard_counts.highest, shard_counts.highest));
+    given.refuse("--seconds", fmt::format("at least {:.3g}: the study would have more than {} shards",
+                                          work.seconds.total() / shard_counts.highest, shard_counts.highest));
   }
   return std::max(1, static_cast<int>(count));
 }
@@ -63,14 +44,15 @@ std::string size_text(double bytes) {
   return fmt::format("{:.1f} MB", bytes / mega);
 }
 
-void plan(const StudyArguments& arguments, const Streams& streams, const SceneRegistry& known) {
-  if (arguments.action != "plan") reject_text("action", arguments.action, "plan");
-  const Division wanted(arguments);
-  const auto study = read_study(arguments.file, known);
+void plan(const Given& given, const Streams& streams, const SceneRegistry& known) {
+  static_cast<void>(given.word("action"));
+  // What is wrong is refused before the forecast, which takes long.
+  static_cast<void>(given.count("--shards") + given.find_number("--seconds").value_or(0.0));
+  const auto study = read_study(given.text("file"), known);
   const auto sweeps = sweeps_of(study);
   const auto scenes = planned_scenes(forecast_in_one_thread(sweeps, streams));
   const auto work = sum_of(scenes);
-  const auto shards = shards_of(study, scenes, shard_count(arguments, wanted, work));
+  const auto shards = shards_of(study, scenes, shard_count(given, work));
   streams.out << fmt::format(
       "{}{} runs of {} scenes\n"
       "examinations: about {} in one thread\n"
@@ -78,42 +60,36 @@ void plan(const StudyArguments& arguments, const Streams& streams, const SceneRe
       "results:      about {}\n",
       count_is_exact(sweeps) ? "" : "about ", work.runs, work.scenes, duration_text(work.seconds.examination),
       duration_text(work.seconds.timing), size_text(work.bytes));
-  if (shards.size() > 1 || arguments.shards || arguments.seconds) {
+  if (shards.size() > 1 || given.has("--shards") || given.has("--seconds")) {
     const auto [least, most] =
         std::ranges::minmax(shards, {}, [](const auto& shard) { return shard.work.seconds.total(); });
     streams.out << fmt::format("shards:       {}, about {} to {} each\n", shards.size(),
                                duration_text(least.work.seconds.total()),
                                duration_text(most.work.seconds.total()));
   }
-  if (!arguments.out) return;
-  write_plan(study, shards, *arguments.out);
-  streams.out << (std::filesystem::absolute(*arguments.out) / "plan.json").string() << '\n';
+  const auto out = given.find("--out");
+  if (!out) return;
+  write_plan(study, shards, *out);
+  streams.out << (std::filesystem::absolute(*out) / "plan.json").string() << '\n';
 }
 
 }  // namespace
 
-void add_study_command(CommandLine& program, const Streams& streams, const SceneRegistry& known) {
-  auto arguments = std::make_shared<StudyArguments>();
-  Subcommand command(program, "study", "Print how long a study takes, and split it into shards");
-  command.group("Measure");
-  command.required("action", arguments->action, "what to do").takes("plan", Words{"plan"});
-  command.required("file", arguments->file, "study file").completed_by(Completion::file);
-  const auto shards = command
-                          .option("--shards", arguments->shards,
-                                  "number of parts that take about the same time; a scene is in one of them")
-                          .takes("N", shard_counts)
-                          .usual("1");
-  const auto seconds = command.option("--seconds", arguments->seconds, "expected time of each part")
-                           .takes("S", positive, "seconds");
-  command.exclude(shards, seconds);
-  command.option("--out", arguments->out, "folder for shard-0001.toml, ... and plan.json")
-      .takes("DIR")
-      .completed_by(Completion::folder);
-  command.example("fdebench study plan study.toml", "prints the runs, the time and the size of the results.");
-  command.example("fdebench study plan study.toml --seconds 600 --out shards",
-                  "writes study files that take about ten minutes each; run --study measures each.");
-  command.see_also({"run", "merge", "report"});
-  command.callback([=, &streams, &known] { plan(*arguments, streams, known); });
+Command study_command() {
+  return {{"study",
+           "Measure",
+           "Print how long a study takes, and split it into shards",
+           {{"action:plan", "what to do", Words{"plan"}},
+            {"FILE", "study file", {}, "", Completion::file},
+            {"[--shards N |", "number of parts that take about the same time; a scene is in one of them",
+             shard_counts, "1"},
+            {"--seconds S]", "expected time of each part", positive},
+            {"[--out DIR]", "folder for shard-0001.toml, ... and plan.json", {}, "", Completion::folder}},
+           {{"fdebench study plan study.toml", "prints the runs, the time and the size of the results."},
+            {"fdebench study plan study.toml --seconds 600 --out shards",
+             "writes study files that take about ten minutes each; run --study measures each."}},
+           {"run", "merge", "report"}},
+          plan};
 }
 
 }  // namespace fde::bench

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/command/terminal_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <sstream>
+
+#include "fdebench/reports/command/help_text.hpp"
 
 namespace fde::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
-#include "fdebench/schemes/diagnostics/region_boundary.hpp"
+#include "fdebench/schemes/diagnostics/stability_region.hpp"
 
 namespace fde::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "fdebench/schemes/history/symbols/argument_change.hpp"
+#include "fdebench/schemes/history/symbols/generating_function.hpp"
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 
 namespace fde {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
-#include "fdebench/schemes/diagnostics/stored_path.hpp"
-#include "fdebench/schemes/history/symbols/argument_change.hpp"
-#include "fdebench/schemes/problem/jacobian.hpp"
+#include "fdebench/schemes/diagnostics/other_steps.hpp"
+#include "fdebench/schemes/history/symbols/generating_function.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 
 namespace fde {

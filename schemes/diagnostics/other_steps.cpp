@@ -7,9 +7,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "fdebench/schemes/diagnostics/stored_path.hpp"
-
 namespace fde {
+
 namespace {
 
 // Steps times components: of finer runs that take a fraction of a millisecond, and of coarser ones.
@@ -120,6 +119,13 @@ std::optional<Estimate> estimate_from_coarser(const SolvedRun& run, int steps) {
   return Estimate{error_by_rate(worst.part, between, ratio), numbers(worst, run, steps)};
 }
 
+constexpr double rounding = 1e-12;
+
+// The time of the step that has gone this part of all steps, after the first.
+double time_of_part(const Grid& grid, double part) {
+  return grid.time(std::max(1, static_cast<int>(std::lround(part * grid.steps))));
+}
+
 }  // namespace
 
 // A first step may be too short, and only then: what it would have shown is unknown.
@@ -206,6 +212,44 @@ std::vector<double> times_compared(const Problem& problem, const Grid& grid) {
   for (const int steps : coarser_steps(problem, grid)) add(late_times(with_steps(grid, steps / 2)));
   if (grid.steps > 1) add(late_times(with_steps(grid, grid.steps / 2)));
   return grid_times_at(grid, times);
+}
+
+std::vector<double> grid_times_at(const Grid& grid, const std::vector<double>& times) {
+  std::vector<double> found;
+  for (const double t : times) {
+    const int nearest = grid.nearest_index(t);
+    found.push_back(grid.time(nearest));
+    if (std::abs(grid.time(nearest) - t) <= rounding * t) continue;
+    const int beside = grid.time(nearest) < t ? nearest + 1 : nearest - 1;
+    found.push_back(grid.time(std::clamp(beside, 0, grid.steps)));
+  }
+  return increasing(found);
+}
+
+Vec stored_at(const Trajectory& path, double t) {
+  const auto above = std::ranges::lower_bound(path.times, t * (1.0 - rounding));
+  const auto column =
+      std::min(static_cast<Eigen::Index>(above - path.times.begin()), path.y.cols() - Eigen::Index{1});
+  const double end = path.time(column);
+  if (column == 0 || end <= t * (1.0 + rounding)) return path.y.col(column);
+  const double begin = path.time(column - 1), share = (t - begin) / (end - begin);
+  return (1.0 - share) * path.y.col(column - 1) + share * path.y.col(column);
+}
+
+std::vector<double> late_times(const Grid& grid) {
+  std::vector<double> times;
+  for (const double part : {0.75, 0.8125, 0.875, 0.9375, 1.0}) times.push_back(time_of_part(grid, part));
+  return increasing(times);
+}
+
+std::vector<double> spread_times(const Grid& grid) {
+  return increasing(std::vector{0.0, time_of_part(grid, 0.25), time_of_part(grid, 0.5), grid.end});
+}
+
+std::vector<double> last_times(const Grid& grid) {
+  std::vector<double> times;
+  for (int n = std::max(0, grid.steps - 3); n <= grid.steps; ++n) times.push_back(grid.time(n));
+  return times;
 }
 
 }  // namespace fde

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -30,5 +31,29 @@ double stability_angle(const Scheme& scheme, double order);
 // it is 0 where an infinitely fast transient is damped completely, infinity from where y_n overflows. nullopt
 // for a predictor-corrector, which has no limit.
 std::optional<Vec> stiff_limit(const Scheme& scheme, double order, int steps);
+
+// A point z in the upper half plane of the boundary of a stability region: for this z the symbol has a zero
+// at zeta = exp(i theta) or, for the conjugate of z, at exp(-i theta).
+struct BoundaryPoint {
+  double theta;
+  ComplexValue z;
+};
+
+// The boundary of the stability region of a scheme at one order: the parts of the root locus curve (where a
+// mode is on the unit circle) across which stability changes. Each piece is a polyline in the order of its
+// points; a whole curve has points + 1 points, denser at both ends. Throws as count_growing_modes does.
+std::vector<std::vector<BoundaryPoint>> region_boundary(const Scheme& scheme, double order, int points);
+
+// The root that is closest to z: it continues the boundary curve through z. Precondition: roots is not empty.
+inline ComplexValue nearest_root(const std::vector<ComplexValue>& roots, ComplexValue z) {
+  return std::ranges::min(roots, {}, [&](ComplexValue root) { return std::abs(root - z); });
+}
+
+// A vector of length part * |z|, normal to the boundary curve at its point z of the angle theta.
+inline ComplexValue boundary_normal(const Scheme& scheme, double order, double theta, ComplexValue z,
+                                    double part) {
+  const ComplexValue along = nearest_root(root_locus(scheme, order, 0.999 * theta), z) - z;
+  return ComplexValue(0.0, part * std::abs(z)) * along / std::abs(along);
+}
 
 }  // namespace fde

@@ -7,15 +7,64 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "fdebench/schemes/diagnostics/damped_oscillation.hpp"
 #include "fdebench/schemes/diagnostics/modes.hpp"
-#include "fdebench/schemes/diagnostics/stored_path.hpp"
+#include "fdebench/schemes/diagnostics/other_steps.hpp"
 
 namespace fde {
+
 namespace {
+
+// The differences of the largest and the smallest value of each quantity in the last quarter of the steps.
+Vec late_ranges(const SolvedRun& run) {
+  const auto times = late_times(run.grid);
+  Vec least = run.quantities(run.path, times.front()), largest = least;
+  for (const double t : times) {
+    const Vec values = run.quantities(run.path, t);
+    least = least.cwiseMin(values);
+    largest = largest.cwiseMax(values);
+  }
+  return largest - least;
+}
+
+// Whether the trapezoidal rule, which damps no oscillation of the equation, leaves on the same grid more than
+// twice as much of a component as the run does, where the run may have damped one (may_damp_oscillation), as
+// half a sentence. Without such an oscillation the trapezoidal rule may keep a stiff mode that the equation
+// damps.
+std::optional<std::string> damped_oscillation(const SolvedRun& run) {
+  constexpr double many_times = 2.0, part_of_size = 0.5;
+  const Scheme& undamped = *find_scheme("product_trapezoidal");
+  const auto& components = run.problem.components;
+  if (&run.scheme == &undamped || is_two_sided(run.problem)) return std::nullopt;
+  // A short run takes less time than the count of its modes.
+  const bool count_modes_last =
+      !has_eigenvalue_modes(run.problem) && run.problem.size() * run.grid.steps <= longest_settled;
+  if (!count_modes_last && !may_damp_oscillation(run)) return std::nullopt;
+  auto times = late_times(run.grid);
+  std::ranges::copy(spread_times(run.grid), std::back_inserter(times));
+  std::ranges::sort(times);
+  const auto path = solve_again(run, undamped, run.grid, times);
+  if (path.status != SolveStatus::finished) return std::nullopt;
+  const SolvedRun other{undamped, run.problem, run.grid, run.options, path, {}, run.functions};
+  const Vec here = late_sizes(run), there = late_sizes(other);
+  const Vec range_here = late_ranges(run), range_there = late_ranges(other);
+  for (Eigen::Index i = 0; i < here.size(); ++i) {
+    const bool larger = there[i] > many_times * here[i];
+    // Beside a value at rest that both keep.
+    const bool moves = range_there[i] > many_times * range_here[i] && range_there[i] > part_of_size * here[i];
+    if ((i < run.problem.size() && is_algebraic(components[static_cast<std::size_t>(i)])) ||
+        !(larger || moves))
+      continue;
+    if (count_modes_last && !may_damp_oscillation(run)) return std::nullopt;
+    return fmt::format("in the last quarter {} {} {:.3g}, and {:.3g} with {} on the same grid", run.name(i),
+                       larger ? "is up to" : "changes by", larger ? here[i] : range_here[i],
+                       larger ? there[i] : range_there[i], undamped.id);
+  }
+  return std::nullopt;
+}
 
 // A step longer than the time from a jump, or from 0, to the next, or than an interval with a step limit.
 std::optional<std::string> short_feature(const Problem& problem, const Grid& grid) {
@@ -50,6 +99,26 @@ std::optional<std::string> alternation(const SolvedRun& run) {
   return std::nullopt;
 }
 
+constexpr double looser = 10.0, undecided = 3.0, missed = 5.0;
+
+Tolerance times(const Tolerance& accuracy, double factor) {
+  return {.rtol = factor * accuracy.rtol, .atol = factor * accuracy.atol};
+}
+
+// The largest |value - other| in units of the tolerance, of which the error of the run is this part.
+MissedAccuracy largest_error(const Tolerance& requested, const Rows& values, const Rows& others,
+                             double part) {
+  MissedAccuracy worst{.times = 0.0, .row = 0, .column = 0};
+  for (Eigen::Index c = 0; c < values.cols(); ++c) {
+    for (Eigen::Index i = 0; i < values.rows(); ++i) {
+      const double allowed = requested.rtol * std::abs(values(i, c)) + requested.atol;
+      const double off = part * std::abs(values(i, c) - others(i, c)) / allowed;
+      if (std::isfinite(off) && off > worst.times) worst = {.times = off, .row = i, .column = c};
+    }
+  }
+  return worst;
+}
+
 }  // namespace
 
 std::vector<Warning> warnings(const SolvedRun& run, bool check) {
@@ -80,9 +149,19 @@ std::vector<double> with_times_looked_at(const Problem& problem, const Grid& gri
   if (times.empty()) return times;
   for (const auto& more : {times_compared(problem, grid), last_times(grid)})
     std::ranges::copy(more, std::back_inserter(times));
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  return increasing(std::move(times));
+}
+
+std::optional<MissedAccuracy> missed_accuracy(const Tolerance& requested, const Rows& values,
+                                              const OtherRun& other, bool check) {
+  std::optional<MissedAccuracy> error;
+  if (const auto rough = other(times(requested, looser)))
+    error = largest_error(requested, values, *rough, 1.0 / (looser - 1.0));
+  if (check || (error && error->times > undecided)) {
+    if (const auto fine = other(times(requested, 1.0 / looser)))
+      error = largest_error(requested, values, *fine, looser / (looser - 1.0));
+  }
+  return error && error->times > missed ? error : std::nullopt;
 }
 
 }  // namespace fde

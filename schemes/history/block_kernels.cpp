@@ -7,8 +7,6 @@
 #include <string>
 #include <utility>
 
-// The tiles are arrays of vectors; vectors of unknown length cannot be array elements.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fdebench/schemes/history/block_kernels.cpp"
 #include <hwy/foreach_target.h>  // includes this file once for each target

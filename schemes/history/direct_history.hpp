@@ -2,7 +2,6 @@
 #pragma once
 
 #include "fdebench/schemes/history/history.hpp"
-#include "fdebench/schemes/history/running_sum.hpp"
 
 namespace fde {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "fdebench/schemes/problem/componentwise.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 namespace {

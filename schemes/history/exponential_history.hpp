@@ -4,8 +4,6 @@
 #include "fdebench/schemes/history/exponential_memory.hpp"
 #include "fdebench/schemes/history/filtered_memory.hpp"
 #include "fdebench/schemes/history/history.hpp"
-#include "fdebench/schemes/history/running_sum.hpp"
-#include "fdebench/schemes/history/wide_filtered_memory.hpp"
 
 namespace fde {
 

@@ -11,9 +11,8 @@
 #include "fdebench/schemes/history/direct_history.hpp"
 #include "fdebench/schemes/history/exponential_history.hpp"
 #include "fdebench/schemes/history/history_costs.hpp"
-#include "fdebench/schemes/history/variable_step_direct.hpp"
-#include "fdebench/schemes/history/variable_step_exponentials.hpp"
-#include "fdebench/schemes/history/weights/weight_transform.hpp"
+#include "fdebench/schemes/history/variable_step_history.hpp"
+#include "fdebench/schemes/history/weights/exponential_sum.hpp"
 
 namespace fde {
 namespace {

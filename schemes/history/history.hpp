@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "fdebench/schemes/history/weights/weights.hpp"
+#include "fdebench/schemes/problem/archive.hpp"
 #include "fdebench/schemes/problem/grid.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
@@ -80,5 +82,26 @@ HistoryKind resolved_kind(HistoryKind kind, const WeightTables& tables, const St
 // sum of exponentials or no weights for variable steps.
 std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
                                       double tolerance);
+
+// Compensated running sums (Neumaier), one a component.
+class RunningSums {
+ public:
+  explicit RunningSums(Eigen::Index size) : total_(Vec::Zero(size)), carry_(Vec::Zero(size)) {}
+
+  void add(Eigen::Index i, double value) {
+    const double old = total_[i];
+    total_[i] = old + value;
+    carry_[i] += std::abs(old) >= std::abs(value) ? (old - total_[i]) + value : (value - total_[i]) + old;
+  }
+  void add(In values) {
+    for (Eigen::Index i = 0; i < values.size(); ++i) add(i, values[i]);
+  }
+  [[nodiscard]] double operator[](Eigen::Index i) const { return total_[i] + carry_[i]; }
+  [[nodiscard]] Eigen::Index size() const { return total_.size(); }
+  void state(Archive& archive) { archive(total_, carry_); }
+
+ private:
+  Vec total_, carry_;
+};
 
 }  // namespace fde

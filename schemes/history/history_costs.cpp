@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "fdebench/schemes/history/exponential_memory.hpp"
-#include "fdebench/schemes/history/weights/interval_weights.hpp"
-#include "fdebench/schemes/history/weights/weight_transform.hpp"
+#include "fdebench/schemes/history/weights/exponential_sum.hpp"
+#include "fdebench/schemes/history/weights/kernel_moments.hpp"
 
 namespace fde {
 namespace {

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "fdebench/schemes/history/block_kernels.hpp"
-#include "fdebench/schemes/history/weights/weight_transform.hpp"
+#include "fdebench/schemes/history/weights/exponential_sum.hpp"
+#include "fdebench/schemes/problem/archive.hpp"
 
 namespace fde {
 
@@ -42,6 +43,42 @@ struct MemoryTables {
  private:
   void interpolate_slow(const ExponentialSum& sum);
   void fill(const WeightTable& weights, Eigen::Index table);
+};
+
+// The weights of x_0 at each step, for every table: the contribution of a sample x_0 = 1, which has separate
+// states because its weights may differ from w(n).
+class FirstSampleWeights {
+ public:
+  FirstSampleWeights(const std::vector<WeightTable>& weights, const MemoryTables& tables);
+
+  // Advances to the next block.
+  void advance_block(const MemoryTables& tables);
+
+  // The weights at the steps of a block are MemoryTables::far * weighted(), one column a table, plus exact(),
+  // `block` entries a table. In the first block weighted() is 0.
+  [[nodiscard]] const Matrix& weighted() const { return weighted_; }
+  [[nodiscard]] const Vec& exact() const { return exact_; }
+
+  // Whether exact() is nonzero from the second block on.
+  [[nodiscard]] bool has_exact_after_first_block() const { return near_.size() > 0; }
+
+  [[nodiscard]] std::size_t bytes() const;
+  void state(Archive& archive) {
+    archive.resizable(exact_);
+    archive(weighted_, states_, carries_, input_);
+    archive.count(active_, 0, states_.size());
+  }
+
+ private:
+  static constexpr Eigen::Index block = MemoryTables::block, recent = MemoryTables::recent;
+
+  void drop_negligible_states(Eigen::Index slow);
+
+  Vec exact_, near_;     // block entries a table: exact() of this block, and of all blocks after the first
+  Matrix factors_;       // as MemoryTables::factors; a column is 0 where x_0 has no weight
+  Matrix weighted_;      // factors_ times the states
+  Eigen::Index active_;  // number of slowest nodes whose states are not negligible; a multiple of lanes
+  Vec states_, carries_, input_, later_, condensed_;
 };
 
 }  // namespace fde

@@ -51,9 +51,6 @@ class RowThreads::Team {
     begin_round();
     for (auto& other : others_) other.join();
   }
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
-  Team(Team&&) = delete;
   Team& operator=(Team&&) = delete;
 
   // Calls work(part) for all parts.

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 
@@ -17,9 +17,6 @@ class RowThreads {
  public:
   explicit RowThreads(int threads);
   ~RowThreads();
-  RowThreads(const RowThreads&) = delete;
-  RowThreads& operator=(const RowThreads&) = delete;
-  RowThreads(RowThreads&&) = delete;
   RowThreads& operator=(RowThreads&&) = delete;
 
  private:

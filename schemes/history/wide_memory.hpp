@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "fdebench/schemes/history/first_sample_weights.hpp"
+#include "fdebench/schemes/history/memory_tables.hpp"
 #include "fdebench/schemes/problem/archive.hpp"
 
 namespace fde {

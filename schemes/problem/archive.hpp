@@ -38,9 +38,7 @@ concept PlainMatrix = std::derived_from<Part, Eigen::PlainObjectBase<Part>>;
 // more numbers than are left to read.
 class Archive {
  public:
-  Archive() = default;
-  Archive(const Archive&) = delete;
-  Archive& operator=(const Archive&) = delete;
+  Archive& operator=(Archive&&) = delete;
   virtual ~Archive() = default;
 
   // Whether this archive reads (and overwrites the parts); otherwise it writes.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "fdebench/schemes/problem/jacobian.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 namespace {

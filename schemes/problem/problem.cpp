@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
-#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 
@@ -54,6 +55,13 @@ double longest_step(const Problem& problem, double t) {
 
 std::size_t initial_count(double order) { return static_cast<std::size_t>(std::max(std::ceil(order), 1.0)); }
 
+double smallest_order(const Problem& problem) {
+  double order = 1.0;
+  for (const auto& component : problem.components)
+    if (!is_algebraic(component)) order = std::min(order, component.order);
+  return order;
+}
+
 bool is_two_sided(const Problem& problem) {
   return problem.conditions || std::ranges::any_of(problem.components, [](const auto& component) {
            return component.side == Side::right;
@@ -100,6 +108,34 @@ Vec taylor_part(const Problem& problem, double t) {
     if (problem.components[static_cast<std::size_t>(i)].side == Side::right) value[i] = right[i];
   }
   return value;
+}
+
+std::vector<double> breaking_points(const Problem& problem) {
+  std::vector<double> times;
+  std::ranges::set_union(problem.jump_times, problem.kink_times, std::back_inserter(times));
+  return times;
+}
+
+std::vector<bool> switch_signs(const Problem& problem, double t, In y) {
+  std::vector<bool> positive;
+  for (const auto& one : problem.switching_functions) positive.push_back(one(t, y) > 0.0);
+  return positive;
+}
+
+Matrix jacobian_at(const Problem& problem, double t, Vec y) {
+  Matrix jacobian(y.size(), y.size());
+  if (evaluate_jacobian(problem, t, y, jacobian)) return jacobian;
+  Vec above(y.size()), below(y.size());
+  for (Eigen::Index j = 0; j < y.size(); ++j) {
+    const double value = y[j], shift = 0x1p-18 * std::max(1.0, std::abs(value));
+    y[j] = value + shift;
+    problem.rhs(t, y, above);
+    y[j] = value - shift;
+    problem.rhs(t, y, below);
+    y[j] = value;
+    jacobian.col(j) = (above - below) / (2.0 * shift);
+  }
+  return jacobian;
 }
 
 }  // namespace fde

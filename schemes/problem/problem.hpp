@@ -4,14 +4,64 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "fdebench/schemes/problem/derivatives.hpp"
-#include "fdebench/schemes/problem/equation.hpp"
-#include "fdebench/schemes/problem/increment_form.hpp"
 #include "fdebench/schemes/problem/interval.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
+
+// The right-hand side of a problem and its Jacobian as functions of z = y - origin, where origin_i is y_i(0),
+// and 0 in an algebraic row. Where f contains differences y_i - y_i(0), it has their relative accuracy, which
+// y loses next to t = 0 by rounding.
+struct IncrementForm {
+  Vec origin{};  // empty: the problem has no such form
+  std::function<void(double t, In z, Out f)> rhs{};
+  std::function<void(double t, In z, OutMatrix jacobian)> jacobian{};
+
+  [[nodiscard]] bool is_given() const { return origin.size() > 0; }
+};
+
+// One term coefficient * D^order u of a multi-term equation.
+struct Term {
+  double coefficient;
+  double order;
+};
+
+// A multi-term equation of a problem for an unknown u,
+//   a D^leading u + factor(t, y) sum_k c_k D^(a_k) u = force(t, y)        (Yin, Liu & Anh 2007, eq. 1.1)
+// where y is the state of the whole problem. The rows first_row, first_row + 1, ... of the problem are the
+// chain of this equation: u and its derivatives of orders below the leading one (chain.hpp).
+struct Equation {
+  Eigen::Index first_row;
+  Term leading;
+  std::vector<Term> terms;  // by increasing order, each order once; no coefficient is 0
+  std::function<double(double t, In y)> force, factor;
+  // The force as a formula, as ProblemText has them; empty: not known, or there is a factor.
+  std::function<std::string()> force_text{};
+};
+
+// How a problem gives df/dy, a size() x size() matrix. With NoDerivatives implicit schemes use differences of
+// the right-hand side. The sparse forms are for problems in which most entries are 0; precondition: all rows
+// have left derivatives.
+struct NoDerivatives {};
+struct DenseJacobian {
+  std::function<void(double t, In y, OutMatrix jacobian)> at;
+};
+struct SparseJacobian {
+  std::function<void(double t, In y, SparseMatrix& jacobian)> at;
+};
+// The constant matrix A of f(t, y) = A y + b(t): a scheme factorises once.
+struct DenseLinearPart {
+  Matrix matrix;
+};
+struct SparseLinearPart {
+  SparseMatrix matrix;
+};
+
+using Derivatives =
+    std::variant<NoDerivatives, DenseJacobian, SparseJacobian, DenseLinearPart, SparseLinearPart>;
 
 // The base point of the Caputo derivative of a row: t = 0 for left, t = end for right derivatives.
 enum class Side { left, right };
@@ -114,6 +164,9 @@ double longest_step(const Problem& problem, double t);
 // Number of initial values of a row of this order: ceil(order), and 1 for order 0.
 std::size_t initial_count(double order);
 
+// The smallest order of the rows that are not algebraic, at most 1.
+double smallest_order(const Problem& problem);
+
 // Whether the problem has a right derivative or boundary conditions: it cannot be solved by time stepping.
 bool is_two_sided(const Problem& problem);
 
@@ -134,5 +187,16 @@ class TaylorPart {
 
 // The Taylor parts of all rows, left and right, at the time t of the problem.
 Vec taylor_part(const Problem& problem, double t);
+
+// The times at which f, or its derivative by t, jumps, increasing: a polynomial resolves f on one side of
+// each.
+std::vector<double> breaking_points(const Problem& problem);
+
+// For each of problem.switching_functions whether it is positive at (t, y).
+std::vector<bool> switch_signs(const Problem& problem, double t, In y);
+
+// df/dy at (t, y), dense: the Jacobian that the problem gives, otherwise central differences with the
+// increments 2^-18 max(1, |y_j|).
+Matrix jacobian_at(const Problem& problem, double t, Vec y);
 
 }  // namespace fde

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 
-#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 
 namespace fde {
 

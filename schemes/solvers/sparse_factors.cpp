@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/solvers/sparse_factors.hpp"
 
-#include <Eigen/SparseLU>
 #include <optional>
 #include <utility>
 
 #include "fdebench/schemes/solvers/cholesky_factors.hpp"
 #include "fdebench/schemes/solvers/conjugate_gradients.hpp"
 #include "fdebench/schemes/solvers/fast_sine_solver.hpp"
+#include "fdebench/schemes/solvers/sparse_lu.hpp"
 #include "fdebench/schemes/solvers/tridiagonal.hpp"
+
+template class Eigen::SparseLU<fde::SparseMatrix>;
 
 namespace fde {
 namespace {
@@ -77,7 +79,7 @@ class LuFactors final : public SparseFactors {
   [[nodiscard]] std::string_view active_method() const override { return id; }
 
  private:
-  Eigen::SparseLU<SparseMatrix> factors_;
+  SparseLu factors_;
 };
 
 template <class Method>

@@ -10,9 +10,7 @@ namespace fde {
 // threads and budget) and program are the same. One object a run.
 class CheckpointStore {
  public:
-  CheckpointStore() = default;
-  CheckpointStore(const CheckpointStore&) = delete;
-  CheckpointStore& operator=(const CheckpointStore&) = delete;
+  CheckpointStore& operator=(CheckpointStore&&) = delete;
   virtual ~CheckpointStore() = default;
 
   // Called before the first step: restores a stored state. False where there is none.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fdebench/schemes/problem/archive.hpp"
-#include "fdebench/schemes/stepping/events.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {
 

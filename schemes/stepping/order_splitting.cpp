@@ -113,6 +113,14 @@ Derivatives split_orders(const SparseLinearPart& original, const OrderSplitting&
   return SparseLinearPart{spread(original.matrix, links, position)};
 }
 
+// A function of the original components as one of all; empty if it is.
+template <class Value>
+std::function<Value(double, In)> of_original(const std::function<Value(double, In)>& function,
+                                             const std::vector<Eigen::Index>& position) {
+  if (!function) return {};
+  return [function, position](double t, In y) { return function(t, Vec(y(position))); };
+}
+
 Trajectory solve_split(const Problem& problem, const Resolution& resolution, const Options& options,
                        const OrderSplitting& links, const Solve& solve) {
   if (std::ranges::all_of(links, [](const auto& link) { return link.size() == 1; })) {
@@ -124,7 +132,7 @@ Trajectory solve_split(const Problem& problem, const Resolution& resolution, con
     inner.observer = [&](double t, In y) { options.observer(t, Vec(y(position))); };
   }
   for (auto& event : inner.events) {
-    event.value = [value = event.value, position](double t, In y) { return value(t, Vec(y(position))); };
+    event.value = of_original(event.value, position);
   }
   Trajectory path = solve(split_orders(problem, links), resolution, inner);
   path.y = Rows(path.y(position, Eigen::all));
@@ -180,26 +188,12 @@ Problem split_orders(const Problem& problem, const OrderSplitting& links) {
   result.jump_times = problem.jump_times;
   result.kink_times = problem.kink_times;
   result.step_limits = problem.step_limits;
-  if (problem.outputs) {
-    result.outputs = [outputs = problem.outputs, position](double t, In y) {
-      return outputs(t, Vec(y(position)));
-    };
-  }
-  for (const auto& one : problem.switching_functions) {
-    result.switching_functions.emplace_back(
-        [one, position](double t, In y) { return one(t, Vec(y(position))); });
-  }
-  result.domain = problem.domain;
-  if (problem.domain.margin) {
-    result.domain.margin = [margin = problem.domain.margin, position](double t, In y) {
-      return margin(t, Vec(y(position)));
-    };
-  }
-  if (problem.domain.constraints) {
-    result.domain.constraints = [constraints = problem.domain.constraints, position](double t, In y) {
-      return constraints(t, Vec(y(position)));
-    };
-  }
+  result.outputs = of_original(problem.outputs, position);
+  for (const auto& one : problem.switching_functions)
+    result.switching_functions.push_back(of_original(one, position));
+  result.domain = {.edge = problem.domain.edge,
+                   .margin = of_original(problem.domain.margin, position),
+                   .constraints = of_original(problem.domain.constraints, position)};
   result.derivatives = std::visit([&](const auto& given) { return split_orders(given, links, position); },
                                   problem.derivatives);
   return result;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
-#include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/stepping/grid_jumps.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 

@@ -82,7 +82,7 @@ struct Scheme {
   // Runs the scheme. Precondition: unsupported_reason(...) is empty. Never throws for numerical failure: see
   // Trajectory::status. Of Options::output_times it returns the times that are grid times or that it can
   // interpolate.
-  Solve solve;
+  Solve solve{};
   // A reason to refuse a problem that `capabilities` does not express; empty function: none.
   std::function<std::optional<std::string>(const Problem&)> unsupported_problem_reason{};
   // The symbol of the scheme with this step size and one correction. Preconditions: the problem is linear,

@@ -14,9 +14,6 @@ class SetupTime {
  public:
   SetupTime();
   ~SetupTime();
-  SetupTime(const SetupTime&) = delete;
-  SetupTime& operator=(const SetupTime&) = delete;
-  SetupTime(SetupTime&&) = delete;
   SetupTime& operator=(SetupTime&&) = delete;
 
   [[nodiscard]] double seconds() const { return seconds_; }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
-#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 #include "support/implicit_schemes.hpp"
 
 namespace fde::bench {

@@ -10,7 +10,7 @@
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
-#include "fdebench/schemes/problem/jacobian.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 #include "fuzz/fuzzing.hpp"
 

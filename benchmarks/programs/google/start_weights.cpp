@@ -10,8 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/schemes/rules/start_weights/starting_powers.hpp"
-
 namespace {
 
 using namespace fde;

@@ -28,7 +28,7 @@
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
-#include "fdebench/schemes/history/weights/interval_weights.hpp"
+#include "fdebench/schemes/history/weights/kernel_moments.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 
 namespace {

@@ -13,7 +13,7 @@
 #include <complex>
 #include <numbers>
 
-#include "fdebench/schemes/diagnostics/region_boundary.hpp"
+#include "fdebench/schemes/diagnostics/stability_region.hpp"
 
 namespace {
 

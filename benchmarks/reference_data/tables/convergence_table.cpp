@@ -15,7 +15,6 @@
 namespace fde::bench {
 namespace {
 
-constexpr int double_digits = 17;
 constexpr std::array table_steps{64, 128, 256, 512, 1024, 2048, 4096};
 constexpr int most_steps = 1 << 20;
 
@@ -29,7 +28,7 @@ constexpr double least_accuracy = 1e-8;  // of a reference, for a check to be me
 const std::vector<std::string> measured{"h", "error_end", "error_maximum", "expected_rate_end",
                                         "expected_rate_maximum"};
 
-TableMetadata facts(const SceneVariant& of) {
+TableMetadata convergence_facts(const SceneVariant& of) {
   return {
       .title = fmt::format("{}: errors of every scheme against the number of steps", of.maker->title),
       .method = fmt::format("each scheme on a uniform grid of [0, {}], compared at every step with the "
@@ -67,8 +66,7 @@ TableMetadata facts(const SceneVariant& of) {
 class Runs {
  public:
   explicit Runs(const SceneVariant& of) : name_(of.key()), scene_(make_scene(of)), reference_(scene_) {}
-  Runs(const Runs&) = delete;
-  Runs& operator=(const Runs&) = delete;
+  Runs& operator=(Runs&&) = delete;
 
   struct Run {
     std::map<std::string, double> values;  // by name of the measure
@@ -96,10 +94,10 @@ class Runs {
   MemoizedReference reference_;
 };
 
-ComputedTable make(const SceneVariant& of) {
+ComputedTable convergence_rows(const SceneVariant& of) {
   Runs runs(of);
   ComputedTable made;
-  for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
+  for (const auto& column : convergence_facts(of).columns) made.table.columns.push_back(column.name);
   for (const auto& scheme : schemes()) {
     for (const int steps : table_steps) {
       const auto [values, ending] = runs(scheme, steps);
@@ -138,7 +136,7 @@ int steps_at(const DataTable& given, std::size_t row) {
                                  text, most_steps));
 }
 
-RowCheck check(const SceneVariant& of, const DataTable& given) {
+RowCheck convergence_check(const SceneVariant& of, const DataTable& given) {
   const auto comparison = std::make_shared<TableComparison>(given, measured);
   const auto runs = std::make_shared<Runs>(of);
   return [&given, comparison, runs](std::size_t row) {
@@ -164,8 +162,8 @@ RowCheck check(const SceneVariant& of, const DataTable& given) {
 const TableKind convergence_table{.id = "convergence",
                                   .folder = "convergence",
                                   .identifying_column = "scheme",
-                                  .facts = facts,
-                                  .make = make,
-                                  .check = check};
+                                  .facts = convergence_facts,
+                                  .make = convergence_rows,
+                                  .check = convergence_check};
 
 }  // namespace fde::bench

@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "fdebench/benchmarks/reference_data/decimal_precision.hpp"
+#include "fdebench/benchmarks/reference_data/table_comparison.hpp"
 #include "fdebench/benchmarks/reference_data/table_kind.hpp"
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
@@ -17,9 +17,6 @@
 namespace fde::bench {
 namespace {
 
-constexpr int table_digits = 50;          // with an exact solution
-constexpr int double_digits = 17;         // with a reference in double only
-constexpr int more_digits = 3;            // extra digits of a recomputed value
 constexpr int least_digits = 8;           // of a reference in double, for a check to be meaningful
 constexpr std::size_t most_columns = 32;  // wider tables are unreadable
 constexpr double latest_time = 1000.0;
@@ -38,7 +35,7 @@ std::string method_of(const Scene& scene) {
          "and a second method, exponentials of the memory with Radau IIA";
 }
 
-TableMetadata facts(const SceneVariant& of) {
+TableMetadata trajectory_facts(const SceneVariant& of) {
   const Scene scene = make_scene(of);
   const bool exact = static_cast<bool>(scene.reference.digits);
   TableMetadata facts{
@@ -106,10 +103,10 @@ std::string largest_bound(const std::vector<reference::Decimal>& columns) {
   return largest;
 }
 
-ComputedTable make(const SceneVariant& of) {
+ComputedTable trajectory_rows(const SceneVariant& of) {
   const ReferenceColumns reference(of, stated_times.back());
   ComputedTable made;
-  for (const auto& column : facts(of).columns) made.table.columns.push_back(column.name);
+  for (const auto& column : trajectory_facts(of).columns) made.table.columns.push_back(column.name);
   for (const double t : stated_times) {
     if (!reference.is_defined_at(t)) break;
     const auto columns = reference.at(t, table_digits);
@@ -137,7 +134,7 @@ std::vector<double> times_of(const DataTable& given) {
   return times;
 }
 
-RowCheck check(const SceneVariant& of, const DataTable& given) {
+RowCheck trajectory_check(const SceneVariant& of, const DataTable& given) {
   const auto times = times_of(given);
   const double end = times.empty() ? 0.0 : std::ranges::max(times);
   const auto reference = std::make_shared<ReferenceColumns>(of, end > 0.0 ? end : 1.0);
@@ -160,9 +157,9 @@ bool has_table(const SceneVariant& of) {
 const TableKind trajectory_table{.id = "trajectory",
                                  .folder = "trajectories",
                                  .identifying_column = "t",
-                                 .facts = facts,
-                                 .make = make,
-                                 .check = check,
+                                 .facts = trajectory_facts,
+                                 .make = trajectory_rows,
+                                 .check = trajectory_check,
                                  .has_table = has_table};
 
 }  // namespace fde::bench

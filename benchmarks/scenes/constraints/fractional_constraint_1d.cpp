@@ -3,8 +3,8 @@
 
 #include "fdebench/benchmarks/scenes/constraints/fractional_line.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
-#include "fdebench/schemes/problem/chain_problem.hpp"
-#include "fdebench/schemes/problem/linear_smoothness.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 
 namespace fde::bench {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/scenes/with_reference.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
-#include "fdebench/reference/linear/closed_forms/quotients.hpp"
 
 namespace fde::bench {
 namespace {

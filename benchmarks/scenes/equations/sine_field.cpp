@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "fdebench/benchmarks/scenes/equations/mode_decay.hpp"
+#include "fdebench/benchmarks/scenes/equations/sine_modes.hpp"
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
-#include "fdebench/schemes/history/running_sum.hpp"
 
 namespace fde::bench {
 namespace {

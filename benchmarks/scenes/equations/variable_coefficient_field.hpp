@@ -4,9 +4,26 @@
 #include <mutex>
 
 #include "fdebench/benchmarks/scenes/equations/linear_field.hpp"
-#include "fdebench/benchmarks/scenes/equations/medium.hpp"
+#include "fdebench/benchmarks/scenes/equations/sine_modes.hpp"
 
 namespace fde::bench {
+
+// The coefficient a(x) of diffusion in D^gamma u = kappa div(a grad u); it depends on x only.
+class Medium {
+ public:
+  // From the parameters of medium_parameters().
+  explicit Medium(const Parameters& parameters);
+
+  [[nodiscard]] bool is_uniform() const { return kind_ == "even"; }  // a = 1
+  [[nodiscard]] double at(double x) const;
+
+ private:
+  std::string kind_;
+  double contrast_;
+};
+
+// The parameters `medium` and `contrast` of the diffusion scenes.
+std::vector<Parameter> medium_parameters();
 
 // D^g u = kappa div(a(x) grad u) at points inside (0, 1), or inside the unit square, with conservative second
 // differences

@@ -5,7 +5,7 @@
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/reference/linear/linear_equation.hpp"
-#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 
 namespace fde::bench {
 namespace {

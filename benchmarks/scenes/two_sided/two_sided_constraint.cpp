@@ -9,8 +9,8 @@ namespace {
 
 // The manufactured solution: q, q', q'', and w and r, its left and right derivatives of order alpha. With q1
 // = 1 + 3 t^2 - t^3 and q2 = t^2 (2 - t)^2 both velocities are 0 at both ends.
-struct ManufacturedMotion {
-  explicit ManufacturedMotion(double alpha)
+struct ConstrainedMotion {
+  explicit ConstrainedMotion(double alpha)
       : q{SumOfPowers::polynomial({1.0, 0.0, 3.0, -1.0}),
           SumOfPowers::polynomial({0.0, 0.0, 4.0, -4.0, 1.0})} {
     for (std::size_t i = 0; i < 2; ++i) {
@@ -77,7 +77,7 @@ struct TwoSidedConstraint {
   }
 };
 
-const std::vector<std::string> columns{"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2"};
+const std::vector<std::string> constraint_columns{"q1", "q2", "v1", "v2", "w1", "w2", "r1", "r2"};
 
 std::vector<Component> components(double alpha, const Plane& start, const std::vector<double>& across) {
   const double memory = 1.0 - alpha;
@@ -94,7 +94,7 @@ std::vector<MemoryColumn> memories(double alpha) { return {{4, 2, alpha}, {5, 3,
 
 // F and a force are chosen so that the motion is the solution.
 Scene manufactured_scene(TwoSidedConstraint system, double alpha) {
-  const ManufacturedMotion motion(alpha);
+  const ConstrainedMotion motion(alpha);
   system.drive = [=, a = system.a, b = system.b, c = system.c](double t) {
     return a.dot(point_at(motion.v, t)) + b.dot(point_at(motion.w, t)) +
            c.dot(point_at(motion.r, manufactured_end - t));
@@ -108,7 +108,8 @@ Scene manufactured_scene(TwoSidedConstraint system, double alpha) {
   }
   for (const auto& sum : motion.r) known.push_back({sum, Side::right});
   const auto free = perpendicular(system.a)[0] * motion.v[0] + perpendicular(system.a)[1] * motion.v[1];
-  Scene scene = two_sided_scene(system, components(alpha, point_at(motion.q, 0.0), {0.0}), columns);
+  Scene scene =
+      two_sided_scene(system, components(alpha, point_at(motion.q, 0.0), {0.0}), constraint_columns);
   scene.smoothness = {{motion.q[0].powers(), motion.q[1].powers(), free.powers(), motion.w[0].powers(),
                        motion.w[1].powers(), motion.r[0].powers(), motion.r[1].powers()}};
   scene.memory_columns = memories(alpha);
@@ -131,7 +132,7 @@ Scene prescribed_scene(TwoSidedConstraint system, double alpha, const Parameters
   system.drive = constraint_drive(p);
   system.force = [loads](double) { return loads.force; };
   const auto known = place ? std::vector<double>{} : std::vector<double>{p["across"]};
-  Scene scene = two_sided_scene(system, components(alpha, loads.start, known), columns);
+  Scene scene = two_sided_scene(system, components(alpha, loads.start, known), constraint_columns);
   if (place) {
     scene.problem.conditions = [e = perpendicular(system.a), at = p["across"]](In, In at_end, Out residual) {
       residual[0] = e.dot(at_end.head<2>()) - at;

@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "fdebench/reference/linear/closed_forms/evaluation.hpp"
-#include "fdebench/reference/special_functions/laplace/adaptive_precision_contour.hpp"
+#include "fdebench/reference/linear/closed_forms/closed_form.hpp"
+#include "fdebench/reference/special_functions/laplace/contour.hpp"
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 

@@ -3,12 +3,13 @@
 
 #include <array>
 #include <map>
+#include <optional>
 
 #include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
 namespace fde::reference {
 
-// P(e^w) of a linear problem (characteristic.hpp) for the search for its zeros: in long double and, where the
+// P(e^w) of a linear problem (linear_transform.hpp) for the search for its zeros: in long double and, where the
 // terms cancel, from exact coefficients with as many digits as needed. For orders at a distance delta, P is
 // as small as a power of delta wherever their terms cancel. Not thread-safe.
 class CharacteristicFunction {
@@ -77,5 +78,18 @@ class CharacteristicFunction {
   long double largest_log_ = 0.0L;                                   // |log c| of the coefficients
   mutable std::map<int, ExponentialPolynomial<BigReal>> precise_{};  // by digits
 };
+
+// |Im w| <= height, left <= Re w <= right.
+struct Rectangle {
+  using Point = Complex<long double>;
+  long double left, right, height;
+
+  [[nodiscard]] bool contains(const Point& w) const {
+    return w.real() >= left && w.real() <= right && std::abs(w.imag()) <= height;
+  }
+};
+
+// Number of zeros inside, by the argument principle; nullopt where a zero is too close to the sides.
+std::optional<int> count_zeros(const CharacteristicFunction& function, const Rectangle& box);
 
 }  // namespace fde::reference

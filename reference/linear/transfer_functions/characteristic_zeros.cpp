@@ -4,13 +4,13 @@
 #include <optional>
 #include <stdexcept>
 
-#include "fdebench/reference/linear/transfer_functions/characteristic_count.hpp"
+#include "fdebench/reference/linear/transfer_functions/characteristic_function.hpp"
+#include "fdebench/reference/special_functions/numbers/constants.hpp"
 
 namespace fde::reference {
 namespace {
 
 using Point = Rectangle::Point;
-constexpr long double pi_long = std::numbers::pi_v<long double>;
 
 // log |s| where the terms i and j have the same modulus.
 long double balance(const CharacteristicFunction& function, std::size_t i, std::size_t j) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <tuple>
+#include <vector>
 
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 
@@ -39,5 +40,11 @@ struct ValueAndScale {
 };
 template <class Real>
 ValueAndScale<Real> rounded(const Coefficient& coefficient);
+
+using PolynomialMatrix = std::vector<std::vector<GeneralizedPolynomial>>;  // rows
+
+// The exact determinant of a square matrix of sums of powers, by expansion along the rows with every minor
+// computed once: fast for sparse rows. Precondition: only one column has coefficients that are not rational.
+GeneralizedPolynomial determinant(const PolynomialMatrix& matrix);
 
 }  // namespace fde::reference

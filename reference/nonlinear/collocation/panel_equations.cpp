@@ -6,10 +6,9 @@
 #include <limits>
 #include <random>
 
-#include "fdebench/reference/nonlinear/march/continuation.hpp"
-#include "fdebench/reference/nonlinear/march/jumps.hpp"
-#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
-#include "fdebench/reference/nonlinear/march/unit_increment.hpp"
+#include "fdebench/reference/nonlinear/march/implicit_step.hpp"
+#include "fdebench/reference/nonlinear/march/march_limits.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 
 namespace fde::reference {
 
@@ -27,6 +26,9 @@ Matrix with_signs(const Matrix& sizes) {
   std::minstd_rand generator(3);
   return sizes.unaryExpr([&](double size) { return generator() % 2 == 0 ? size : -size; });
 }
+
+constexpr double some_roundings = roundings_of_forcing * rounding;
+constexpr double noises = 4.0;  // the sum of some rounding errors
 
 }  // namespace
 
@@ -154,6 +156,94 @@ std::vector<Matrix> PanelEquations::weights(double length) const {
                          integral_[i].topRows(basis_.points()));
   }
   return weights;
+}
+
+MagnitudeScales without_unbounded_scales(MagnitudeScales sizes, const Problem& problem) {
+  if (std::ranges::none_of(problem.components, is_algebraic)) return sizes;
+  sizes.rhs.setZero();
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) sizes.values[i] = 0.0;
+  }
+  return sizes;
+}
+
+MagnitudeScales sizes_at_start(const Problem& problem) {
+  const Vec initial = taylor_part(problem, 0.0);
+  return {initial.cwiseAbs(), rhs_at(problem, 0.0, initial).cwiseAbs(), largest_forcing(problem),
+          Vec::Zero(problem.size())};
+}
+
+MagnitudeScales updated_scales(const MagnitudeScales& before, const Matrix& y, const Matrix& rhs,
+                               const std::vector<Matrix>& jacobians) {
+  MagnitudeScales sizes = before;
+  for (Eigen::Index k = 0; k < rhs.rows(); ++k) {
+    const Vec y_size = y.row(k).transpose().cwiseAbs();
+    const Vec terms = jacobians[static_cast<std::size_t>(k)].cwiseAbs() * y_size;
+    sizes.values = sizes.values.cwiseMax(y_size);
+    sizes.rhs = sizes.rhs.cwiseMax(terms).cwiseMax(rhs.row(k).transpose().cwiseAbs());
+  }
+  return sizes;
+}
+
+PanelNoise::PanelNoise(const Problem& problem, const PanelBasis& basis, double tolerance)
+    : problem_(problem), basis_(basis), tolerance_(tolerance), rhs_noise_(problem) {}
+
+Vec PanelNoise::negligible_rhs(const Solution& panel) const {
+  return tolerance_ * panel.sizes.rhs + some_roundings * panel.sizes.forcing + noises * panel.noise.rhs +
+         panel.left_unresolved.rhs;
+}
+
+Vec PanelNoise::negligible_values(const Solution& panel) const {
+  return tolerance_ * panel.sizes.values + some_roundings * panel.increment + noises * panel.noise.values +
+         panel.left_unresolved.values;
+}
+
+bool PanelNoise::detect(const Solution& panel, double from, double to, double scale) {
+  constexpr Eigen::Index tail = 4;
+  const Matrix coefficients = basis_.legendre * panel.rhs;
+  const Vec unresolved = coefficients.bottomRows(tail).cwiseAbs().colwise().maxCoeff();
+  return rhs_noise_.detect(from + (to - from) * basis_.nodes.array(), panel.values.topRows(basis_.points()),
+                           unresolved, negligible_rhs(panel), scale);
+}
+
+bool PanelNoise::detect(const Panel& last, const MagnitudeScales& sizes) {
+  const Vec negligible = some_roundings * (sizes.rhs + sizes.forcing);
+  const Vec unresolved = negligible.cwiseMax(std::numeric_limits<double>::min());
+  return rhs_noise_.detect(last.from + last.length() * basis_.dense_nodes.array(), last.values, unresolved,
+                           negligible, sizes.largest());
+}
+
+Vec PanelNoise::record_panel(const Solution& panel, double from, double to, const Matrix& values) {
+  panels_.push_back({from, to, panel.sizes.noise, panel.noise.values});
+  const Vec explained = noises * rounding * (panel.sizes.rhs + panel.sizes.forcing);
+  rhs_noise_.update_after_step(from + (to - from) * basis_.dense_nodes.array(), values, explained);
+  return panel.sizes.values + panel.increment + (largest_of_values(to) + integrated(to)) / rounding;
+}
+
+// The noise of y on the panels since a tenth of the time. Multipliers, and what they drive, have noise on the
+// first panels that grows as these get shorter; later their integrals remain, which are noise of the present
+// size.
+Vec PanelNoise::largest_of_values(double to) const {
+  constexpr double window = 10.0;
+  Vec largest = panels_.back().values_noise;
+  for (std::size_t k = panels_.size(); k-- > 0 && window * panels_[k].to >= to;)
+    largest = largest.cwiseMax(panels_[k].values_noise);
+  return largest;
+}
+
+// An upper bound of the contribution of the noise of f to y, as if the noise had the same sign throughout.
+Vec PanelNoise::integrated(double to) const {
+  const auto added_since = [&](double time, const Vec& rhs_noise) -> Vec {
+    return unit_increment(problem_, to - time).cwiseProduct(rhs_noise);
+  };
+  Vec sum = added_since(panels_.back().from, panels_.back().rhs_noise);
+  for (std::size_t k = 0; k + 1 < panels_.size(); ++k) {
+    const auto& [start, end, noise, of_values] = panels_[k];
+    if (!noise.isZero(0.0)) {
+      sum += (added_since(start, noise) - added_since(end, noise)).cwiseMax(0.0);
+    }
+  }
+  return sum;
 }
 
 }  // namespace fde::reference

@@ -4,11 +4,35 @@
 #include <optional>
 #include <vector>
 
-#include "fdebench/reference/nonlinear/collocation/magnitude_scales.hpp"
-#include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
+#include "fdebench/reference/nonlinear/collocation/panels.hpp"
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde::reference {
+
+// The coefficients of f are resolved to so many rounding errors of its forcing.
+inline constexpr double roundings_of_forcing = 16.0;
+
+// Sizes to which rounding errors and tolerances are relative: the largest so far, one number per component.
+struct MagnitudeScales {
+  Vec values;   // of y_i
+  Vec rhs;      // of the terms of f_i
+  Vec forcing;  // of f_i at the initial values, over all times: 1 - cos t is mostly rounding near 0
+  Vec noise;    // rounding errors of terms of f_i that cancel for every y, which no size shows
+
+  [[nodiscard]] double largest() const { return values.cwiseMax(rhs).maxCoeff(); }
+};
+
+// For a problem with algebraic rows, sets the sizes of f and of the unknowns of these rows to 0: both may be
+// unbounded at the start and are then no measure for later panels.
+MagnitudeScales without_unbounded_scales(MagnitudeScales sizes, const Problem& problem);
+
+MagnitudeScales sizes_at_start(const Problem& problem);
+
+// The sizes including y and f at the nodes of a panel, one row per node, with df/dy there.
+MagnitudeScales updated_scales(const MagnitudeScales& before, const Matrix& y, const Matrix& rhs,
+                               const std::vector<Matrix>& jacobians);
 
 // The collocation equations y_i(t_k) = history_i(t_k) + length^gamma_i sum_j W_kj f_i(t_j, y(t_j)) of one
 // panel, where history_i is the history term, W the matrix PanelBasis::integral, and t_k, t_j are the nodes
@@ -53,6 +77,48 @@ class PanelEquations {
   const Problem& problem_;
   const PanelBasis& basis_;
   std::vector<Matrix> integral_;  // of each component
+};
+
+// The rounding noise of the Legendre coefficients on a panel. Without it, noise would count as an unresolved
+// solution, and panels would be halved without end.
+class PanelNoise {
+ public:
+  using Solution = PanelEquations::Solution;
+
+  // tolerance: for the last coefficients, relative to the sizes of f and y.
+  PanelNoise(const Problem& problem, const PanelBasis& basis, double tolerance);
+
+  // Sizes up to which coefficients of f_i and y_i are noise or within the tolerance.
+  [[nodiscard]] Vec negligible_rhs(const Solution& panel) const;
+  [[nodiscard]] Vec negligible_values(const Solution& panel) const;
+
+  // Whether there is new noise of f on the panel [from, to] that explains why the panel does not resolve the
+  // solution; scale: see RhsNoise::detect.
+  bool detect(const Solution& panel, double from, double to, double scale);
+  // The same for a panel without a solution, from the panel before it.
+  bool detect(const Panel& last, const MagnitudeScales& sizes);
+
+  // Records an accepted panel with `values`, one row for each of dense_nodes. Returns the size of each
+  // component to which its rounding errors are relative.
+  Vec record_panel(const Solution& panel, double from, double to, const Matrix& values);
+
+  // The noise of f found so far, for MagnitudeScales::noise.
+  [[nodiscard]] const Vec& known_rhs_noise() const { return rhs_noise_.allowance(); }
+
+ private:
+  [[nodiscard]] Vec largest_of_values(double to) const;
+  [[nodiscard]] Vec integrated(double to) const;
+
+  struct PanelRecord {
+    double from, to;
+    Vec rhs_noise, values_noise;
+  };
+
+  const Problem& problem_;
+  const PanelBasis& basis_;
+  double tolerance_;
+  RhsNoise rhs_noise_;
+  std::vector<PanelRecord> panels_;  // all panels so far
 };
 
 }  // namespace fde::reference

@@ -6,11 +6,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "fdebench/reference/nonlinear/collocation/panel_noise.hpp"
-#include "fdebench/reference/nonlinear/march/jumps.hpp"
-#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
-#include "fdebench/reference/nonlinear/march/singularity.hpp"
-#include "fdebench/reference/nonlinear/march/step_budget.hpp"
+#include "fdebench/reference/nonlinear/collocation/panel_equations.hpp"
+#include "fdebench/reference/nonlinear/march/march_limits.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde::reference {

@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "fdebench/reference/nonlinear/collocation/panel_basis.hpp"
-#include "fdebench/reference/nonlinear/collocation/volterra_history.hpp"
+#include "fdebench/reference/nonlinear/collocation/panels.hpp"
 
 namespace fde::reference {
 

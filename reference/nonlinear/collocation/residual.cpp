@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "fdebench/reference/nonlinear/march/jumps.hpp"
-#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
+#include "fdebench/reference/nonlinear/march/march_limits.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 
 namespace fde::reference {
 

@@ -19,8 +19,8 @@ namespace fde::reference {
 //   passes over, or a solution that does not continue y(0) changes it by more. Without Problem::range this
 //   part is left out.
 // The first panel after a jump is left out of this: a row of small order may change there within the last
-// digit of t. The root is followed over it instead (reference/nonlinear/march/continuation.hpp). Rows without
-// a derivative are not examined, since F is no part of them.
+// digit of t. The root is followed over it instead (reference/nonlinear/march/implicit_step.hpp). Rows
+// without a derivative are not examined, since F is no part of them.
 void require_small_residual(const Problem& problem, const PiecewiseSolution& solution);
 
 }  // namespace fde::reference

@@ -8,12 +8,10 @@
 #include <stdexcept>
 
 #include "fdebench/reference/nonlinear/diffusive/memory.hpp"
-#include "fdebench/reference/nonlinear/diffusive/stage_noise.hpp"
-#include "fdebench/reference/nonlinear/march/jumps.hpp"
-#include "fdebench/reference/nonlinear/march/rhs_at.hpp"
-#include "fdebench/reference/nonlinear/march/step_budget.hpp"
-#include "fdebench/reference/nonlinear/march/supported_problem.hpp"
-#include "fdebench/reference/nonlinear/march/unit_increment.hpp"
+#include "fdebench/reference/nonlinear/diffusive/stages.hpp"
+#include "fdebench/reference/nonlinear/march/implicit_step.hpp"
+#include "fdebench/reference/nonlinear/march/march_limits.hpp"
+#include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde::reference {

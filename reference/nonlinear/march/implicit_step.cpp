@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -72,6 +74,34 @@ Noise propagated_noise(const LinearisedStep& step, const std::function<Matrix(co
   const Matrix of_y =
       step.solve(with_signs(rounding * y_size) * step.mass.asDiagonal() + integral(of_rhs)).cwiseAbs();
   return {of_y.colwise().maxCoeff(), (of_rhs.cwiseAbs() + step.terms_of(of_y)).colwise().maxCoeff()};
+}
+
+double first_part(const Problem& problem, const std::vector<Matrix>& weights, const Matrix& jacobian) {
+  constexpr double small = 0.1;
+  double change = 0.0;
+  for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
+    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
+    const Matrix& weight = weights[static_cast<std::size_t>(i)];
+    change =
+        std::max(change, jacobian.row(i).cwiseAbs().sum() * weight.cwiseAbs().rowwise().sum().maxCoeff());
+  }
+  if (!(change > small) || !std::isfinite(change)) return 1.0;
+  return std::exp2(-std::ceil(std::log2(change / small)));
+}
+
+std::vector<Matrix> reduced(const Problem& problem, std::vector<Matrix> weights, double part) {
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (!is_algebraic(problem.components[i])) weights[i] *= part;
+  return weights;
+}
+
+Vec unit_increment(const Problem& problem, double length) {
+  Vec increment(problem.size());
+  for (Eigen::Index i = 0; i < problem.size(); ++i) {
+    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    increment[i] = std::pow(length, order) / std::tgamma(order + 1.0);
+  }
+  return increment;
 }
 
 }  // namespace fde::reference

@@ -7,19 +7,11 @@
 #include <complex>
 #include <numbers>
 
-#include "fdebench/reference/special_functions/numbers/log_gamma.hpp"
+#include "fdebench/reference/special_functions/numbers/constants.hpp"
+#include "fdebench/reference/special_functions/numbers/reciprocal_gamma.hpp"
 
 namespace fde::reference {
 namespace {
-
-constexpr double pi_double = std::numbers::pi;
-
-// log(e^a + e^b)
-double log_sum(double a, double b) {
-  const double larger = std::max(a, b);
-  if (std::isinf(larger)) return larger;
-  return larger + std::log1p(std::exp(std::min(a, b) - larger));
-}
 
 // log of 1 / (e^(omega |1-distance|) - 1).
 double log_of_factor(double omega, double distance) {

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "fdebench/reference/special_functions/numbers/adaptive_precision.hpp"
+#include "fdebench/reference/special_functions/numbers/bounded.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde::reference {

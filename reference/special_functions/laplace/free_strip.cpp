@@ -6,17 +6,12 @@
 #include <limits>
 #include <numbers>
 
+#include "fdebench/reference/special_functions/numbers/constants.hpp"
+
 namespace fde::reference {
 namespace {
 
-constexpr double pi_double = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-7;  // an upper bound of the error of r*, also next to r* = 0
-
-double log_sum(double a, double b) {
-  const double larger = std::max(a, b);
-  return std::isinf(larger) ? larger : larger + std::log1p(std::exp(std::min(a, b) - larger));
-}
 
 // log of a bound of |F| without the clearances. As max(|s|^alpha, |z_i|) is at least either argument, the
 // first k factors take |s|^alpha and the others |z_i|, with the k that gives the smallest bound.
@@ -88,7 +83,7 @@ class SingularityFreeStrip::SingularityPositions {
           const auto place = std::sqrt((root * root - offset) / mu);
           places.push_back({place.real(), std::abs(place), mu / (size * size)});
         } else {
-          places.push_back({-infinity, 0.0, std::sqrt(mu) / size});
+          places.push_back({-infinity_double, 0.0, std::sqrt(mu) / size});
         }
       }
       places_.push_back(std::move(places));
@@ -100,7 +95,7 @@ class SingularityFreeStrip::SingularityPositions {
   void for_each(const Function& function) const {
     for (const auto& places : places_) {
       for (const Place& place : places) {
-        if (place.re > -infinity) function(place.re);
+        if (place.re > -infinity_double) function(place.re);
       }
     }
   }
@@ -113,12 +108,12 @@ class SingularityFreeStrip::SingularityPositions {
       double least = std::min(1.0, factor.nearest_other_argument - product_.alpha * pi_double);
       for (const auto& [re, size, scale] : places_[i]) {
         // |log s - log s*| is at least times share / (1 + share)
-        const bool other_sheet = re == -infinity;
+        const bool other_sheet = re == -infinity_double;
         const double gap = std::abs(re - distance) - rounding, times = other_sheet ? 2.0 : 1.0;
         const double share = scale * (other_sheet ? across : std::max(0.0, gap) * std::max(gap, size));
         least = std::min(least, times * product_.alpha * (1.0 - rounding) / (1.0 + 1.0 / share));
       }
-      if (!(least > 0.0)) return -infinity;
+      if (!(least > 0.0)) return -infinity_double;
       sum += factor.singularity_order * std::log(least / 10.0);
     }
     return sum;
@@ -145,7 +140,7 @@ double SingularityFreeStrip::log_truncation_error(const Product& product) const 
     return exponent * log_modulus;
   });
   const double ratio = std::exp(-2.0 * mu * theta * step + (2.0 * largest + 1.0) * step / theta);
-  if (!(ratio < 1.0)) return infinity;
+  if (!(ratio < 1.0)) return infinity_double;
   const double weight =
       std::log(2.0 * step * mu * std::sqrt(1.0 + theta * theta) / pi_double) + offset - depth;
   return weight + power - std::log1p(-ratio);
@@ -167,8 +162,8 @@ std::optional<SingularityFreeStrip::Result> SingularityFreeStrip::bound_for(cons
     }
   }
   const SingularityPositions places(*this, product);
-  double innermost = corner_, outermost = infinity;
-  Result result{infinity, 0.0, 0.0, false, false};
+  double innermost = corner_, outermost = infinity_double;
+  Result result{infinity_double, 0.0, 0.0, false, false};
   places.for_each([&](double place) {
     if (place < 1.0) {
       result.inside = true;
@@ -178,7 +173,8 @@ std::optional<SingularityFreeStrip::Result> SingularityFreeStrip::bound_for(cons
       outermost = std::min(outermost, place);
     }
   });
-  double near = infinity, far = infinity, near_clearance = -infinity, far_clearance = -infinity;
+  double near = infinity_double, far = infinity_double, near_clearance = -infinity_double,
+         far_clearance = -infinity_double;
   for (const Line& line : near_lines_) {
     if (line.distance <= innermost) continue;
     const double clearance = places.log_clearance(line.distance), bound = log_line(line, product) - clearance;

@@ -3,8 +3,6 @@
 
 #include <limits>
 
-// Vectors whose length is unknown at compile time cannot be members.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fdebench/reference/special_functions/mittag_leffler/contour_kernels.cpp"
 #include <hwy/foreach_target.h>  // includes this file once for each target

@@ -3,11 +3,9 @@
 
 #include <stdexcept>
 
-#include "fdebench/reference/special_functions/laplace/adaptive_precision_contour.hpp"
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/forms.hpp"
-#include "fdebench/reference/special_functions/mittag_leffler/poles.hpp"
 #include "fdebench/reference/special_functions/numbers/reciprocal_gamma.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fdebench/reference/special_functions/mittag_leffler/forms.hpp"
-#include "fdebench/reference/special_functions/mittag_leffler/quick_residues.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/tiny_order.hpp"
 
 namespace fde::reference {

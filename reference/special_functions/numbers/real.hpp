@@ -32,9 +32,6 @@ class Precision {
  public:
   explicit Precision(int digits);
   ~Precision();
-  Precision(const Precision&) = delete;
-  Precision& operator=(const Precision&) = delete;
-  Precision(Precision&&) = delete;
   Precision& operator=(Precision&&) = delete;
 
  private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
 namespace fde::reference {
@@ -10,5 +12,11 @@ namespace fde::reference {
 // places as the working precision has digits, so that an x within rounding of an integer is that integer.
 void add_reciprocal_gamma(BoundedSum<BigReal>& sum, const BigComplex& factor, const BigReal& x,
                           const BigReal& size, const BigReal& factor_ulps = BigReal(0));
+
+// log|Gamma(x)|. std::lgamma stores the sign in a global variable, a data race between threads.
+inline double log_gamma(double x) {
+  int sign = 0;
+  return lgamma_r(x, &sign);
+}
 
 }  // namespace fde::reference

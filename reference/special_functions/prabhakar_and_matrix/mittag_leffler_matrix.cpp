@@ -6,9 +6,10 @@
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/laplace/enclosed_transform.hpp"
-#include "fdebench/reference/special_functions/laplace/roots_on_sheet.hpp"
+#include "fdebench/reference/special_functions/laplace/sheets.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/decimal_arguments.hpp"
-#include "fdebench/reference/special_functions/numbers/adaptive_precision.hpp"
+#include "fdebench/reference/special_functions/numbers/bounded.hpp"
+#include "fdebench/reference/special_functions/numbers/constants.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix_quick.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/resolvent.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/schur_form.hpp"
@@ -21,11 +22,10 @@ using Point = EnclosingContour::Point;
 using Node = EnclosingContour::Node;
 using Disc = EnclosingContour::Disc;
 
-constexpr Long infinity = std::numeric_limits<Long>::infinity();
 constexpr int most_rows = 64;
 constexpr const char* function_name = "mittag_leffler of a matrix";
 
-struct Arguments {
+struct MatrixArguments {
   BigReal alpha, beta;
   BigMatrix matrix;
 
@@ -34,7 +34,7 @@ struct Arguments {
                                [](const BigComplex& x) { return imag_part<BigReal>(x) == 0; });
   }
 };
-using Read = std::function<Arguments()>;
+using Read = std::function<MatrixArguments()>;
 
 Long to_long(const BigReal& x) { return x.convert_to<Long>(); }
 
@@ -54,7 +54,7 @@ std::vector<Long> sizes_of_summands(const BigMatrix& inverse, const BigMatrix& m
 }
 
 // Adds weight s^(alpha-beta) (s^alpha - A)^-1 at a node.
-void add_node(const Arguments& x, const Node& node, std::vector<BoundedSum<BigReal>>& sums) {
+void add_node(const MatrixArguments& x, const Node& node, std::vector<BoundedSum<BigReal>>& sums) {
   sums.resize(x.matrix.entries.size());
   const BigComplex s_alpha = exp(BigComplex(x.alpha * node.log_s));
   const BigComplex weight = node.weight * exp(BigComplex((x.alpha - x.beta) * node.log_s));
@@ -82,7 +82,7 @@ EnclosingContour::Majorant majorant_of(const SchurForm& schur, Long alpha, Long 
   return [=](const Disc& disc) {
     const Long size = std::abs(disc.centre), nearest = size - disc.radius, farthest = size + disc.radius;
     const bool whole = is_integer(alpha);
-    if (nearest <= 0.0L && (!whole || power < 0.0L)) return infinity;
+    if (nearest <= 0.0L && (!whole || power < 0.0L)) return infinity_long;
     // a bound of |s^alpha - centre^alpha| on the disc; the allowance for rounding follows
     const Long moved = whole ? std::pow(farthest, alpha) - std::pow(size, alpha)
                              : std::pow(size, alpha) * std::expm1(-alpha * std::log1p(-disc.radius / size));
@@ -105,7 +105,7 @@ int digits_of_eigenvalues(const Read& read) {
 
 EnclosedTransform transform_of(const Read& read) {
   const Precision precision(digits_of_eigenvalues(read));
-  const Arguments x = read();
+  const MatrixArguments x = read();
   const Long alpha = to_long(x.alpha), power = to_long(BigReal(x.alpha - x.beta));
   EnclosedTransform transform{.singularities = {},
                               .hints = {.order = static_cast<Long>(std::min(x.matrix.size, 4)),
@@ -129,7 +129,7 @@ std::vector<Bounded<BigReal>> evaluate(const Read& read, int digits) {
   try {
     return invert(transform_of(read), digits);
   } catch (const std::runtime_error& error) {
-    const Arguments x = read();
+    const MatrixArguments x = read();
     throw std::runtime_error(fmt::format("{} of {} rows, alpha = {:.6g}, beta = {:.6g}: {}", function_name,
                                          x.matrix.size, to_long(x.alpha), to_long(x.beta), error.what()));
   }
@@ -181,7 +181,7 @@ MatrixValue mittag_leffler(double alpha, double beta, const Eigen::MatrixXcd& ma
   if (const auto quick = mittag_leffler_matrix_quick(alpha, beta, matrix))
     return evaluate_in_double(size, *quick);
   const Read read = [&] {
-    Arguments x{BigReal(alpha), BigReal(beta), {size, {}}};
+    MatrixArguments x{BigReal(alpha), BigReal(beta), {size, {}}};
     for (int i = 0; i < size; ++i) {
       for (int j = 0; j < size; ++j) x.matrix.entries.emplace_back(matrix(i, j).real(), matrix(i, j).imag());
     }
@@ -200,9 +200,9 @@ std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::
   const auto size = static_cast<int>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
   require_size(static_cast<std::size_t>(size), matrix.size());
   const Read read = [&] {
-    Arguments x{parse_argument(function_name, "alpha", alpha),
-                parse_argument(function_name, "beta", beta),
-                {size, {}}};
+    MatrixArguments x{parse_argument(function_name, "alpha", alpha),
+                      parse_argument(function_name, "beta", beta),
+                      {size, {}}};
     for (const auto& entry : matrix) {
       x.matrix.entries.emplace_back(parse_argument(function_name, "entry", entry.re),
                                     parse_argument(function_name, "entry", entry.im));
@@ -210,7 +210,7 @@ std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::
     return x;
   };
   const Precision precision(digits + 20);
-  const Arguments x = read();
+  const MatrixArguments x = read();
   require_order(function_name, x.alpha);
   require_parameter(function_name, "beta", x.beta);
   std::vector<DecimalComplex> texts;

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "fdebench/reference/special_functions/prabhakar_and_matrix/shifted_contours.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
 
 namespace fde::reference {
 namespace {
@@ -21,7 +21,7 @@ template <class T>
 using Small = boost::container::static_vector<T, std::size_t{max_quick_rows} * std::size_t{max_quick_rows}>;
 
 // Upper bound of the error of an operation in double-double, relative to the sizes of its operands.
-constexpr double unit = 0x1p-98;
+constexpr double double_double_unit = 0x1p-98;
 
 DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble product = exact_product(a.hi, b.hi);
@@ -45,8 +45,8 @@ ComplexDoubleDouble divided(const ComplexDoubleDouble& a, double by) {
   return {divided(a.re, by), divided(a.im, by)};
 }
 
-double norm1(const DoubleDouble& a) { return std::abs(a.hi); }
-double norm1(const ComplexDoubleDouble& a) { return std::abs(a.re.hi) + std::abs(a.im.hi); }
+double magnitude(const DoubleDouble& a) { return std::abs(a.hi); }
+double magnitude(const ComplexDoubleDouble& a) { return std::abs(a.re.hi) + std::abs(a.im.hi); }
 
 ComplexDoubleDouble to_complex(const DoubleDouble& a) { return {a, {0.0, 0.0}}; }
 ComplexDoubleDouble to_complex(const ComplexDoubleDouble& a) { return a; }
@@ -79,7 +79,7 @@ Adjugate adjugate_of(const Eigen::MatrixXcd& matrix) {
   for (std::size_t i = 0; i < n * n; ++i) {
     const auto entry = matrix(static_cast<int>(i / n), static_cast<int>(i % n));
     a.push_back(number_of<Number>(entry));
-    sizes.push_back(norm1(a.back()));
+    sizes.push_back(magnitude(a.back()));
     part.push_back(number_of<Number>(i % (n + 1) == 0 ? 1.0 : 0.0));
   }
   Adjugate result{static_cast<int>(n), std::vector<Small<ComplexDoubleDouble>>(n),
@@ -96,20 +96,20 @@ Adjugate adjugate_of(const Eigen::MatrixXcd& matrix) {
         const std::size_t left = i / n * n + k, right = k * n + i % n;
         if (sizes[left] == 0.0) continue;
         product[i] = product[i] + a[left] * part[right];
-        product_error[i] += sizes[left] * (error[right] + unit * norm1(part[right]));
+        product_error[i] += sizes[left] * (error[right] + double_double_unit * magnitude(part[right]));
       }
       if (i % (n + 1) != 0) continue;
       trace = trace + product[i];
-      trace_error += product_error[i] + unit * norm1(product[i]);
+      trace_error += product_error[i] + double_double_unit * magnitude(product[i]);
     }
     const auto by = static_cast<double>(n - j);
     const Number coefficient = -divided(trace, by);
-    const double own = trace_error / by + unit * norm1(coefficient);
+    const double own = trace_error / by + double_double_unit * magnitude(coefficient);
     result.coefficients[j] = to_complex(coefficient);
     result.errors[j] = own;
     for (std::size_t i = 0; i < n * n; i += n + 1) {
       product[i] = product[i] + coefficient;
-      product_error[i] += own + unit * norm1(product[i]);
+      product_error[i] += own + double_double_unit * magnitude(product[i]);
     }
     part = product;
     error = product_error;
@@ -124,25 +124,18 @@ std::vector<Value> zeros_of_square(const Value& constant, const Value& linear) {
   return {larger == 0.0L ? 0.0L : constant / larger, larger};
 }
 
-std::vector<Value> eigenvalues_by_qr(const Eigen::MatrixXcd& matrix, bool real) {
-  using Complexes =
-      Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, max_quick_rows, max_quick_rows>;
-  using Reals = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_quick_rows, max_quick_rows>;
-  if (real) {
-    const auto found = Eigen::EigenSolver<Reals>(Reals(matrix.real()), false).eigenvalues().eval();
-    return {found.begin(), found.end()};
-  }
-  const auto found = Eigen::ComplexEigenSolver<Complexes>(Complexes(matrix), false).eigenvalues().eval();
+std::vector<Value> eigenvalues_by_qr(const Eigen::MatrixXcd& matrix) {
+  const auto found = Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(matrix, false).eigenvalues().eval();
   return {found.begin(), found.end()};
 }
 
 // Approximate eigenvalues by ascending modulus. Two Weierstrass (Durand-Kerner) steps on p improve those that
 // are separated beyond the accuracy of the eigenvalue solver in double.
-std::vector<Value> eigenvalues_of(const Eigen::MatrixXcd& matrix, const Adjugate& adjugate, bool real) {
+std::vector<Value> eigenvalues_of(const Eigen::MatrixXcd& matrix, const Adjugate& adjugate) {
   const auto n = static_cast<std::size_t>(matrix.rows());
   const auto& p = adjugate.coefficients;
   std::vector<Value> eigenvalues =
-      n == 2 ? zeros_of_square(to_long(p[0]), to_long(p[1])) : eigenvalues_by_qr(matrix, real);
+      n == 2 ? zeros_of_square(to_long(p[0]), to_long(p[1])) : eigenvalues_by_qr(matrix);
   const int steps = n == 2 ? 0 : 2;
   for (int step = 0; step < steps; ++step) {
     for (std::size_t i = 0; i < n; ++i) {
@@ -241,12 +234,12 @@ std::vector<QuickValue> combined(const Adjugate& adjugate, const std::array<Quot
     Long error = 0.0L;
     for (std::size_t j = 0; j < n; ++j) {
       const ComplexDoubleDouble& part = adjugate.parts[j][i];
-      const Long part_size = norm1(part) + adjugate.part_errors[j][i];
+      const Long part_size = magnitude(part) + adjugate.part_errors[j][i];
       value = value + part * sums[j].value;
       error += part_size * (sums[j].error + neglected) +
-               (adjugate.part_errors[j][i] + unit * part_size) * norm1(sums[j].value);
+               (adjugate.part_errors[j][i] + double_double_unit * part_size) * magnitude(sums[j].value);
     }
-    entries.push_back({to_long(value), error + few_ulps * norm1(value)});
+    entries.push_back({to_long(value), error + few_ulps * magnitude(value)});
   }
   return entries;
 }
@@ -254,7 +247,7 @@ std::vector<QuickValue> combined(const Adjugate& adjugate, const std::array<Quot
 double log_of_largest_part(const Adjugate& adjugate) {
   double largest = 0.0;
   for (const auto& part : adjugate.parts) {
-    for (const auto& entry : part) largest = std::max(largest, norm1(entry));
+    for (const auto& entry : part) largest = std::max(largest, magnitude(entry));
   }
   return std::log(largest);
 }
@@ -292,7 +285,7 @@ std::optional<std::vector<QuickValue>> mittag_leffler_matrix_quick(double alpha,
   const bool real = (matrix.imag().array() == 0.0).all();
   const Adjugate adjugate =
       real ? adjugate_of<DoubleDouble>(matrix) : adjugate_of<ComplexDoubleDouble>(matrix);
-  const Spectrum spectrum(alpha, adjugate, eigenvalues_of(matrix, adjugate, real));
+  const Spectrum spectrum(alpha, adjugate, eigenvalues_of(matrix, adjugate));
   const double most_log = max_log_error + spectrum.growth() - log_of_largest_part(adjugate);
   const DoubleDouble exponent = exact_sum(alpha, -beta);
   for (const ShiftedContour& contour : shifted_contours()) {

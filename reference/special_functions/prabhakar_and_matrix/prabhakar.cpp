@@ -6,14 +6,12 @@
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/mittag_leffler/decimal_arguments.hpp"
-#include "fdebench/reference/special_functions/numbers/adaptive_precision.hpp"
+#include "fdebench/reference/special_functions/numbers/bounded.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_quick.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_transform.hpp"
 
 namespace fde::reference {
 namespace {
-
-using Arguments = PrabhakarArguments;
 
 // An evaluation: name for messages, arguments, decimal places of the parameters, and k of the factor k! of
 // derivatives.
@@ -30,7 +28,7 @@ void require_derivative(int k) {
       fmt::format("mittag_leffler_derivative: k = {} has to be in [0, {}]", k, max_derivative));
 }
 
-bool series_applies(const Arguments& x) {
+bool series_applies(const PrabhakarArguments& x) {
   return (x.gamma <= 0 && is_integer(x.gamma)) ||
          norm1(x.z) <= 0.4 * pow(std::max(BigReal(1), x.beta), x.alpha);
 }
@@ -94,7 +92,7 @@ std::optional<MittagLefflerValue> evaluate_quick(const Quick& quick, std::comple
 DecimalComplex in_digits(const std::string& function, const Request& request, int digits) {
   require_digits(function, digits);
   const Precision precision(digits + 20 + request.places);
-  const Arguments x = request.read();
+  const PrabhakarArguments x = request.read();
   require_order(function, x.alpha);
   require_parameter(function, "beta", x.beta);
   require_parameter(function, "gamma", x.gamma);
@@ -120,7 +118,8 @@ MittagLefflerValue prabhakar(double alpha, double beta, double gamma, std::compl
   return evaluate_in_double(
       {fmt::format("prabhakar({}, {}, {}, z = {} {:+} i)", alpha, beta, gamma, z.real(), z.imag()),
        [=] {
-         return Arguments{BigReal(alpha), BigReal(beta), BigReal(gamma), BigComplex(z.real(), z.imag())};
+         return PrabhakarArguments{BigReal(alpha), BigReal(beta), BigReal(gamma),
+                                   BigComplex(z.real(), z.imag())};
        },
        std::max(decimal_places(alpha, beta), decimal_places(gamma, gamma))});
 }
@@ -132,14 +131,14 @@ MittagLefflerValue mittag_leffler_derivative(int k, double alpha, double beta, s
     return prabhakar_quick(alpha, DoubleDouble{beta, 0.0} + exact_product(k, alpha), k + 1.0, upper);
   };
   if (const auto value = evaluate_quick(quick, z, k)) return *value;
-  return evaluate_in_double(
-      {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} {:+} i)", k, alpha, beta, z.real(),
-                   z.imag()),
-       [=] {
-         const BigReal order(alpha);
-         return Arguments{order, BigReal(beta + k * order), BigReal(k + 1), BigComplex(z.real(), z.imag())};
-       },
-       decimal_places(alpha, beta), k});
+  return evaluate_in_double({fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} {:+} i)", k, alpha,
+                                         beta, z.real(), z.imag()),
+                             [=] {
+                               const BigReal order(alpha);
+                               return PrabhakarArguments{order, BigReal(beta + k * order), BigReal(k + 1),
+                                                         BigComplex(z.real(), z.imag())};
+                             },
+                             decimal_places(alpha, beta), k});
 }
 
 DecimalComplex prabhakar(const std::string& alpha, const std::string& beta, const std::string& gamma,
@@ -148,7 +147,7 @@ DecimalComplex prabhakar(const std::string& alpha, const std::string& beta, cons
   return in_digits(function,
                    {fmt::format("prabhakar({}, {}, {}, z = {} + {} i)", alpha, beta, gamma, re, im),
                     [=] {
-                      return Arguments{
+                      return PrabhakarArguments{
                           parse_argument(function, "alpha", alpha), parse_argument(function, "beta", beta),
                           parse_argument(function, "gamma", gamma), parse_complex(function, re, im)};
                     },
@@ -165,8 +164,8 @@ DecimalComplex mittag_leffler_derivative(int k, const std::string& alpha, const 
       {fmt::format("mittag_leffler_derivative({}, {}, {}, z = {} + {} i)", k, alpha, beta, re, im),
        [=] {
          const BigReal order = parse_argument(function, "alpha", alpha);
-         return Arguments{order, BigReal(parse_argument(function, "beta", beta) + k * order), BigReal(k + 1),
-                          parse_complex(function, re, im)};
+         return PrabhakarArguments{order, BigReal(parse_argument(function, "beta", beta) + k * order),
+                                   BigReal(k + 1), parse_complex(function, re, im)};
        },
        std::max(decimal_places(alpha), decimal_places(beta)), k},
       digits);

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "fdebench/reference/special_functions/prabhakar_and_matrix/shifted_contours.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
 
 namespace fde::reference {
 namespace {
@@ -18,7 +18,7 @@ long double to_long(const DoubleDouble& x) { return static_cast<long double>(x.h
 
 bool meets_tolerance(const QuickValue& x) { return x.error <= quick_tolerance * std::abs(x.value); }
 
-// A bound of the sum of the terms from `next` on, as in prabhakar_series.cpp; size: the modulus of the first
+// A bound of the sum of the terms from `next` on, as in prabhakar_transform.cpp; size: the modulus of the first
 // of them without 1/Gamma.
 std::optional<long double> tail(double alpha, long double argument, double gamma, int next, long double size,
                                 long double modulus) {

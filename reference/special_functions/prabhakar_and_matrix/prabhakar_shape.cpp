@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_shape.hpp"
 
-#include "fdebench/reference/special_functions/laplace/roots_on_sheet.hpp"
+#include "fdebench/reference/special_functions/laplace/sheets.hpp"
+#include "fdebench/reference/special_functions/numbers/constants.hpp"
 
 namespace fde::reference {
 namespace {
@@ -10,14 +11,13 @@ using Long = long double;
 using Point = PrabhakarSingularities::Point;
 using Disc = EnclosingContour::Disc;
 
-constexpr Long infinity = std::numeric_limits<Long>::infinity();
 constexpr Long hair = 1e-9L;  // an upper bound of all rounding errors in the majorants
 
 // Logarithm of a bound of |s|^power on a disc.
 Long log_power(const Disc& disc, Long power) {
   const Long size = std::abs(disc.centre);
   if (power >= 0.0L) return power == 0.0L ? 0.0L : power * std::log(size + disc.radius);
-  return size > disc.radius ? power * std::log(size - disc.radius) : infinity;
+  return size > disc.radius ? power * std::log(size - disc.radius) : infinity_long;
 }
 
 // For integer alpha: F = s^(alpha gamma - beta) product of (s - s*)^-gamma.
@@ -31,14 +31,14 @@ Long majorant_by_roots(const PrabhakarSingularities& x, const Disc& disc) {
 // large.
 Long majorant_by_logarithm(const PrabhakarSingularities& x, const Disc& disc) {
   const Long size = std::abs(disc.centre);
-  if (disc.radius >= 0.5L * size) return infinity;
+  if (disc.radius >= 0.5L * size) return infinity_long;
   const Long spread = -x.alpha * std::log1p(-disc.radius / size);  // of u on the disc
   const Point u = x.alpha * std::log(disc.centre) - x.log_z;
   const bool far = u.real() >= 0.0L;
   const Point exponential = std::exp(far ? -u : u);
   const Long centre = std::abs(1.0L - exponential), off = std::abs(exponential) * std::expm1(spread);
   const Long least = centre * (1.0L - hair) - off;
-  if (x.gamma > 0.0L && least <= hair * centre + hair * hair) return infinity;
+  if (x.gamma > 0.0L && least <= hair * centre + hair * hair) return infinity_long;
   const Long other = far ? 0.0L : x.gamma * (u.real() + (x.gamma > 0.0L ? spread : -spread));
   const Long log_factor = -x.gamma * std::log(x.gamma > 0.0L ? least : centre + off);
   return log_power(disc, -x.beta) + log_factor + other + hair * (1.0L + std::abs(x.gamma));
@@ -48,7 +48,7 @@ Long majorant_by_logarithm(const PrabhakarSingularities& x, const Disc& disc) {
 // x = s^alpha / z.
 Long majorant_without_head(const PrabhakarSingularities& x, const Disc& disc) {
   const Long log_ratio = log_power(disc, x.alpha) - x.log_z.real();
-  if (log_ratio > std::log(0.5L)) return infinity;
+  if (log_ratio > std::log(0.5L)) return infinity_long;
   const Long ratio = std::exp(log_ratio), exponent = std::abs(x.gamma) * ratio / (1.0L - ratio);
   // (e^y - 1) / y <= e^y
   const Long log_factor = log_ratio + std::log(std::abs(x.gamma) / (1.0L - ratio)) + exponent;

@@ -7,13 +7,13 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "fdebench/reference/special_functions/numbers/constants.hpp"
+
 namespace fde::reference {
 namespace {
 
 using Long = long double;
 using WideMatrix = Eigen::Matrix<BigReal, Eigen::Dynamic, Eigen::Dynamic>;
-
-constexpr Long infinity = std::numeric_limits<Long>::infinity();
 
 bool is_real(const BigMatrix& matrix) {
   return std::ranges::all_of(matrix.entries, [](const BigComplex& x) { return imag_part<BigReal>(x) == 0; });
@@ -138,7 +138,7 @@ long double SchurForm::resolvent_norm(const Point& z, long double radius) const 
   for (std::size_t k = blocks_.size(); k-- > 0;) {
     const Block& block = blocks_[k];
     const auto diagonal = block_resolvent(block, z, radius);
-    if (!diagonal) return infinity;
+    if (!diagonal) return infinity_long;
     const auto rows = block.rows, first = block.first, after = first + rows;
     const LongMatrix own = diagonal->topLeftCorner(rows, rows);
     inverse.block(first, first, rows, rows) = own;

@@ -11,12 +11,11 @@
 #include <utility>
 
 namespace fde {
+
 namespace {
 
 using Real = long double;
 using RealVec = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-
-constexpr Real pi = std::numbers::pi_v<Real>;
 
 constexpr double largest_step = 0.7;
 
@@ -154,6 +153,12 @@ Discretisation discretisation(double a, double low, double high, double toleranc
   return {h, tail, first, last, cut()};
 }
 
+template <typename Coefficient>
+Vec transformed(Coefficient coefficient, double order, const ExponentialSum& sum) {
+  return sum.nodes.binaryExpr(sum.coefficients,
+                              [&](double node, double kernel) { return coefficient(order, node, kernel); });
+}
+
 }  // namespace
 
 ExponentialSum exponential_sum(long double exponent, double low, double high, double tolerance) {
@@ -161,6 +166,7 @@ ExponentialSum exponential_sum(long double exponent, double low, double high, do
   if (exponent == 1) return {Vec::Zero(1), Vec::Ones(1), 0.0};
   const auto [h, tail, first, last, cut] =
       discretisation(static_cast<double>(exponent), low, high, tolerance);
+  constexpr Real pi = std::numbers::pi_v<Real>;
   const Real a = exponent, step = h, scale = std::sin(pi * std::min(a, 1 - a)) / pi;
   const GaussRule rule = gauss_rule(tail.count, std::exp(first * step), a, step);
   ExponentialSum sum{Vec(tail.count + last - first), Vec(tail.count + last - first),
@@ -173,6 +179,29 @@ ExponentialSum exponential_sum(long double exponent, double low, double high, do
     sum.coefficients[row] = static_cast<double>(scale * step * std::exp(m * step * (1 - a)));
   }
   return sum;
+}
+
+long double kernel_exponent(const WeightTable& table) {
+  if (table.family->exponent != nullptr) return table.family->exponent(table.order);
+  if (table.family->acts_on_increments) return 1.0L - table.order;
+  return acts_on_running_sums(table) ? table.order - 1.0 : table.order;
+}
+
+bool acts_on_running_sums(const WeightTable& table) {
+  return table.order > 1.0 && table.family->exponent == nullptr;
+}
+
+bool has_exponential_sum(const WeightTable& table) {
+  const auto& family = *table.family;
+  return family.coefficient != nullptr || family.filter != nullptr || family.smooth_part != nullptr;
+}
+
+Vec weight_coefficients(const WeightTable& table, const ExponentialSum& sum) {
+  return transformed(table.family->coefficient, table.order, sum);
+}
+
+Vec first_sample_coefficients(const WeightTable& table, const ExponentialSum& sum) {
+  return transformed(table.family->first_sample_coefficient, table.order, sum);
 }
 
 }  // namespace fde

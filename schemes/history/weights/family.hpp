@@ -50,7 +50,7 @@ struct WeightFamily {
   long double (*exponent)(long double order) = nullptr;
 
   // The coefficient of exp(-node k) in w(k), for orders above 1 in w(k) - w(k-1), where `kernel` is the
-  // coefficient of exp(-node t) in the kernel. Formulas: weight_transform.hpp.
+  // coefficient of exp(-node t) in the kernel. Formulas: exponential_sum.hpp.
   double (*coefficient)(double order, double node, double kernel) = nullptr;
 
   // The same for first_sample_weight. Empty: the weight of x_0 is 0 or w(n).

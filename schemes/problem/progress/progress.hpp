@@ -22,9 +22,6 @@ class ProgressScope {
  public:
   explicit ProgressScope(ProgressCallback callback);
   ~ProgressScope();
-  ProgressScope(const ProgressScope&) = delete;
-  ProgressScope& operator=(const ProgressScope&) = delete;
-  ProgressScope(ProgressScope&&) = delete;
   ProgressScope& operator=(ProgressScope&&) = delete;
 
  private:

@@ -6,12 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "fdebench/schemes/problem/breaking_points.hpp"
-#include "fdebench/schemes/problem/switches.hpp"
-#include "fdebench/schemes/rules/adaptive/blow_up_detector.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/rules/adaptive/dense_output.hpp"
-#include "fdebench/schemes/rules/adaptive/initial_step_size.hpp"
-#include "fdebench/schemes/rules/adaptive/pi_controller.hpp"
+#include "fdebench/schemes/rules/adaptive/step_control.hpp"
 
 namespace fde {
 namespace {

@@ -43,9 +43,7 @@ inline bool needs_interpolation(double error, double left, double allowed) {
 // to the history, or attempt() is called again with another size. attempt() does not change the history.
 class AdaptiveStepper {
  public:
-  AdaptiveStepper() = default;
-  AdaptiveStepper(const AdaptiveStepper&) = delete;
-  AdaptiveStepper& operator=(const AdaptiveStepper&) = delete;
+  AdaptiveStepper& operator=(AdaptiveStepper&&) = delete;
   virtual ~AdaptiveStepper() = default;
 
   // Solves the step from the last accepted time to t. Returns its error estimate in units of the tolerance,

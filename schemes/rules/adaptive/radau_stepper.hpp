@@ -7,7 +7,6 @@
 #include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
 #include "fdebench/schemes/rules/adaptive/stage_matrix.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
-#include "fdebench/schemes/stepping/rhs_error.hpp"
 
 namespace fde {
 

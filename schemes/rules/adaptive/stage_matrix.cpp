@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/stage_matrix.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <limits>
 
-#include "fdebench/schemes/rules/adaptive/decoupled_stage_matrix.hpp"
 #include "fdebench/schemes/rules/implicit/difference_jacobian.hpp"
+#include "fdebench/schemes/solvers/dense_factors.hpp"
+#include "fdebench/schemes/solvers/sparse_lu.hpp"
 
 namespace fde {
+
 namespace {
 
 class DenseStageMatrix final : public StageMatrix {
@@ -92,7 +92,7 @@ class SparseStageMatrix final : public StageMatrix {
 
   const Problem& problem_;
   SparseMatrix jacobian_, matrix_;
-  Eigen::SparseLU<SparseMatrix> factors_;
+  SparseLu factors_;
 };
 
 }  // namespace
@@ -104,6 +104,26 @@ std::unique_ptr<StageMatrix> make_stage_matrix(const Problem& problem) {
   if (has_sparse_jacobian(problem) && one_order) return std::make_unique<DecoupledStageMatrix>(problem);
   if (has_sparse_jacobian(problem)) return std::make_unique<SparseStageMatrix>(problem);
   return std::make_unique<DenseStageMatrix>(problem);
+}
+
+void DecoupledStageMatrix::factorise(Run& /*run*/, double t, In y, In /*f*/, const StageWeights& weights) {
+  const SparseMatrix* derivatives = &jacobian_;
+  if (const auto* sparse = std::get_if<SparseJacobian>(&problem_.derivatives)) {
+    jacobian_.resize(y.size(), y.size());
+    sparse->at(t, y, jacobian_);
+    jacobian_.makeCompressed();
+  } else {
+    derivatives = &std::get<SparseLinearPart>(problem_.derivatives).matrix;
+  }
+  solvable_ = factors_.factorise(*derivatives, weights.front());
+}
+
+void DecoupledStageMatrix::solve(Vec& b) const {
+  if (solvable_) {
+    factors_.solve(b);
+  } else {
+    b.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
 }
 
 }  // namespace fde

@@ -4,20 +4,17 @@
 #include <functional>
 #include <utility>
 
-#include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
 #include "fdebench/schemes/rules/implicit/step_equations.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
-#include "fdebench/schemes/stepping/rhs_error.hpp"
 
 namespace fde {
 
 // Solver of the equations of one step of the trapezoidal rule.
 class TrapezoidalSolver {
  public:
-  TrapezoidalSolver() = default;
-  TrapezoidalSolver(const TrapezoidalSolver&) = delete;
-  TrapezoidalSolver& operator=(const TrapezoidalSolver&) = delete;
+  TrapezoidalSolver& operator=(TrapezoidalSolver&&) = delete;
   virtual ~TrapezoidalSolver() = default;
 
   // On entry y is the solution at the previous step; on exit it is the solution of the step, and f is the

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fdebench/schemes/problem/switches.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {

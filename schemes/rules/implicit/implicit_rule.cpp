@@ -2,10 +2,12 @@
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
-#include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/stepping/grid_jumps.hpp"
 
 namespace fde {
+
 namespace {
 
 // The history of all rows but the algebraic ones.
@@ -115,5 +117,16 @@ Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Option
   run.cost().linear_solver = newton.linear_solver();
   return run.finish();
 }
+
+const RateTheory trapezoidal_theory{[](double) { return 2.0; }, end_rate_of_interpolated_f,
+                                    first_step_rate_of_interpolated_f};
+
+// Backward Euler is exact for t.
+const RateTheory grunwald_letnikov_theory{[](double) { return 1.0; },
+                                          [](double, double) { return exact_power; },
+                                          [](double g, double p) {
+                                            if (g == 1.0 && same_order(p, 1.0)) return exact_power;
+                                            return p;
+                                          }};
 
 }  // namespace fde

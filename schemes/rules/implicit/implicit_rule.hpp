@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "fdebench/schemes/rules/implicit/newton.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {
@@ -30,5 +31,14 @@ ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family);
 // numerical failure: see Trajectory::status.
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
                           const ImplicitRule& rule);
+
+// The theories of the rules that are a scheme of their own and, in integrated form, one for multi-term
+// equations.
+
+// The product trapezoidal rule: h^2, and the rates of linear interpolation of f.
+extern const RateTheory trapezoidal_theory;
+
+// Backward Euler convolution quadrature: h; a power p has the error h^p at the first step.
+extern const RateTheory grunwald_letnikov_theory;
 
 }  // namespace fde

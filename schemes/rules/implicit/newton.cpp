@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
-#include "fdebench/schemes/problem/jacobian.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 namespace {

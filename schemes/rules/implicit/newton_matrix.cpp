@@ -8,7 +8,7 @@ namespace fde {
 
 std::unique_ptr<NewtonMatrix> make_newton_matrix(const Problem& problem) {
   if (has_sparse_jacobian(problem)) return std::make_unique<SparseNewtonMatrix>(problem);
-  return make_dense_newton_matrix(problem);
+  return std::make_unique<DenseNewtonMatrix>(problem);
 }
 
 }  // namespace fde

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fdebench/schemes/history/weights/interval_weights.hpp"
+#include "fdebench/schemes/history/weights/kernel_moments.hpp"
 
 namespace fde {
 namespace {

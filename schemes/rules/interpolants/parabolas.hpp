@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/rules/interpolants/interpolant.hpp"
-#include "fdebench/schemes/rules/interpolants/slope_history.hpp"
 
 namespace fde {
 

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
+#include "fdebench/schemes/solvers/dense_factors.hpp"
 
 namespace fde {
 namespace {

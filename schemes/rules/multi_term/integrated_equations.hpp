@@ -10,7 +10,7 @@
 #include "fdebench/schemes/problem/chain.hpp"
 #include "fdebench/schemes/rules/multi_term/taylor_part_integrals.hpp"
 #include "fdebench/schemes/rules/start_weights/start_correction.hpp"
-#include "fdebench/schemes/rules/start_weights/starting_powers.hpp"
+#include "fdebench/schemes/rules/start_weights/start_weights.hpp"
 #include "fdebench/schemes/rules/start_weights/starting_procedure.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 

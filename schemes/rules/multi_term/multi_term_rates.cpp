@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "fdebench/schemes/problem/chain_problem.hpp"
-#include "fdebench/schemes/rules/implicit/rule_rates.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
+#include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/rules/multi_term/integrated_equations.hpp"
 #include "fdebench/schemes/rules/start_weights/multistep_scheme.hpp"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "fdebench/schemes/history/symbols/argument_change.hpp"
+#include "fdebench/schemes/history/symbols/generating_function.hpp"
 
 namespace fde {
 namespace {

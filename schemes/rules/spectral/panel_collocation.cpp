@@ -6,8 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "fdebench/schemes/problem/breaking_points.hpp"
-#include "fdebench/schemes/problem/switches.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde {
 namespace {

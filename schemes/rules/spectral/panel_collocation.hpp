@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "fdebench/schemes/rules/spectral/panel_solution.hpp"
 #include "fdebench/schemes/rules/spectral/panel_solver.hpp"
+#include "fdebench/schemes/rules/spectral/panel_tree.hpp"
 
 namespace fde {
 

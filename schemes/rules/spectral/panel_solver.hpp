@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/LU>
 #include <limits>
 
 #include "fdebench/schemes/problem/resolution.hpp"
-#include "fdebench/schemes/rules/spectral/panel_kernels.hpp"
+#include "fdebench/schemes/rules/spectral/panel_rule.hpp"
+#include "fdebench/schemes/solvers/dense_factors.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
-#include "fdebench/schemes/stepping/rhs_error.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {

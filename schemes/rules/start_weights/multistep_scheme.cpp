@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
-#include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/rules/start_weights/start_correction.hpp"
 #include "fdebench/schemes/rules/start_weights/starting_procedure.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fdebench/schemes/history/weights/family.hpp"
-#include "fdebench/schemes/rules/start_weights/starting_powers.hpp"
+#include "fdebench/schemes/rules/start_weights/start_weights.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {

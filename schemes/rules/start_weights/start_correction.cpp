@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "fdebench/schemes/problem/componentwise.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/start_weights/starting_procedure.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "fdebench/schemes/solvers/dense_factors.hpp"
 #include "fdebench/schemes/solvers/gmres.hpp"
+#include "fdebench/schemes/solvers/sparse_lu.hpp"
 
 namespace fde {
 
@@ -130,7 +130,7 @@ SolveStatus StartingProcedure::solve_linear(Run& run, const Vec& known, Vec& y) 
     identity.setIdentity();
     matrix = identity - matrix;
     matrix.makeCompressed();
-    const Eigen::SparseLU<SparseMatrix> factors(matrix);
+    const SparseLu factors(matrix);
     if (factors.info() != Eigen::Success) return SolveStatus::not_converged;
     y += factors.solve(rest);
   } else {

@@ -6,10 +6,6 @@
 #include <mutex>
 #include <optional>
 
-// The arithmetic has arrays of vectors as members, which vectors of unknown length cannot be. Without fused
-// multiply-adds the targets differ little.
-#define HWY_DISABLED_TARGETS \
-  (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV | HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fdebench/schemes/rules/start_weights/starting_weight_equations.cpp"
 #include <hwy/foreach_target.h>  // includes this file once for each target

@@ -14,9 +14,6 @@ class StartingWeightEquations {
  public:
   StartingWeightEquations() = default;
   virtual ~StartingWeightEquations() = default;
-  StartingWeightEquations(const StartingWeightEquations&) = delete;
-  StartingWeightEquations& operator=(const StartingWeightEquations&) = delete;
-  StartingWeightEquations(StartingWeightEquations&&) = delete;
   StartingWeightEquations& operator=(StartingWeightEquations&&) = delete;
 
   // W(n, j) for n = 1 ... K, one row a step, one column a j, from the defining sums. From K on the asymptotic

@@ -1,10 +1,33 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
+#include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/rules/two_sided/side_rule.hpp"
-#include "fdebench/schemes/rules/two_sided/unknown_initial_values.hpp"
 
 namespace fde {
+
+// The unknown initial values of a problem, in the order of its components: value k of component i adds
+// value t^k / k! to y_i, t the time of that row; in an algebraic row it counts at t = 0 only.
+class UnknownInitialValues {
+ public:
+  explicit UnknownInitialValues(const Problem& problem);
+
+  [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(unknowns_.size()); }
+
+  // Adds to y the terms of these values at a time that is `left` from the start and `right` from the end.
+  void add(In values, double left, double right, Out y) const;
+
+ private:
+  struct Unknown {
+    Eigen::Index component;
+    Side side;
+    std::size_t power;
+    bool algebraic;
+  };
+  std::vector<Unknown> unknowns_;
+};
 
 // A candidate for the solution at all times of a grid.
 struct GridFunction {
@@ -52,6 +75,49 @@ class GlobalEquations {
   Grid grid_;
   SideRule left_, right_;
   UnknownInitialValues unknown_;
+};
+
+// Newton's linear equations at all times at once. With J_n = df/dy at t_n, K the rules of both sides, B the
+// terms of the unknown initial values p and C the derivatives of the conditions with respect to y(0) and
+// y(end):
+//   x - K J x - B p = r,    C x = c,
+// without the x in algebraic rows.
+class Linearisation {
+ public:
+  // The equations must outlive this object.
+  explicit Linearisation(const GlobalEquations& equations) : equations_(equations) {}
+
+  // Computes the Jacobians at a guess with this residual.
+  void update(Run& run, const GridFunction& guess, const Residual& residual);
+
+  // The left-hand sides for x and p.
+  struct LeftHandSides {
+    Rows rows;
+    Vec conditions;
+  };
+  [[nodiscard]] LeftHandSides left_hand_sides(const GridFunction& x) const;
+
+  // Replaces y by the solution of y = given + K J y, one side after the other: first the left rows, with the
+  // right rows of the y that is passed, then the right rows.
+  void forward_backward_sweep(const Rows& given, Rows& y) const;
+  // The solution y of the diagonal blocks: without coupling between different times or between the two sides.
+  [[nodiscard]] Rows block_diagonal_solution(const Rows& given) const;
+  [[nodiscard]] Vec conditions(const Rows& y) const;  // C y
+  [[nodiscard]] const Matrix& conditions_by_start() const { return by_start_; }
+  [[nodiscard]] const Matrix& conditions_by_end() const { return by_end_; }
+  // df/dy at the n-th time.
+  [[nodiscard]] Eigen::Map<const Matrix> jacobian(Eigen::Index n) const;
+
+  [[nodiscard]] const GlobalEquations& equations() const { return equations_; }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  void differentiate_conditions(const GridFunction& guess, const Vec& conditions);
+
+  const GlobalEquations& equations_;
+  Matrix jacobians_;  // one column a time, or one for all
+  Matrix left_inverses_, right_inverses_;
+  Matrix by_start_, by_end_;  // derivatives of the conditions
 };
 
 }  // namespace fde

@@ -7,7 +7,7 @@
 
 #include "fdebench/schemes/problem/initial_guess.hpp"
 #include "fdebench/schemes/rules/two_sided/global_newton.hpp"
-#include "fdebench/schemes/rules/two_sided/linear_interpolation.hpp"
+#include "fdebench/schemes/rules/two_sided/two_grid_solver.hpp"
 
 namespace fde {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fdebench/schemes/history/weights/step_factors.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
 
 namespace fde {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "fdebench/schemes/rules/two_sided/linear_interpolation.hpp"
 #include "fdebench/schemes/solvers/gmres.hpp"
 
 namespace fde {
+
 namespace {
 
 // Packs rows and conditions into one vector and unpacks them; a condition has the weight of a row at all
@@ -127,6 +127,20 @@ std::size_t TwoGridSolver::bytes() const {
       equations_.problem().size() * (coarse_equations_.grid().steps + 1) + equations_.unknown_count();
   return coarse_.bytes() +
          sizeof(double) * static_cast<std::size_t>(fine * max_krylov_vectors(fine) + coarse * coarse);
+}
+
+Rows interpolate_linearly(const Grid& from, const Rows& y, const Grid& to) {
+  if (from.steps == to.steps) return y;
+  Rows result(y.rows(), to.steps + 1);
+  int after = 1;
+  for (int n = 0; n <= to.steps; ++n) {
+    const double t = to.time(n);
+    while (after < from.steps && from.time(after) < t) ++after;
+    const double before = from.time(after - 1);
+    const double share = (t - before) / (from.time(after) - before);
+    result.col(n) = (1.0 - share) * y.col(after - 1) + share * y.col(after);
+  }
+  return result;
 }
 
 }  // namespace fde

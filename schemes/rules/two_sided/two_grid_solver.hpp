@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/LU>
-
-#include "fdebench/schemes/rules/two_sided/linearisation.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
+#include "fdebench/schemes/rules/two_sided/global_equations.hpp"
+#include "fdebench/schemes/solvers/dense_factors.hpp"
+#include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {
 
@@ -51,5 +52,9 @@ class TwoGridSolver {
   Linearisation coarse_;
   DenseLinearisation dense_;
 };
+
+// Interpolates y linearly from the times of one grid to the times of another, one column a time.
+// Precondition: the grids have the same end.
+Rows interpolate_linearly(const Grid& from, const Rows& y, const Grid& to);
 
 }  // namespace fde

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
-#include "fdebench/schemes/problem/jacobian.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Right-hand sides as functions of y - y(0).
 
-#include "fdebench/benchmarks/expressions/increments.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "benchmarks/equation_files/equation_files_testing.hpp"
 #include "fdebench/benchmarks/expressions/formula.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
+#include "fdebench/benchmarks/expressions/values_at_start.hpp"
 #include "fdebench/benchmarks/measures/rounding.hpp"
 #include "support/testing.hpp"
 

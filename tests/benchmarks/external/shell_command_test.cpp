@@ -16,7 +16,7 @@
 #include <string>
 #include <thread>
 
-#include "fdebench/benchmarks/external/temporary_file.hpp"
+#include "fdebench/benchmarks/external/process_cleanup.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace fde::bench {

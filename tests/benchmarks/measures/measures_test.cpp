@@ -19,9 +19,9 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
-#include "fdebench/benchmarks/measures/time_spread.hpp"
+#include "fdebench/benchmarks/measures/timing_conditions.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
-#include "fdebench/benchmarks/observers/energy_balance.hpp"
+#include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "fdebench/schemes/problem/jacobian.hpp"
+#include "fdebench/schemes/problem/problem.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "benchmarks/mechanics/mechanical_files_testing.hpp"
-#include "fdebench/benchmarks/observers/energy_balance.hpp"
+#include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
 

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fdebench/benchmarks/observers/differentiation_rule.hpp"
-#include "fdebench/benchmarks/observers/energy_balance.hpp"
+#include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/observers/reaction_path.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"

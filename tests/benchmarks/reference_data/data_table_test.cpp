@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-#include "fdebench/benchmarks/reference_data/decimal_precision.hpp"
+#include "fdebench/benchmarks/reference_data/table_comparison.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 
 namespace fde::bench {

@@ -12,7 +12,7 @@
 #include "benchmarks/reference_data/example_tables.hpp"
 #include "fdebench/benchmarks/reference_data/data_package.hpp"
 #include "fdebench/benchmarks/reference_data/data_table.hpp"
-#include "fdebench/benchmarks/reference_data/tables/mittag_leffler_points.hpp"
+#include "fdebench/benchmarks/reference_data/tables/mittag_leffler_table.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
-#include "fdebench/schemes/stepping/optimal_grading.hpp"
+#include "fdebench/schemes/stepping/rates.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {

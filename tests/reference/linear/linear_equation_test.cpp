@@ -10,7 +10,6 @@
 #include <random>
 #include <stdexcept>
 
-#include "fdebench/reference/linear/closed_forms/power_sum.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 namespace fde::reference {
@@ -264,16 +263,6 @@ TEST(LinearEquation, RejectsWhatItCannotSolve) {
   EXPECT_THROW(linear_reference({{{1.0, 0.5}, {1.0, 0.0}}, {1.0}, {{1.0, -1.0}}}, {0.0}),
                std::invalid_argument);
   EXPECT_THROW(linear_reference(relaxation(0.5, -1.0, {1.0}), {0.0}).at(-1.0), std::invalid_argument);
-}
-
-TEST(PowerSum, IsTheSumOfItsPowers) {
-  const Reference sum = power_sum({{1.0, 0.0}, {2.0, 0.5}, {-0.1, 2.0}});
-  EXPECT_EQ(sum.at(0.0).value[0], 1.0);
-  EXPECT_DOUBLE_EQ(sum.at(4.0).value[0], 3.4);
-  EXPECT_EQ(sum.digits(4.0, 30)[0].value, "3.40000000000000000000000000000");
-  EXPECT_EQ(sum.digits(3.0, 30)[0].value, "3.56410161513775458705489268301");  // 1 + 2 sqrt(3) - 0.9
-  EXPECT_EQ(power_sum({{1.0, -0.5}}).at(0.0).value[0], std::numeric_limits<double>::infinity());
-  EXPECT_EQ(power_sum({}).at(1.0).value[0], 0.0);
 }
 
 }  // namespace

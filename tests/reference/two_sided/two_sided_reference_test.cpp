@@ -7,9 +7,8 @@
 
 #include "fdebench/benchmarks/references/cache.hpp"
 #include "fdebench/benchmarks/scenes/two_sided/manufactured_problem.hpp"
-#include "fdebench/reference/two_sided/clustered_panels.hpp"
-#include "fdebench/reference/two_sided/nodal_solution.hpp"
-#include "fdebench/reference/two_sided/sinc_nodes.hpp"
+#include "fdebench/reference/two_sided/nodal_basis.hpp"
+#include "fdebench/reference/two_sided/nodal_equations.hpp"
 #include "fdebench/reference/two_sided/solution.hpp"
 #include "support/testing.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <set>
 
+#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/sweep/trials.hpp"
-#include "fdebench/reports/command/arguments.hpp"
 
 namespace fde::bench {
 namespace {

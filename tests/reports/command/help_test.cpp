@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "fdebench/reports/command/command.hpp"
-#include "fdebench/reports/command/topics.hpp"
+#include "fdebench/reports/command/help_text.hpp"
 #include "support/command_line_result.hpp"
 #include "support/temporary_folder.hpp"
 

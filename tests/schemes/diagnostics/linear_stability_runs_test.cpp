@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "fdebench/benchmarks/programs/stability/late_growth.hpp"
-#include "fdebench/schemes/diagnostics/boundary_normal.hpp"
 #include "fdebench/schemes/diagnostics/stability_region.hpp"
 #include "support/testing.hpp"
 

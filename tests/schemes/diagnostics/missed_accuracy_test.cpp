@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A run that chooses its steps and is off by more than it was asked says so, by about how much.
 
-#include "fdebench/schemes/diagnostics/missed_accuracy.hpp"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/schemes/diagnostics/warnings.hpp"
 #include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 

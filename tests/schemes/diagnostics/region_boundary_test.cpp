@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The boundary of linear stability regions as polylines.
 
-#include "fdebench/schemes/diagnostics/region_boundary.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "fdebench/schemes/diagnostics/stability_region.hpp"
 
 namespace fde::bench {
 namespace {

@@ -11,8 +11,7 @@
 #include "fdebench/schemes/history/block_kernels.hpp"
 #include "fdebench/schemes/history/direct_history.hpp"
 #include "fdebench/schemes/history/exponential_history.hpp"
-#include "fdebench/schemes/history/variable_step_direct.hpp"
-#include "fdebench/schemes/history/variable_step_exponentials.hpp"
+#include "fdebench/schemes/history/variable_step_history.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde::bench {

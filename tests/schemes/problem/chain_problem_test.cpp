@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Problems built from multi-term equations, and Problem::equations of such a problem.
 
-#include "fdebench/schemes/problem/chain_problem.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
+#include "fdebench/schemes/problem/chain.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {

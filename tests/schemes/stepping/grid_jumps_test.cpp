@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fdebench/schemes/problem/chain_problem.hpp"
+#include "fdebench/schemes/problem/chain.hpp"
 #include "support/implicit_schemes.hpp"
 
 namespace fde::bench {

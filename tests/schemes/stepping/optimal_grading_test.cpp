@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The optimal grading for given orders, against published values and against the rates of a solution.
 
-#include "fdebench/schemes/stepping/optimal_grading.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/schemes/history/weights/families/binomial_weights.hpp"
+#include "fdebench/schemes/history/weights/families/multistep_family.hpp"
 #include "fdebench/schemes/history/weights/families/product_rules.hpp"
 #include "fdebench/schemes/history/weights/family.hpp"
 
@@ -8,7 +8,7 @@ namespace {
 
 // From B(k+g, 1-g) = int_0^inf (e^s - 1)^(-g) e^(-k s) ds. The differences of the weights of order g are the
 // weights of order g - 1.
-double coefficient(double g, double node, double kernel) {
+double grunwald_letnikov_coefficient(double g, double node, double kernel) {
   return kernel * std::pow(step_mean(node), -(g > 1.0 ? g - 1.0 : g));
 }
 
@@ -31,7 +31,7 @@ constinit const WeightFamily families::grunwald_letnikov{
     .first_sample_weight = [](long double /*g*/, long double /*n*/) -> long double { return 0; },
     .weight_at_order_one = 1.0,
     .step_factor = [](long double /*g*/) -> long double { return 1; },
-    .coefficient = coefficient,
+    .coefficient = grunwald_letnikov_coefficient,
     .regular_part = [](double /*g*/, ComplexValue /*mu*/) -> ComplexValue { return 1.0; }};
 
 }  // namespace fde

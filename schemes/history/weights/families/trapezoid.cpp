@@ -10,7 +10,7 @@ constexpr Real negligible = 1e-21L;
 
 // 2 k^(g+1) sum_{m>=1} binomial(g+1, 2m) k^(-2m): the second difference by the binomial series, without the
 // terms that cancel.
-Real weight(Real g, Real k) {
+Real trapezoid_weight(Real g, Real k) {
   if (k == 1) return 2 * std::expm1(g * std::log(Real{2}));
   const Real x = 1 / (k * k);
   Real term = 1, sum = 1;
@@ -35,7 +35,7 @@ Real first_sample_weight(Real g, Real n) {
 }
 
 // The integral of the kernel with a hat function on [k-1, k+1].
-double coefficient(double g, double node, double kernel) {
+double trapezoid_coefficient(double g, double node, double kernel) {
   const double mean = step_mean(node);
   return kernel * (std::tgamma(g + 2) * mean * mean * std::exp(-node) * difference_mean(g, node));
 }
@@ -55,7 +55,7 @@ double first_sample_coefficient(double g, double node, double kernel) {
 }
 
 // (1-zeta)^g (1-zeta)^2/zeta Li_(-g-1)(zeta); branches as in the rectangle rule.
-ComplexValue regular_part(double g, ComplexValue mu) {
+ComplexValue trapezoid_regular_part(double g, ComplexValue mu) {
   return std::pow(exp_minus_one(mu) / mu, 2.0 + g) / std::exp(mu) * scaled_polylogarithm(-g - 1.0, mu);
 }
 
@@ -64,13 +64,13 @@ ComplexValue regular_part(double g, ComplexValue mu) {
 constinit const WeightFamily families::trapezoid{
     .id = "trapezoid",
     .title = "product trapezoidal rule, Adams-Moulton corrector: (k+1)^(g+1) - 2 k^(g+1) + (k-1)^(g+1)",
-    .weight = weight,
+    .weight = trapezoid_weight,
     .first_sample_weight = first_sample_weight,
     .weight_at_order_one = 2.0,
     .step_factor = [](Real g) { return 1 / std::tgamma(g + 2); },
-    .coefficient = coefficient,
+    .coefficient = trapezoid_coefficient,
     .first_sample_coefficient = first_sample_coefficient,
-    .regular_part = regular_part,
+    .regular_part = trapezoid_regular_part,
     .endpoint_values = [](double before, double after, double /*length*/) -> EndpointValues {
       return {before, after};
     }};

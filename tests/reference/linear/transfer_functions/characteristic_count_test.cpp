@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The number of zeros of a characteristic function in a rectangle of log s.
 
-#include "fdebench/reference/linear/transfer_functions/characteristic_count.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
+
+#include "fdebench/reference/linear/transfer_functions/characteristic_function.hpp"
 
 namespace fde::reference {
 namespace {

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "fdebench/reference/special_functions/laplace/contour.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
-#include "fdebench/reference/special_functions/prabhakar_and_matrix/shifted_contours.hpp"
 
 namespace fde::reference {
 namespace {

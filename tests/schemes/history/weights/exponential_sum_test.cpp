@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/schemes/history/weights/weight_transform.hpp"
 #include "schemes/history/weights/exact_weights.hpp"
 
 namespace fde::bench {

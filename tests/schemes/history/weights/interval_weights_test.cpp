@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/schemes/history/weights/interval_weights.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "fdebench/schemes/history/weights/kernel_moments.hpp"
 #include "schemes/history/weights/exact_weights.hpp"
 
 namespace fde::bench {

@@ -7,7 +7,7 @@
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
-#include "fdebench/schemes/rules/adaptive/pi_controller.hpp"
+#include "fdebench/schemes/rules/adaptive/step_control.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fdebench/schemes/problem/linear_smoothness.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 #include "fdebench/schemes/stepping/order_splitting.hpp"
 #include "support/algebraic_problems.hpp"
 #include "support/testing.hpp"

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <functional>
 
-#include "fdebench/schemes/history/symbols/lerch.hpp"
-#include "fdebench/schemes/history/weights/interval_weights.hpp"
+#include "fdebench/schemes/history/weights/kernel_moments.hpp"
+#include "fdebench/schemes/history/weights/polylogarithm.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {

@@ -11,7 +11,7 @@
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
-#include "fdebench/schemes/rules/start_weights/starting_powers.hpp"
+#include "fdebench/schemes/rules/start_weights/start_weights.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {

@@ -2,8 +2,6 @@
 // Arithmetic and special functions of MultipleDoubles against MPFR, to the digits that each number of parts
 // promises.
 
-// The vectors of unknown length of other targets cannot be members.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/zeta.hpp>

@@ -16,7 +16,6 @@
 #include <random>
 
 #include "fdebench/schemes/rules/start_weights/start_correction.hpp"
-#include "fdebench/schemes/rules/start_weights/starting_powers.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "fdebench/reference/nonlinear/collocation.hpp"
-#include "fdebench/schemes/problem/linear_smoothness.hpp"
+#include "fdebench/schemes/problem/smoothness.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/reports/command/given.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "fdebench/benchmarks/text/entry_named.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+
+namespace fde::bench {
+
+Given::Given(SubcommandText command, Texts texts) : command_(std::move(command)), texts_(std::move(texts)) {}
+
+const ArgumentText& Given::declared(std::string_view name) const {
+  if (const auto* argument = command_.find(name)) return *argument;
+  throw std::logic_error(fmt::format("{} does not declare {}", command_.name, name));
+}
+
+bool Given::has(std::string_view name) const { return texts_.find(declared(name).name) != texts_.end(); }
+
+std::optional<std::string> Given::find(std::string_view name) const {
+  return has(name) ? std::optional(all(name).back()) : std::nullopt;
+}
+
+std::string Given::text(std::string_view name) const { return find(name).value_or(declared(name).usual); }
+
+const std::vector<std::string>& Given::all(std::string_view name) const {
+  static const std::vector<std::string> none;
+  return has(name) ? texts_.find(name)->second : none;
+}
+
+void Given::set(const std::string& name, std::vector<std::string> texts) { texts_[name] = std::move(texts); }
+
+double Given::number(std::string_view name) const {
+  return parse_number(name, text(name), std::get<Range>(declared(name).allowed));
+}
+
+std::optional<double> Given::find_number(std::string_view name) const {
+  return has(name) ? std::optional(number(name)) : std::nullopt;
+}
+
+std::vector<double> Given::numbers(std::string_view name) const {
+  return parse_numbers(name, text(name), std::get<Range>(declared(name).allowed));
+}
+
+int Given::count(std::string_view name) const {
+  const auto& [lowest, highest] = std::get<CountRange>(declared(name).allowed);
+  return parse_count(name, text(name), lowest, highest);
+}
+
+std::optional<int> Given::find_count(std::string_view name) const {
+  return has(name) ? std::optional(count(name)) : std::nullopt;
+}
+
+std::string Given::word(std::string_view name) const {
+  const auto& words = std::get<Words>(declared(name).allowed);
+  if (std::ranges::find(words, text(name)) == words.end()) refuse(name, choice_text(words));
+  return text(name);
+}
+
+void Given::refuse(const std::string& message) const {
+  throw std::invalid_argument(fmt::format("{}; see fdebench {} --help", message, command_.name));
+}
+
+void Given::refuse(std::string_view name, std::string_view allowed) const {
+  reject_text(name, text(name), allowed);
+}
+
+ComplexText split_complex(std::string_view text) {
+  const auto comma = text.find(',');
+  if (comma != std::string_view::npos)
+    return {std::string(text.substr(0, comma)), std::string(text.substr(comma + 1))};
+  if (!text.ends_with('i')) return {std::string(text), "0"};
+  text.remove_suffix(1);
+  // The last sign that does not belong to an exponent separates the parts.
+  auto sign = text.find_last_of("+-");
+  while (sign != std::string_view::npos && sign > 0 && (text[sign - 1] == 'e' || text[sign - 1] == 'E'))
+    sign = text.find_last_of("+-", sign - 1);
+  const std::size_t begin = sign == std::string_view::npos ? 0 : sign;
+  std::string im(text.substr(begin));
+  if (im.empty() || im == "+" || im == "-") im += "1";
+  return {begin == 0 ? "0" : std::string(text.substr(0, begin)), im};
+}
+
+const Scheme& scheme_named(std::string_view id) {
+  const Scheme* const found = find_scheme(id);
+  return found != nullptr ? *found : entry_by_id(schemes(), "scheme", id);
+}
+
+ArgumentText scene_argument(const std::string& what) {
+  return {"SCENE", what + " or an equation file, or ID:NAME=VALUE,...", {}, "", Completion::scene};
+}
+
+ArgumentText set_argument() {
+  return {
+      "[--set NAME=VALUE]...", "a parameter of the scene, or its end: until=T", {}, "", Completion::setting};
+}
+
+std::vector<ArgumentText> run_settings_arguments(const std::string& budget) {
+  return {{"[--grid GRID]", "where the times of the steps are; graded:auto takes R from the orders",
+           "uniform or graded:R with R in [1, 100], or graded:auto", uniform_grid, Completion::grid},
+          {"[--history KIND]", "how the sums over earlier steps are computed",
+           Words{std::string(name(HistoryKind::automatic)), std::string(name(HistoryKind::direct)),
+                 std::string(name(HistoryKind::exponentials))},
+           std::string(name(HistoryKind::automatic))},
+          {"[--tolerance E]",
+           "relative error of Newton's method and of the history, added to the discretisation error",
+           Range{.low = 0.0, .high = 1.0}, "rounding"},
+          {"[--budget SECONDS]", "time after which the run ends", positive, budget}};
+}
+
+ArgumentText digits_argument() {
+  return {"[--digits D]", "number of decimal digits", CountRange{1, reference::max_digits}, "double"};
+}
+
+ArgumentText evaluation_budget_argument() {
+  return {"[--budget SECONDS]", "time after which the evaluation ends", positive, "none"};
+}
+
+ArgumentText runs_argument() {
+  return {"[--runs RUNS]", "rank by the time of the first run of a process (1) or of a later one",
+          Words{"1", "many"}, "many"};
+}
+
+ArgumentText until_argument() {
+  return {"[--until T]", "end of the time interval", valid_end_times, "that of the scene"};
+}
+
+std::vector<ArgumentText> joined(std::initializer_list<std::vector<ArgumentText>> lists) {
+  std::vector<ArgumentText> all;
+  for (const auto& list : lists) std::ranges::copy(list, std::back_inserter(all));
+  return all;
+}
+
+SceneVariant read_variant(const Given& given, const SceneRegistry& known) {
+  return read_variant(given.text("scene"), given.all("--set"), known);
+}
+
+void require_decimal(std::string_view name, std::string_view text) {
+  if (!is_decimal(text)) reject_text(name, text, any_number.text());
+}
+
+Tolerance parse_accuracy(std::string_view text) {
+  const double error = parse_number("--accuracy", text, positive);
+  return {.rtol = error, .atol = error};
+}
+
+bool requests_first_run(const Given& given) { return given.word("--runs") == "1"; }
+
+namespace {
+
+// Parses a setting that files have too; the message names it as the option, and what the option takes
+// besides.
+template <class Parse>
+auto of_option(const std::string& text, const Parse& parse, std::string_view more = "") {
+  try {
+    return parse(text);
+  } catch (const std::invalid_argument& fault) {
+    throw std::invalid_argument(fmt::format("--{}{}", fault.what(), more));
+  }
+}
+
+}  // namespace
+
+RunSettings parse_run_settings(const Given& given) {
+  const auto grid = given.text("--grid");
+  RunSettings setup{
+      .grading = grid == optimal_grid ? 1.0 : of_option(grid, parse_grading, ", or graded:auto"),
+      .history = of_option(given.text("--history"), parse_history)};
+  if (const auto tolerance = given.find_number("--tolerance")) setup.tolerance = *tolerance;
+  // The default of a sweep is no number: it depends on other options.
+  if (given.has("--budget") || is_decimal(given.text("--budget"))) setup.budget = given.number("--budget");
+  return setup;
+}
+
+}  // namespace fde::bench
