@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -20,8 +21,11 @@ using NextRun = std::optional<StepsOrTolerance>;
 // the quickest run within it; measured times differ by some percent.
 constexpr double near = 1.2;
 
-// Seconds of a run from which on runs are made only where a forecast expects something of them.
-constexpr double long_run = 5e-3;
+// The part of most_seconds up to which the first runs of a configuration, fewest_runs of them, are made.
+constexpr double early_part = 0.1;
+
+// Whether a configuration cannot be the cheapest, asked before a run that takes so many seconds.
+using IsOutOfReach = std::function<bool(double next_seconds)>;
 
 // The runs of one configuration by their number of steps, seen against one target.
 class StepsSearch {
@@ -36,24 +40,27 @@ class StepsSearch {
   }
 
   // Without a run within the target.
-  [[nodiscard]] NextRun refined(const std::function<double()>& least_forecast) const {
+  [[nodiscard]] NextRun refined(const IsOutOfReach& is_out_of_reach) const {
     if (const auto crossing = sign_change(runs_.rbegin()->first)) return crossing;
     const auto& [steps, finest] = *runs_.rbegin();
     if (steps > goal_.most_steps / 2 || has_stagnated(of_, target_.kind)) return std::nullopt;
     const double next = seconds_with(of_, 2.0 * steps).value_or(0.0);
     if (next - start_seconds(of_) > goal_.most_seconds) return std::nullopt;
-    if (runs_.size() < goal_.fewest_runs) return 2 * steps;
+    if (runs_.size() < goal_.fewest_runs && next <= early_part * goal_.most_seconds) return 2 * steps;
     if (least_seconds(*finest) > goal_.margin * quickest_) return std::nullopt;
-    return is_out_of_reach(next, least_forecast) ? std::nullopt : NextRun(2 * steps);
+    return is_out_of_reach(next) ? std::nullopt : NextRun(2 * steps);
   }
 
   // With a run within the target.
-  [[nodiscard]] NextRun narrowed() const {
+  [[nodiscard]] NextRun narrowed(const IsOutOfReach& is_out_of_reach) const {
     const auto next = runs_.find(fewest_);
-    if (next == runs_.begin()) return fewest_ > of_.unit ? NextRun(multiple(0.5 * fewest_)) : std::nullopt;
+    if (next == runs_.begin()) {
+      const bool is_least = fewest_ <= of_.unit || is_out_of_reach(next->second->seconds.value_or(0.0));
+      return is_least ? std::nullopt : NextRun(multiple(0.5 * fewest_));
+    }
     const auto& [below, outside] = *std::prev(next);
     if (least_seconds(*outside) > near * quickest_) return std::nullopt;
-    if (fewest_ - below > of_.unit && fewest_ > goal_.closeness * below) return between(below);
+    if (fewest_ - below > grain(below) && fewest_ > goal_.closeness * below) return between(below);
     if (const auto crossing = sign_change(below)) return crossing;
     return may_be_irregular() ? scanned() : std::nullopt;
   }
@@ -76,6 +83,12 @@ class StepsSearch {
     return std::max(of_.unit, static_cast<int>(steps / of_.unit) * of_.unit);
   }
 
+  // The unit of numbers of steps above this one that have few enough binary digits.
+  [[nodiscard]] int grain(int steps) const {
+    return std::max(of_.unit, static_cast<int>(std::bit_floor(static_cast<unsigned>(steps)) >>
+                                               static_cast<unsigned>(goal_.binary_digits - 1)));
+  }
+
   // The secant between the most steps outside and the fewest within, a little to the side of its root that
   // the last run was not on, so that the bracket closes from both sides; the middle where the secant fails.
   [[nodiscard]] int between(int below) const {
@@ -87,7 +100,8 @@ class StepsSearch {
     part = std::clamp(part, edge, 1.0 - edge);
     const double root = below * std::pow(static_cast<double>(fewest_) / below, part),
                  steps = root * (of_.runs.back().steps == fewest_ ? little_less : little_more);
-    return std::clamp(multiple(std::ceil(steps / of_.unit) * of_.unit), below + of_.unit, fewest_ - of_.unit);
+    const int unit = grain(below);
+    return std::clamp(static_cast<int>(std::ceil(steps / unit)) * unit, below + unit, fewest_ - unit);
   }
 
   // Whether the last three runs all lie at one end of the bracket: then the secant converges slowly.
@@ -136,17 +150,6 @@ class StepsSearch {
     return std::nullopt;
   }
 
-  // Whether even the shortest forecast, or without one the next run, takes longer than another configuration
-  // needs, by the margin.
-  [[nodiscard]] bool is_out_of_reach(double next_seconds,
-                                     const std::function<double()>& least_forecast) const {
-    constexpr double hope = 0.8;
-    if (next_seconds < long_run) return false;
-    const auto own = forecast_seconds(of_, target_);
-    const double least = own ? hope * own->low : next_seconds;
-    return least > goal_.margin * least_forecast();
-  }
-
   const SearchGoal& goal_;
   const Refinement& of_;
   const ErrorTarget& target_;
@@ -170,25 +173,36 @@ NextRun untried(const SearchGoal& goal, const Refinement& of, double tolerance) 
   return Tolerance{rounded, rounded};
 }
 
-NextRun next_tolerance(const SearchGoal& goal, const Refinement& of, const ErrorTarget& target,
-                       double quickest) {
-  constexpr double decade = 10.0, quarter = 1.7782794100389228, half = 3.1622776601683795;
-  const RefinementRun* finest = &of.runs.front();
-  for (const RefinementRun& run : of.runs) {
-    if (std::get<Tolerance>(run.resolution).rtol < std::get<Tolerance>(finest->resolution).rtol)
-      finest = &run;
-  }
+// The seconds of a run with a tolerance ten times smaller than the finest, by how the last ones grew.
+double seconds_of_next(const std::map<double, const RefinementRun*>& runs) {
+  constexpr double most_growth = 10.0;
+  const auto& [fine, finest] = *runs.begin();
   const double seconds = finest->seconds.value_or(0.0);
+  if (runs.size() < 2 || !std::next(runs.begin())->second->seconds || seconds == 0.0) return seconds;
+  const auto& [coarse, other] = *std::next(runs.begin());
+  const double power = 1.0 / std::log10(coarse / fine);
+  return seconds * std::clamp(std::pow(seconds / *other->seconds, power), 1.0, most_growth);
+}
+
+NextRun next_tolerance(const SearchGoal& goal, const Refinement& of, const ErrorTarget& target,
+                       double quickest, const IsOutOfReach& is_out_of_reach) {
+  constexpr double decade = 10.0, quarter = 1.7782794100389228, half = 3.1622776601683795;
+  std::map<double, const RefinementRun*> runs;  // by tolerance
+  for (const RefinementRun& run : of.runs) runs.emplace(std::get<Tolerance>(run.resolution).rtol, &run);
+  const auto& [tightest, finest] = *runs.begin();
+  const double seconds = finest->seconds.value_or(0.0), next_seconds = seconds_of_next(runs);
   const RefinementRun* best = quickest_within(of, target);
-  const bool is_settled = best != nullptr && *best->seconds > long_run;  // a tighter one takes longer still
+  const bool is_settled =
+      best != nullptr && *best->seconds > goal.long_run;  // a tighter one takes longer still
   // A solution that one polynomial fits may take less time with a tighter tolerance, not only with the next.
   constexpr std::size_t fewest = 6;
-  const bool is_early = of.runs.size() < std::max(goal.fewest_runs, seconds < long_run ? fewest : 0) &&
-                        seconds <= goal.most_seconds;
-  if (!finest->fails_with_more_steps && !is_settled &&
-      (is_early || seconds <= std::min(goal.most_seconds, goal.margin * quickest))) {
-    if (const auto next = untried(goal, of, std::get<Tolerance>(finest->resolution).rtol / decade))
-      return next;
+  const bool is_early = of.runs.size() < std::max(goal.fewest_runs, seconds < goal.long_run ? fewest : 0) &&
+                        next_seconds <= early_part * goal.most_seconds;
+  const double counted = next_seconds < goal.long_run ? seconds : next_seconds;
+  const bool is_promising = next_seconds <= goal.most_seconds && counted <= goal.margin * quickest &&
+                            !error_of(*finest, target.kind).is_stagnant && !is_out_of_reach(next_seconds);
+  if (!finest->fails_with_more_steps && !is_settled && (is_early || is_promising)) {
+    if (const auto next = untried(goal, of, tightest / decade)) return next;
   }
   if (best == nullptr || *best->seconds > near * quickest) return std::nullopt;
   const double at = std::get<Tolerance>(best->resolution).rtol;
@@ -213,23 +227,41 @@ NextRun first_of(const SearchGoal& goal, const Refinement& of) {
 class TargetSearch {
  public:
   TargetSearch(const SearchGoal& goal, std::span<const Refinement> of_scene, const ErrorTarget& target,
-               double quickest)
-      : goal_(goal), of_scene_(of_scene), target_(target), quickest_(quickest) {}
+               double quickest, ForecastMemo& memo)
+      : goal_(goal), of_scene_(of_scene), target_(target), quickest_(quickest), memo_(memo) {}
 
   NextRun next(const Refinement& of) {
-    if (of.is_adaptive) return next_tolerance(goal_, of, target_, quickest_);
+    const auto out_of_reach = [&](double next_seconds) { return is_out_of_reach(of, next_seconds); };
+    if (of.is_adaptive) return next_tolerance(goal_, of, target_, quickest_, out_of_reach);
     const StepsSearch search(goal_, of, target_, quickest_, least_step());
-    return search.is_reached() ? search.narrowed() : search.refined([this] { return least_forecast(); });
+    return search.is_reached() ? search.narrowed(out_of_reach) : search.refined(out_of_reach);
   }
 
  private:
+  // Whether even the shortest forecast, or without one the next run, takes longer than another configuration
+  // needs, by the margin.
+  bool is_out_of_reach(const Refinement& of, double next_seconds) {
+    constexpr double hope = 0.8;
+    if (next_seconds < goal_.long_run) return false;
+    const auto own = forecast(of);
+    const double least = own ? hope * own->low : next_seconds;
+    return least > goal_.margin * least_forecast();
+  }
+
+  const std::optional<Prediction>& forecast(const Refinement& of) {
+    const auto i = static_cast<std::size_t>(&of - of_scene_.data());
+    const auto [known, is_new] = memo_.try_emplace({i, of.runs.size(), target_.kind, target_.error});
+    if (is_new) known->second = forecast_seconds(of, target_);
+    return known->second;
+  }
+
   // The least seconds that a configuration is measured or forecast to need, at the end of its interval.
   double least_forecast() {
     if (least_forecast_) return *least_forecast_;
     double least = quickest_;
     for (const Refinement& of : of_scene_) {
-      if (quickest_within(of, target_) != nullptr) continue;
-      if (const auto expected = forecast_seconds(of, target_)) least = std::min(least, expected->high);
+      if (of.runs.empty() || quickest_within(of, target_) != nullptr) continue;
+      if (const auto expected = forecast(of)) least = std::min(least, expected->high);
     }
     return least_forecast_.emplace(least);
   }
@@ -251,6 +283,7 @@ class TargetSearch {
   std::span<const Refinement> of_scene_;
   const ErrorTarget& target_;
   double quickest_;
+  ForecastMemo& memo_;
   std::optional<double> least_forecast_{}, least_step_{};
 };
 
@@ -269,10 +302,17 @@ std::vector<double> quickest_seconds(const SearchGoal& goal, std::span<const Ref
 
 std::vector<std::optional<StepsOrTolerance>> next_resolutions(const SearchGoal& goal,
                                                               std::span<const Refinement> of_scene) {
+  ForecastMemo memo;
+  return next_resolutions(goal, of_scene, memo);
+}
+
+std::vector<std::optional<StepsOrTolerance>> next_resolutions(const SearchGoal& goal,
+                                                              std::span<const Refinement> of_scene,
+                                                              ForecastMemo& memo) {
   const auto quickest = quickest_seconds(goal, of_scene);
   std::vector<TargetSearch> searches;
   for (std::size_t k = 0; k < goal.targets.size(); ++k)
-    searches.emplace_back(goal, of_scene, goal.targets[k], quickest[k]);
+    searches.emplace_back(goal, of_scene, goal.targets[k], quickest[k], memo);
   std::vector<NextRun> next(of_scene.size());
   for (std::size_t i = 0; i < of_scene.size(); ++i) {
     const Refinement& of = of_scene[i];
@@ -287,6 +327,27 @@ std::vector<std::optional<StepsOrTolerance>> next_resolutions(const SearchGoal& 
       next[i] = search->next(of);
   }
   return next;
+}
+
+std::vector<std::size_t> due_runs(const SearchGoal& goal, std::span<const Refinement> of_scene,
+                                  std::span<const std::optional<StepsOrTolerance>> next) {
+  constexpr double alike = 4.0;
+  std::vector<double> seconds(next.size(), never);  // expected
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (!next[i]) continue;
+    const auto& runs = of_scene[i].runs;
+    const auto* steps = std::get_if<int>(&*next[i]);
+    const auto expected = steps != nullptr ? seconds_with(of_scene[i], *steps)
+                          : runs.empty()   ? std::nullopt
+                                           : runs.back().seconds;
+    seconds[i] = expected.value_or(0.0);
+  }
+  std::vector<std::size_t> due;
+  if (seconds.empty()) return due;
+  const double most = std::max(alike * std::ranges::min(seconds), goal.short_run);
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (next[i] && seconds[i] <= most) due.push_back(i);
+  return due;
 }
 
 }  // namespace fde::bench

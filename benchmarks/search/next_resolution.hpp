@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "fdebench/benchmarks/search/refinement.hpp"
@@ -19,6 +22,9 @@ struct SearchGoal {
   double most_seconds = 0.3;               // of a solve; slower runs are not made
   // A configuration is left once its runs outside a target take this multiple of the quickest run within it.
   double margin = 1.5;
+  double long_run = 5e-3;    // seconds; longer runs are made only where a forecast expects something of them
+  double short_run = 5e-5;   // seconds; shorter runs are not put off for shorter ones
+  int binary_digits = 31;    // significant ones of numbers of steps: runs with few share comparison times
   double closeness = 1.015;  // ratio of the fewest steps within a target and the most outside it
   // Scans for runs with fewer steps where the error need not decrease with the steps, while a run takes at
   // most this many seconds.
@@ -27,6 +33,11 @@ struct SearchGoal {
 
 // The seconds of the quickest run of all configurations within each target; infinity where there is none.
 std::vector<double> quickest_seconds(const SearchGoal& goal, std::span<const Refinement> of_scene);
+
+// Forecasts of the configurations of one scene: by the number of the configuration, its number of runs, the
+// kind of error and the error.
+using ForecastMemo =
+    std::map<std::tuple<std::size_t, std::size_t, std::size_t, double>, std::optional<Prediction>>;
 
 // The next run of each configuration of a scene that can change which run is the cheapest within some target;
 // nullopt where there is none. The steps are doubled, from coarsest_steps on, until a run is within the
@@ -38,10 +49,19 @@ std::vector<double> quickest_seconds(const SearchGoal& goal, std::span<const Ref
 //     run that failed counts with the cheapest step of any configuration;
 //   - if its errors stagnate outside the target;
 //   - if by its errors so far, which decrease, it needs more than `margin` times what another one is measured
-//     or forecast to need; this is asked only before runs of more than 5 ms;
+//     or forecast to need; this is asked only before runs that take longer than long_run;
 //   - if it is the same algorithm as one listed before.
 // A function of the runs alone: a sweep that is continued, or told of better times, goes on from the runs.
+// `memo`: of the same configurations, whose runs have only become more since an earlier call.
+std::vector<std::optional<StepsOrTolerance>> next_resolutions(const SearchGoal& goal,
+                                                              std::span<const Refinement> of_scene,
+                                                              ForecastMemo& memo);
 std::vector<std::optional<StepsOrTolerance>> next_resolutions(const SearchGoal& goal,
                                                               std::span<const Refinement> of_scene);
+
+// The numbers of the configurations whose next run takes about as long as the shortest of these runs: longer
+// ones may be needless once these have shown the quickest run within a target.
+std::vector<std::size_t> due_runs(const SearchGoal& goal, std::span<const Refinement> of_scene,
+                                  std::span<const std::optional<StepsOrTolerance>> next);
 
 }  // namespace fde::bench

@@ -109,28 +109,15 @@ class Search {
            std::ranges::any_of(next_runs(), [](const auto& next) { return next.has_value(); });
   }
 
-  // The forecast seconds of the next run of a configuration.
-  [[nodiscard]] double expected_seconds(std::size_t i, const StepsOrTolerance& resolution) const {
-    if (const auto* steps = std::get_if<int>(&resolution))
-      return seconds_with(refinements_[i], *steps).value_or(0.0);
-    return refinements_[i].runs.empty() ? 0.0 : refinements_[i].runs.back().seconds.value_or(0.0);
-  }
-
-  // Makes the next runs that take about as long as the shortest of them, so that the quickest run within the
-  // accuracy is found before longer runs are made. Returns whether there was any.
+  // Makes the next runs that are due. Returns whether there was any.
   bool make_next_runs() {
-    constexpr double alike = 4.0, short_run = 5e-5;
     const auto next = next_runs();
-    double shortest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < next.size(); ++i)
-      if (next[i]) shortest = std::min(shortest, expected_seconds(i, *next[i]));
-    if (shortest == std::numeric_limits<double>::infinity()) return false;
-    for (std::size_t i = 0; i < next.size(); ++i) {
+    const auto due = due_runs(goal_, refinements_, next);
+    for (const std::size_t i : due) {
       if (left() == 0.0) return false;
-      if (next[i] && expected_seconds(i, *next[i]) <= std::max(alike * shortest, short_run))
-        make_run(i, *next[i]);
+      make_run(i, *next[i]);
     }
-    return true;
+    return !due.empty();
   }
 
   void make_run(std::size_t i, const StepsOrTolerance& resolution) {

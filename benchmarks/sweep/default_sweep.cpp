@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/search/accuracy_target.hpp"
 
 namespace fde::bench {
 
@@ -50,12 +51,17 @@ SweepPlan thorough_plan() {
 
 SweepPlan default_plan() {
   SearchGoal goal{.coarsest_steps = 64,
-                  .fewest_runs = 5,
+                  .fewest_runs = 4,
                   .most_steps = 1 << 19,
                   .loosest = 1e-2,
                   .tightest = 1e-13,
+                  .most_seconds = 0.2,
+                  .margin = 1.2,
+                  .long_run = 1e-3,
+                  .short_run = 1e-3,
+                  .binary_digits = 5,
                   .closeness = 1.05};
-  for (const double error : {1e-2, 1e-4, 1e-6, 1e-8}) {
+  for (const double error : default_accuracies) {
     goal.targets.push_back({error_at_end, error, true});
     goal.targets.push_back({error_maximum, error});
   }

@@ -18,7 +18,7 @@ std::vector<SceneVariant> default_scenes();
 std::vector<SceneVariant> sweep_scenes();
 
 // The numbers of steps (64, 128, ..., 2^19) and tolerances (1e-2, ..., 1e-13) of a thorough sweep; and the
-// search for the cheapest runs within 1e-2, 1e-4, 1e-6 and 1e-8, at the end time and over all times.
+// search for the cheapest runs within each of default_accuracies, at the end time and over all times.
 SweepPlan thorough_plan();
 SweepPlan default_plan();
 

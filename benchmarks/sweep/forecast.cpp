@@ -15,6 +15,7 @@
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 #include "fdebench/benchmarks/sweep/probe_choice.hpp"
+#include "fdebench/benchmarks/sweep/scene_refinements.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde::bench {
@@ -41,7 +42,9 @@ class Probe {
     const auto* steps = std::get_if<int>(&resolution);
     RefinementRun run{.resolution = resolution, .steps = steps != nullptr ? *steps : 0};
     run.fails_with_more_steps = !refusal(resolution).empty();
-    if (fine_.failed || run.fails_with_more_steps) return run;
+    if (run.fails_with_more_steps) return run;
+    if (is_long_) run.seconds = budget_;
+    if (fine_.failed) return run;
     run.seconds = std::min(
         steps != nullptr ? seconds_with(*steps) : seconds_to(std::get<Tolerance>(resolution)), budget_);
     if (steps == nullptr) return run;
@@ -120,8 +123,8 @@ class Probe {
 
   // Short solves are timed a second time: the first one of a process also computes tables.
   [[nodiscard]] Solve solve(const Scene& scene, const Scheme& scheme, RunSettings setup,
-                            const StepsOrTolerance& requested) const {
-    constexpr double most_seconds = 2.0, short_seconds = 0.2;
+                            const StepsOrTolerance& requested) {
+    constexpr double most_seconds = 0.25, short_seconds = 0.02;
     setup.resolution = requested;
     setup.budget = std::min(setup.budget, most_seconds);
     const double end = scene.problem.end;
@@ -133,6 +136,7 @@ class Probe {
       return seconds_of([&] { path = scheme.solve(scene.problem, resolution_of(setup, end), options); });
     };
     double seconds = once();
+    is_long_ = path.status == SolveStatus::out_of_budget;
     if (path.status != SolveStatus::finished) return {};
     if (seconds < short_seconds) seconds = std::min(seconds, once());
     return {.steps = std::max(1.0, static_cast<double>(path.steps)),
@@ -148,7 +152,8 @@ class Probe {
   std::map<StepsOrTolerance, std::string> refusals_{};
   std::string refusal_{};
   Solve coarse_{}, fine_{};
-  double error_ = 0.0;  // of fine_
+  bool is_long_ = false;  // the last solve ran out of its budget
+  double error_ = 0.0;    // of fine_
   std::optional<double> end_rate_{}, maximum_rate_{};
 };
 
@@ -192,7 +197,7 @@ struct ProbedScene {
     has_solution = scene.reference.at != nullptr;
     reference = seconds_of_reference(scene);
     for (const auto* scheme : sweep.schemes) {
-      for (const RunSettings& setup : setups_of(sweep, *scheme, scene.problem))
+      for (const RunSettings& setup : setups_of(sweep, *scheme, &scene.problem))
         lines.push_back({scheme, Probe(scene, *scheme, setup, sweep.plan)});
     }
   }
@@ -216,72 +221,50 @@ class RefinementSimulation {
                        const RecordedLookup& recorded)
       : name_(variant.key()), variant_(variant), probed_(probed), sweep_(sweep), recorded_(recorded) {}
 
+  // A scene is made only where the settings depend on it.
   Forecast simulate() {
-    const auto lines = series();
-    std::vector<Refinement> refinements;
-    std::vector<std::vector<StepsOrTolerance>> listed;
-    for (std::size_t i = 0; i < lines.size() + sweep_.programs.size(); ++i) {
-      const Capabilities takes = i < lines.size() ? lines[i].scheme->capabilities : Capabilities{};
-      refinements.push_back({.is_adaptive = takes.is_adaptive()});
-      listed.push_back(resolutions_for(sweep_.plan, takes));
-    }
-    for (bool goes_on = true; goes_on;) {
-      goes_on = false;
-      const auto next = next_runs(sweep_.plan, listed, refinements);
-      for (std::size_t i = 0; i < next.size(); ++i) {
-        if (!next[i]) continue;
-        refinements[i].runs.push_back(i < lines.size() ? take(lines[i], *next[i])
-                                                       : take(sweep_.programs[i - lines.size()], *next[i]));
-        goes_on = true;
+    std::optional<Scene> scene;
+    if (sweep_.optimal_grids || !sweep_.graded.empty()) scene = make_scene(variant_);
+    SceneRefinements refinements(sweep_, name_, scene ? &scene->problem : nullptr);
+    while (refinements.choose_next(sweep_.plan)) {
+      const Scheme* last = nullptr;
+      std::size_t number = 0;  // of the series of this scheme
+      for (std::size_t i = 0; i < refinements.series.size(); ++i) {
+        const RefinementSeries& line = refinements.series[i];
+        const auto* const* scheme = std::get_if<const Scheme*>(&line.solver);
+        number = scheme != nullptr && *scheme == last ? number + 1 : 0;
+        if (scheme != nullptr) last = *scheme;
+        if (!line.is_due) continue;
+        refinements.add(i, scheme != nullptr ? take(line, probed_.probe(*scheme, number)) : take(line));
       }
     }
     return std::move(expected_);
   }
 
  private:
-  struct Series {
-    const Scheme* scheme;
-    RunSettings setup;
-    const Probe* probe;
-  };
-
-  [[nodiscard]] bool is_made(const std::optional<Record>& run) const {
-    return run && (run->is_complete() || sweep_.examines_only);
+  // The recorded run; nullopt if it is to be made.
+  [[nodiscard]] std::optional<RefinementRun> made(const RefinementSeries& line) const {
+    const auto run = recorded_(line.key);
+    const bool is_made = run && (run->is_complete() || sweep_.examines_only);
+    return is_made ? std::optional(refinement_run(*run)) : std::nullopt;
   }
 
-  // A scene is made only where the settings depend on it.
-  [[nodiscard]] std::vector<Series> series() const {
-    std::optional<Scene> scene;
-    if (sweep_.optimal_grids || !sweep_.graded.empty()) scene = make_scene(variant_);
-    std::vector<Series> all;
-    for (const auto* scheme : sweep_.schemes) {
-      const auto setups =
-          scene ? setups_of(sweep_, *scheme, scene->problem) : std::vector<RunSettings>{sweep_.setup};
-      for (std::size_t i = 0; i < setups.size(); ++i)
-        all.push_back({scheme, setups[i], &probed_.probe(scheme, i)});
-    }
-    return all;
-  }
-
-  RefinementRun take(const Series& line, const StepsOrTolerance& resolution) {
-    RunKey key{name_, std::string(line.scheme->id), line.setup};
-    key.setup.resolution = resolution;
-    const auto recorded = recorded_(key);
-    if (is_made(recorded)) return refinement_run(*recorded);
-    RefinementRun run = line.probe->forecast(resolution);
-    expected_[key] = {seconds_of(run), sweep_.examines_only ? 0.0 : seconds_of_timing(run, sweep_.repeats),
-                      line.probe->refusal(resolution)};
+  RefinementRun take(const RefinementSeries& line, const Probe& probe) {
+    if (const auto run = made(line)) return *run;
+    const auto& resolution = line.setup.resolution;
+    RefinementRun run = probe.forecast(resolution);
+    expected_[line.key] = {seconds_of(run),
+                           sweep_.examines_only ? 0.0 : seconds_of_timing(run, sweep_.repeats),
+                           probe.refusal(resolution)};
     return run;
   }
 
   // Programs are not started for a forecast: one second per run is assumed.
-  RefinementRun take(const ExternalProgram& program, const StepsOrTolerance& resolution) {
+  RefinementRun take(const RefinementSeries& line) {
     constexpr double guess = 1.0;
-    RunKey key = key_of(program, name_, sweep_.setup);
-    key.setup.resolution = resolution;
-    const auto recorded = recorded_(key);
-    if (is_made(recorded)) return refinement_run(*recorded);
-    expected_[key] = {guess, sweep_.examines_only ? 0.0 : guess * sweep_.repeats.most, ""};
+    if (const auto run = made(line)) return *run;
+    expected_[line.key] = {guess, sweep_.examines_only ? 0.0 : guess * sweep_.repeats.most, ""};
+    const auto& resolution = line.setup.resolution;
     return {.resolution = resolution, .steps = std::get<int>(resolution)};
   }
 

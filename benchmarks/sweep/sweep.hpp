@@ -35,10 +35,6 @@ struct Sweep {
   unsigned threads = usable_cores();  // for the untimed part
 };
 
-// The settings of a scheme's runs on a problem, one element per grading: one, or two for a scheme of
-// sweep.graded on a problem whose solution is not smooth at 0.
-std::vector<RunSettings> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem& problem);
-
 // The expected seconds of a run: to examine it, and to time it.
 struct ExpectedSeconds {
   double examination = 0.0, timing = 0.0;
@@ -76,14 +72,15 @@ struct SweepCallbacks {
 // How often a run is timed at most where Sweep::retimes holds.
 inline constexpr int most_timings = 3;
 
-// Makes each run that is not recorded yet, once. In turns: the next run of each refinement is examined, one
-// thread per scene; their solves are timed, one at a time; then the plan decides, from recorded and new runs
-// alike, which run of each refinement is the next, so that a resumed sweep makes the same runs. A run is
-// passed to `append` as soon as it is examined, and to `append_times` when it is timed; before the first run
-// of a scene its description is passed to `append_scene`, unless it is recorded. At one resolution the runs
-// of a scene keep the order of the schemes; those of different scenes interleave, the scene with the longest
-// forecast first; only scenes_at_once scenes are in memory. The number of threads and the forecast change
-// nothing but the times. An exception of one of the outputs ends the sweep and is rethrown.
+// Makes each run that is not recorded yet, once. In turns: the next runs, with a goal the shortest ones of
+// each scene, are examined, one thread per scene; their solves are timed, one at a time; then the plan
+// decides, from recorded and new runs alike, which run of each refinement is the next, so that a resumed
+// sweep makes the same runs. A run is passed to `append` as soon as it is examined, and to `append_times`
+// when it is timed; before the first run of a scene its description is passed to `append_scene`, unless it is
+// recorded. At one resolution the runs of a scene keep the order of the schemes; those of different scenes
+// interleave, the scene with the longest forecast first; only scenes_at_once scenes are in memory. The number
+// of threads and the forecast change nothing but the times. An exception of one of the outputs ends the sweep
+// and is rethrown.
 inline constexpr std::size_t scenes_at_once = 256;
 void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Forecast& expected = {});
 

@@ -51,16 +51,4 @@ RefinementRun refinement_run(const Record& run) {
           .errors = {error_of(run, Norm::end), error_of(run, Norm::maximum)}};
 }
 
-std::vector<std::optional<StepsOrTolerance>> next_runs(const SweepPlan& plan,
-                                                       std::span<const std::vector<StepsOrTolerance>> listed,
-                                                       std::span<const Refinement> of_scene) {
-  if (plan.goal) return next_resolutions(*plan.goal, of_scene);
-  std::vector<std::optional<StepsOrTolerance>> next(of_scene.size());
-  for (std::size_t i = 0; i < of_scene.size(); ++i) {
-    const std::size_t made = of_scene[i].runs.size();
-    if (made < listed[i].size()) next[i] = listed[i][made];
-  }
-  return next;
-}
-
 }  // namespace fde::bench

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "fdebench/benchmarks/records/record.hpp"
@@ -12,7 +11,8 @@
 namespace fde::bench {
 
 // Which runs of each refinement (a scheme with a grading, or a program) a sweep makes: with a goal those that
-// next_resolutions() chooses; otherwise these resolutions (numbers of steps, tolerances), in this order.
+// next_resolutions() and due_runs() choose; otherwise these resolutions (numbers of steps, tolerances), in
+// this order.
 struct SweepPlan {
   std::vector<StepsOrTolerance> resolutions{};
   std::optional<SearchGoal> goal{};
@@ -28,10 +28,5 @@ inline constexpr std::size_t error_at_end = 0, error_maximum = 1;
 
 // A recorded run as the choice of the next one sees it.
 RefinementRun refinement_run(const Record& run);
-
-// The next run of each refinement of a scene; nullopt where it has ended. `listed`: its resolutions_for().
-std::vector<std::optional<StepsOrTolerance>> next_runs(const SweepPlan& plan,
-                                                       std::span<const std::vector<StepsOrTolerance>> listed,
-                                                       std::span<const Refinement> of_scene);
 
 }  // namespace fde::bench

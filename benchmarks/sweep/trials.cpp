@@ -59,6 +59,7 @@ std::span<const Trial> trials() {
 std::vector<Sweep> sweeps_of_trials(Sweep like, bool thorough) {
   std::map<int, Sweep> by_steps;
   like.scenes.clear();
+  if (like.plan.goal) like.repeats = {.most = 1, .min_seconds = 0.0};
   for (const auto& trial : trials()) {
     if (trial.thorough && !thorough) continue;
     auto& sweep = by_steps.try_emplace(trial.steps, like).first->second;

@@ -24,7 +24,7 @@ inline constexpr Tolerance trial_accuracy{1e-6, 1e-300};
 std::span<const Trial> trials();
 
 // The trials as sweeps with the schemes and settings of `like`, one sweep per number of steps. Trials with
-// `thorough` are included on request.
+// `thorough` are included on request. In place of a search, whose times are compared, each run is timed once.
 std::vector<Sweep> sweeps_of_trials(Sweep like, bool thorough);
 
 }  // namespace fde::bench

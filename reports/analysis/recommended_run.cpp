@@ -156,13 +156,15 @@ std::vector<ErrorForecast> SceneLines::forecasts(const ErrorKind& kind) const {
 
 std::optional<Shortfall> SceneLines::shortfall(const ErrorKind& kind, double accuracy,
                                                std::span<const ErrorForecast> forecasts) const {
-  std::optional<RecommendedRun> best;
-  for (const Record& run : runs_) {
-    const auto option = option_of(run, kind);
-    if (option && (!best || option->error < best->error)) best = option;
-  }
-  if (!best) return std::nullopt;
-  Shortfall found{.best = *best, .untimed = count_untimed(runs_, kind, accuracy)};
+  constexpr double part_of_rounding = 0.25, part_of_reference = 0.1;
+  const auto best = std::ranges::min_element(
+      runs_, {}, [&](const Record& run) { return counted_error(run, kind).value_or(INFINITY); });
+  const auto error = best == runs_.end() ? std::nullopt : option_of(*best, kind);
+  if (!error) return std::nullopt;
+  Shortfall found{.best = *error, .untimed = count_untimed(runs_, kind, accuracy)};
+  const auto bound = (*best)[kind.norm == Norm::end ? "reference_bound" : "reference_bound_maximum"];
+  found.is_rounding = (*best)["rounding"].value_or(0.0) >= part_of_rounding * error->error;
+  if (!found.is_rounding && bound && *bound >= part_of_reference * error->error) found.known_up_to = bound;
   for (const auto& [finest, line, errors] : forecasts) {
     Prediction needed = errors.steps(accuracy);
     needed.value = std::max(needed.value, finest + 1.0);

@@ -43,7 +43,9 @@ struct Shortfall {
   RecommendedRun best{};                     // the smallest error; `time` is 0 if it is not timed
   std::optional<Prediction> steps_needed{};  // predicted for `line`, the line that needs the fewest
   RecommendedRun line{};
-  std::size_t untimed = 0;  // runs within the accuracy that are not timed yet
+  std::size_t untimed = 0;              // runs within the accuracy that are not timed yet
+  bool is_rounding = false;             // the smallest error is rounding error
+  std::optional<double> known_up_to{};  // otherwise the bound of the reference, where it explains that error
 };
 
 // The error model of a line, to extrapolate its errors to more steps.

@@ -18,12 +18,11 @@
 namespace fde::bench {
 namespace {
 
-constexpr TimingRepeats of_default_sweep{.min_seconds = 0.003, .enough_seconds = 0.1};
+constexpr TimingRepeats of_default_sweep{.min_seconds = 0.002, .enough_seconds = 0.03};
 
-// Budgets of a run: in seconds with --steps or --accuracy; in seconds in a thorough sweep; otherwise as a
-// multiple of the goal's most_seconds. Schemes with adaptive step size may need very many steps on unsuitable
-// problems.
-constexpr double usual_budget = 600.0, thorough_budget = 60.0, far_from_an_answer = 5.0;
+// Budgets of a run in seconds: with --steps or --accuracy; in a thorough sweep; otherwise. Schemes with
+// adaptive step size may need very many steps on unsuitable problems.
+constexpr double usual_budget = 600.0, thorough_budget = 60.0, budget_of_search = 1.0;
 
 bool is_listed(const Given& given) { return given.has("--steps") || given.has("--accuracy"); }
 
@@ -86,7 +85,7 @@ Sweep sweep_of(const Given& given, std::vector<SceneVariant> scenes) {
   if (sweep.plan.goal) sweep.repeats = of_default_sweep;
   if (!given.has("--budget")) {
     sweep.setup.budget = is_listed(given)  ? usual_budget
-                         : sweep.plan.goal ? far_from_an_answer * sweep.plan.goal->most_seconds
+                         : sweep.plan.goal ? budget_of_search
                                            : thorough_budget;
   }
   sweep.repeats.most = given.count("--repeat");
@@ -181,7 +180,7 @@ std::vector<Sweep> sweeps_of(const Study& study) {
 
 std::string budget_of_sweeps_text() {
   return fmt::format("{} with --steps or --accuracy, {} with --thorough, otherwise {}", usual_budget,
-                     thorough_budget, far_from_an_answer * default_plan().goal->most_seconds);
+                     thorough_budget, budget_of_search);
 }
 
 std::vector<Sweep> sweeps_of(const Given& given, const SceneRegistry& known) {

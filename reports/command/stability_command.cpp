@@ -33,10 +33,10 @@ std::string region_row(const Scheme& scheme, double gamma) {
                      response ? fmt::format("{:.3g}", std::abs((*response)[steps])) : "");
 }
 
-std::string boundary_rows(const Scheme& scheme, double gamma, int points) {
+std::string boundary_rows(const Scheme& scheme, double gamma, int count) {
   std::string rows;
-  for (int i = 1; i <= points; ++i) {
-    const double theta = std::numbers::pi * i / points;
+  for (int i = 1; i <= count; ++i) {
+    const double theta = std::numbers::pi * i / count;
     for (const ComplexValue z : root_locus(scheme, gamma, theta))
       rows += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", scheme.id, theta, z.real(), z.imag());
   }
@@ -45,14 +45,14 @@ std::string boundary_rows(const Scheme& scheme, double gamma, int points) {
 
 void print_stability(const Given& given, const Streams& streams, const SceneRegistry& /*known*/) {
   const double gamma = given.number("--gamma");
-  const int points = given.find_count("--boundary").value_or(0);
-  std::string rows = points > 0 ? "scheme,theta,re,im\n" : "scheme,interval,angle,exact_angle,left_at_100\n";
+  const int count = given.find_count("--boundary").value_or(0);
+  std::string rows = count > 0 ? "scheme,theta,re,im\n" : "scheme,interval,angle,exact_angle,left_at_100\n";
   {
     const auto chosen = schemes_of(given, gamma);
     ProgressLine line(streams, "stability");
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       line.set(i, chosen.size(), std::string(chosen[i]->id));
-      rows += points > 0 ? boundary_rows(*chosen[i], gamma, points) : region_row(*chosen[i], gamma);
+      rows += count > 0 ? boundary_rows(*chosen[i], gamma, count) : region_row(*chosen[i], gamma);
     }
   }
   streams.out << rows;

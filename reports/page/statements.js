@@ -14,7 +14,11 @@ const statements = {
   cheapest: ["{line}", "{?untimed}reached, not timed yet", "{?best}none measured reaches it", "no run has this error"],
   its_run: ["{?line}{:run}", "best: {best.line}, {best:run}"],
   why: [
-    "{needed.line} would need about N = {needed.steps:rough} ({needed.low:rough} ... {needed.high:rough}), by its errors so far",
+    "{?is_no_better}the solution is so small that a constant is as accurate",
+    "{?is_rounding}this error of {best.line} is rounding error",
+    "the reference is known to {known_up_to:error} only",
+    "{needed.line} would need about N = {needed.steps:rough} ({needed.low:rough} ... {needed.high:rough})[ and {needed.seconds:time}], by its errors so far",
+    "{?best}no error so far falls with the steps",
     "within noise of {ties:few}",
     "{second.ratio:ratio} times as quick as {second.line}: {second:reason}",
     "{?line}no other line gets there[; the next best, {next_best.line}, has {next_best.error:error}]",

@@ -11,7 +11,7 @@ namespace {
 // Below, factorisation takes no longer than the iterations of one solve.
 constexpr Eigen::Index fewest_unknowns = 2000;
 
-// Nanoseconds per unknown, as measured by `fde_large solvers`; only their ratio is used. An iteration
+// Nanoseconds per unknown, as measured by `fde_figures large solvers`; only their ratio is used. An iteration
 // multiplies with sines of the shorter line and reads a few vectors; the cost of factors grows like the
 // square root of the number of unknowns.
 double iteration_cost(const FivePointMatrix& matrix) {

@@ -58,7 +58,10 @@ test("a run is said with its time, and why it is the cheapest", () => checkSaid(
   ["why", run, "no other line gets there"],
   ["why", { ...run, next_best: { line: "bdf2", error: 1e-3 } }, "no other line gets there; the next best, bdf2, has 1.0e-3"],
   ["why", { best: run, needed: { line: "l1", steps: 4123, low: 3987, high: 5012 } }, "l1 would need about N = 4100 (4000 ... 5000), by its errors so far"],
-  ["why", { best: run }, ""],
+  ["why", { best: run, needed: { line: "l1", steps: 4123, low: 3987, high: 5012, seconds: 3 } }, "l1 would need about N = 4100 (4000 ... 5000) and 3.00 s, by its errors so far"],
+  ["why", { best: run, is_rounding: true, needed: { line: "l1", steps: 4123, low: 3987, high: 5012 } }, "this error of l1 is rounding error"],
+  ["why", { best: run, known_up_to: 1e-4 }, "the reference is known to 1.0e-4 only"],
+  ["why", { best: run }, "no error so far falls with the steps"],
 ]));
 
 test("the conclusion on a scene names the cheapest lines, the limit and what is left out", () => checkSaid([

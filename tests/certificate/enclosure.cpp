@@ -14,14 +14,14 @@ namespace {
 bool is_integer(const Ball& x) { return acb_is_int(x.get()) != 0; }
 
 // A term of the series costs one evaluation of Gamma, a point of the integral three complex exponentials.
-constexpr double most_terms = 800.0;
+constexpr double most_series_terms = 800.0;
 
 Method method_for(const Arguments& x, long bits) {
   const bool small = std::abs(x.z.mid()) <= 1.0;
   if (is_integer(x.alpha) && is_integer(x.beta) && !small) return Method::residues;
   const auto [terms, lost] = series_effort(x, bits);
-  return terms <= most_terms && lost < 2.0 * static_cast<double>(bits) ? Method::power_series
-                                                                       : Method::hankel;
+  return terms <= most_series_terms && lost < 2.0 * static_cast<double>(bits) ? Method::power_series
+                                                                              : Method::hankel;
 }
 
 Ball evaluate_once(const Arguments& x, Method method) {

@@ -29,7 +29,7 @@ INSTANTIATE_TEST_SUITE_P(, Singularity,
                          testing::Values(find_scheme("adams_pc"), find_scheme("l1"),
                                          find_scheme("grunwald_letnikov"), find_scheme("product_trapezoidal"),
                                          find_scheme("decoupled_multi_order")),
-                         [](const auto& test) { return std::string(test.param->id); });
+                         id_of_param);
 
 // Backward Euler damps the free pendulum by 5 % a step, to below the smallest doubles.
 TEST(Underflow, IsNoFailureOfNewtonsMethod) {
@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(, Budget,
                                          find_scheme("grunwald_letnikov"), find_scheme("product_trapezoidal"),
                                          find_scheme("decoupled_multi_order"),
                                          find_scheme("commensurate_adams_pc")),
-                         [](const auto& test) { return std::string(test.param->id); });
+                         id_of_param);
 
 TEST(BudgetOfShortRuns, IsLookedAtToo) {
   const Scene scene = make_scene(maker("relaxation"));

@@ -62,7 +62,7 @@ TEST_P(JumpRate, IsOneWhereTheJumpFallsInsideAStep) {
 
 INSTANTIATE_TEST_SUITE_P(, JumpRate,
                          testing::Values("product_trapezoidal", "bdf2", "l1_2", "multi_term_trapezoidal"),
-                         [](const auto& test) { return std::string(test.param); });
+                         text_of_param);
 
 }  // namespace
 }  // namespace fde::bench

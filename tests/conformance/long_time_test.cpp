@@ -53,7 +53,7 @@ TEST_P(DampedForLong, KeepsItsEnergyBounded) {
 INSTANTIATE_TEST_SUITE_P(, DampedForLong,
                          testing::Values("adams_pc", "l1", "grunwald_letnikov", "product_trapezoidal",
                                          "decoupled_multi_order"),
-                         [](const auto& test) { return std::string(test.param); });
+                         text_of_param);
 
 const ParameterValues undamped{{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}};
 

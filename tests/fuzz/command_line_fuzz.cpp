@@ -125,7 +125,7 @@ bool is_one_printable_line(std::string_view text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FDE_FUZZ_TARGET(command_line) {
   auto words = lines_of({reinterpret_cast<const char*>(data), size});
   if (!bound(words)) return 0;
   prepare_working_folder();

@@ -51,7 +51,7 @@ void solve(const Scene& scene, std::string_view scheme) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FDE_FUZZ_TARGET(equation_file) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   fuzz::require_one_line_errors([&] {
     const Scene scene = make_scene(equation_scene(parse_equation_text("fuzz.toml", text)));

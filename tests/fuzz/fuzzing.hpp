@@ -12,10 +12,24 @@
 #include <string>
 #include <string_view>
 
-// Shared by all fuzz targets. A target defines LLVMFuzzerTestOneInput; libFuzzer fuzzes it, or replay.cpp
-// runs it on the files of its corpus.
+// A fuzz target takes any bytes and aborts if a promise is broken. libFuzzer fuzzes it, in a program of its
+// own, or replay.cpp runs it on the files of its corpus.
+#ifdef FDE_LIBFUZZER
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+#define FDE_FUZZ_TARGET(name) int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+#else
+namespace fde::bench::fuzz {
+int command_line(const std::uint8_t* data, std::size_t size);
+int equation_file(const std::uint8_t* data, std::size_t size);
+int mittag_leffler(const std::uint8_t* data, std::size_t size);
+int parameter_values(const std::uint8_t* data, std::size_t size);
+int prabhakar(const std::uint8_t* data, std::size_t size);
+int records(const std::uint8_t* data, std::size_t size);
+int reference_files(const std::uint8_t* data, std::size_t size);
+}  // namespace fde::bench::fuzz
+#define FDE_FUZZ_TARGET(name) int fde::bench::fuzz::name(const std::uint8_t* data, std::size_t size)
+#endif
 
 namespace fde::bench::fuzz {
 

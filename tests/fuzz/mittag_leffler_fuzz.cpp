@@ -35,7 +35,7 @@ void in_digits(double alpha, double beta, std::complex<double> z, int digits) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FDE_FUZZ_TARGET(mittag_leffler) {
   fuzz::Bytes bytes(data, size);
   const bool digits = bytes.index_below(64) == 0;  // slower by orders of magnitude
   const auto alpha = bytes.take<double>(), beta = bytes.take<double>();

@@ -87,7 +87,7 @@ void check_reference(const Scene& scene, double t) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FDE_FUZZ_TARGET(parameter_values) {
   fuzz::Bytes bytes(data, size);
   const auto& maker = named(built_in_scenes(), bytes.line());
   const auto& scheme = named(schemes(), bytes.line());

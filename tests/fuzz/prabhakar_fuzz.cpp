@@ -75,7 +75,7 @@ void of_a_matrix(fuzz::Bytes& bytes, double alpha, double beta, int rows) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FDE_FUZZ_TARGET(prabhakar) {
   fuzz::Bytes bytes(data, size);
   const auto kind = bytes.index_below(5);
   const auto order = bytes.take<double>();

@@ -45,7 +45,7 @@ void show(const Results& results) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FDE_FUZZ_TARGET(records) {
   static const TemporaryFolder folder;
   static const auto file = folder.path() / "results.jsonl";
   std::ofstream(file, std::ios::binary)

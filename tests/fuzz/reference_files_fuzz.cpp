@@ -68,7 +68,7 @@ void read(std::size_t kind, const std::string& text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+FDE_FUZZ_TARGET(reference_files) {
   fuzz::Bytes bytes(data, size);
   const auto kind = bytes.index_below(6);
   try {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Runs a fuzz target on every file of its corpus, without a fuzzer: the arguments are files and folders.
+// fde_fuzz_corpora TARGET FILE...: a fuzz target on every file of its corpus, without a fuzzer; also of
+// folders.
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -11,19 +13,31 @@
 
 namespace {
 
-void run(const std::filesystem::path& file) {
+using namespace fde::bench::fuzz;
+using Target = int (*)(const std::uint8_t* data, std::size_t size);
+const std::map<std::string_view, Target> targets{{"command_line", command_line},
+                                                 {"equation_file", equation_file},
+                                                 {"mittag_leffler", mittag_leffler},
+                                                 {"parameter_values", parameter_values},
+                                                 {"prabhakar", prabhakar},
+                                                 {"records", records},
+                                                 {"reference_files", reference_files}};
+
+void run(Target target, const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
   const std::string bytes = text.str();
   fmt::print(stderr, "{}\n", file.string());
-  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  target(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
+  const auto target = count > 1 ? targets.find(arguments[1]) : targets.end();
+  if (target == targets.end()) return 2;
   std::vector<std::filesystem::path> files;
-  for (int i = 1; i < count; ++i) {
+  for (int i = 2; i < count; ++i) {
     if (!std::filesystem::is_directory(arguments[i])) {
       files.emplace_back(arguments[i]);
       continue;
@@ -32,7 +46,7 @@ int main(int count, char** arguments) {
   }
   for (auto& file : files) file = std::filesystem::absolute(file);  // a target may change the folder
   std::ranges::sort(files);
-  std::ranges::for_each(files, run);
+  for (const auto& file : files) run(target->second, file);
   fmt::print("{} inputs\n", files.size());
   return files.empty() ? 1 : 0;
 }

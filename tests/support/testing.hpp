@@ -32,8 +32,10 @@ inline double rounding_allowance(const Scheme& scheme, double plain) {
   return scheme.starting_powers ? std::max(plain, unit * max_growth) : plain;
 }
 
-// Names of parameterised tests: the id of the scheme or scene.
+// Names of parameterised tests: the id of the scheme or scene, the name of a case, a text.
 inline constexpr auto id_of_param = [](const auto& test) { return std::string(test.param->id); };
+inline constexpr auto name_of_param = [](const auto& test) { return std::string(test.param.name); };
+inline constexpr auto text_of_param = [](const auto& test) { return std::string(test.param); };
 
 inline std::vector<const Scheme*> all_schemes() {
   std::vector<const Scheme*> all;

@@ -16,12 +16,13 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <vector>
 
+#include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/schemes/history/exponential_memory.hpp"
 #include "fdebench/schemes/history/weights/exponential_sum.hpp"
 
+namespace fde::bench::figures {
 namespace {
 
-using namespace fde;
 using Exact = boost::multiprecision::cpp_bin_float_quad;  // 34 digits
 
 struct Sample {
@@ -72,13 +73,11 @@ void print_rows(double exponent, double steps) {
 
 }  // namespace
 
-int main() try {
+void exponentials(const Words& /*words*/) {
   fmt::print("exponent,steps,tolerance,nodes,bound,error\n");
   for (const double exponent : {0.05, 0.5, 0.95}) {
     for (const double steps : {1e4, 1e8}) print_rows(exponent, steps);
   }
-  return 0;
-} catch (const std::exception& error) {
-  fmt::print(stderr, "fde_exponentials: {}\n", error.what());
-  return 1;
 }
+
+}  // namespace fde::bench::figures

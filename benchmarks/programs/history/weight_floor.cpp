@@ -23,18 +23,18 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/schemes/history/weights/kernel_moments.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 
+namespace fde::bench::figures {
 namespace {
-
-using namespace fde;
-using namespace fde::bench;
 
 // D^order y = rate y.
 struct Relaxation {
@@ -144,14 +144,14 @@ void print_rows(const Relaxation& equation, double grading, double most_steps) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  const double most_steps = count > 1 ? std::strtod(arguments[1], nullptr) : 1e7;
-  if (!(most_steps >= 100 && most_steps <= 1e9)) {
-    fmt::print(stderr, "fde_weight_floor [largest number of steps, 100 to 1e9]\n");
-    return 2;
-  }
+void weight_floor(const Words& words) {
+  const double most_steps = words.empty() ? 1e7 : std::strtod(words[0].c_str(), nullptr);
+  if (!(most_steps >= 100 && most_steps <= 1e9))
+    throw std::invalid_argument("the largest number of steps has to be in [100, 1e9]");
   const Relaxation equation = relaxation();
   fmt::print("grid,steps,error,naive_last_sum,naive_error\n");
   print_rows(equation, 1, most_steps);
   print_rows(equation, 4, std::min(most_steps, 1e6));
 }
+
+}  // namespace fde::bench::figures

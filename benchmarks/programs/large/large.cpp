@@ -3,11 +3,11 @@
 // Each row is measured in a separate process, so that its memory is not mixed with other rows'. Prints the
 // wall time of the run in seconds, then CPU nanoseconds per unknown and step (whole run, its parts run
 // separately, bare loops) and bytes per unknown.
-//   fde_large             10^3 ... 10^6 unknowns, on the line and on the square
-//   fde_large D N [T]     one row: D = 1 or 2 dimensions, N unknowns, T threads
-//   fde_large solvers [N] solvers for the equations of a step, on squares of up to N x N points
-//   fde_large transforms  sine transforms by matrix products and by a fast Fourier transform
-//   fde_large direct      the history by direct sums instead of exponentials
+//   fde_figures large             10^3 ... 10^6 unknowns, on the line and on the square
+//   fde_figures large D N [T]     one row: D = 1 or 2 dimensions, N unknowns, T threads
+//   fde_figures large solvers [N] solvers for the equations of a step, on squares of up to N x N points
+//   fde_figures large transforms  sine transforms by matrix products and by a fast Fourier transform
+//   fde_figures large direct      the history by direct sums instead of exponentials
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -15,13 +15,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <string_view>
+#include <stdexcept>
+#include <string>
 
+#include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/benchmarks/programs/google/bare_loop.hpp"
 #include "fdebench/benchmarks/programs/large/solvers.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
@@ -31,13 +32,11 @@
 #include "fdebench/schemes/solvers/sparse_factors.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
+namespace fde::bench::figures {
 namespace {
 
-using namespace fde;
-using namespace fde::bench;
-
-constexpr int steps = 1000;
-constexpr double order = 0.5;
+constexpr int all_steps = 1000;
+constexpr double order_of_l1 = 0.5;
 
 struct Row {
   int dimensions;
@@ -64,14 +63,14 @@ Scene scene_of(const Row& row) {
   const auto& makers = built_in_scenes();
   const auto maker =
       std::ranges::find(makers, line ? "fractional_diffusion" : "fractional_diffusion_2d", &SceneFactory::id);
-  return make_scene(*maker, {{"gamma", order}, {line ? "components" : "n", points}});
+  return make_scene(*maker, {{"gamma", order_of_l1}, {line ? "components" : "n", points}});
 }
 
 // Mean CPU seconds of a step of the history alone, over `count` steps.
 double history_seconds(const Row& row, HistoryKind kind, int count) {
   const auto size = static_cast<std::size_t>(row.unknowns);
-  const auto history = make_history(kind, {std::vector<WeightTable>(size, {&families::l1, order})},
-                                    step_plan({.end = 1.0, .steps = steps}), 1e-15);
+  const auto history = make_history(kind, {std::vector<WeightTable>(size, {&families::l1, order_of_l1})},
+                                    step_plan({.end = 1.0, .steps = all_steps}), 1e-15);
   const Vec sample = Vec::LinSpaced(row.unknowns, 0.5, 1.5);
   Vec sums(row.unknowns);
   const auto some = [&](int from, int to) {
@@ -87,10 +86,10 @@ double history_seconds(const Row& row, HistoryKind kind, int count) {
 // The matrix 1 - kappa A of a step.
 SparseMatrix matrix_of_step(const Scene& scene) {
   const auto& matrix = std::get<SparseLinearPart>(scene.problem.derivatives).matrix;
-  StepFactors factors({WeightTable{&families::l1, order}});
+  StepFactors factors({WeightTable{&families::l1, order_of_l1}});
   SparseMatrix step(matrix.rows(), matrix.cols());
   step.setIdentity();
-  step -= factors.at(1.0 / steps)[0] * matrix;
+  step -= factors.at(1.0 / all_steps)[0] * matrix;
   return step;
 }
 
@@ -116,7 +115,7 @@ Solving solving_seconds(const Scene& scene) {
 }
 
 Eigen::Index exponentials() {
-  return exponential_sum(order, ExponentialMemory::shortest_lag, steps + 2.0, 1e-15).nodes.size();
+  return exponential_sum(order_of_l1, ExponentialMemory::shortest_lag, all_steps + 2.0, 1e-15).nodes.size();
 }
 
 // Lower bound by memory bandwidth, per step: the states of the exponentials and their compensation terms are
@@ -161,7 +160,7 @@ void measure(const Row& row) {
   {
     const Scene scene = scene_of(row);
     const Options options{.threads = row.threads, .output_times = {1.0}};
-    const auto run = [&] { path = find_scheme("l1")->solve(scene.problem, Grid{1.0, steps}, options); };
+    const auto run = [&] { path = find_scheme("l1")->solve(scene.problem, Grid{1.0, all_steps}, options); };
     taken = seconds_of([&] { whole = processor_seconds_of(run); });
     most = bytes_in_memory() - before;
     error =
@@ -171,11 +170,11 @@ void measure(const Row& row) {
   const int blocks = static_cast<int>(std::clamp<Eigen::Index>(10'000'000 / row.unknowns / 32, 2, 30));
   const double known = history_seconds(row, HistoryKind::exponentials, 32 * blocks);
   const auto each = [&](double seconds) { return 1e9 * seconds / unknowns; };
-  const double rest = (whole - solving.once) / steps - known - solving.each;
+  const double rest = (whole - solving.once) / all_steps - known - solving.each;
   fmt::print(
       "{} | {:.0e} | {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {} | {:.1f} | "
       "{:.0f} | {:.0f} | {:.2e}\n",
-      row.dimensions, unknowns, row.threads, taken, each(whole / steps), each(known), each(solving.each),
+      row.dimensions, unknowns, row.threads, taken, each(whole / all_steps), each(known), each(solving.each),
       each(rest), each(streaming_seconds(row.unknowns)), each(arithmetic_seconds(row.unknowns)),
       solving.method, solving.once, static_cast<double>(*path.cost.history_bytes) / unknowns, most / unknowns,
       error);
@@ -184,9 +183,9 @@ void measure(const Row& row) {
 // Direct history sums for 10^4 unknowns; the cost is linear in the unknowns and quadratic in the steps.
 void measure_direct() {
   const Row row{1, 10'000, 1};
-  const double mean = history_seconds(row, HistoryKind::direct, steps - 33);
+  const double mean = history_seconds(row, HistoryKind::direct, all_steps - 33);
   fmt::print("direct: {:.1f} ns an unknown and step, of {} steps; 10^6 unknowns: {:.0f} s and {:.1f} GB\n",
-             1e9 * mean / 1e4, steps, 100.0 * mean * steps, 8e-9 * 1e6 * steps);
+             1e9 * mean / 1e4, all_steps, 100.0 * mean * all_steps, 8e-9 * 1e6 * all_steps);
 }
 
 // Runs `work` in a child process.
@@ -201,32 +200,7 @@ void apart(const auto& work) {
   }
 }
 
-long number(const char* text) {
-  long value = 0;
-  std::from_chars(text, text + std::string_view(text).size(), value);
-  return value;
-}
-
-}  // namespace
-
-int main(int count, char** arguments) {
-  const std::string_view what = count > 1 ? arguments[1] : "";
-  if (what == "solvers") {
-    measure_solvers(count > 2 ? static_cast<int>(number(arguments[2])) : 1000);
-    return 0;
-  }
-  if (what == "transforms") measure_transforms();
-  if (what == "direct") measure_direct();
-  if (count == 2) return what == "transforms" || what == "direct" ? 0 : 2;
-  fmt::print(
-      "dimensions | unknowns | threads | run [s] | step | history | solve | rest | bare streaming | bare "
-      "arithmetic | "
-      "solver | factors [s] | history bytes | bytes | error\n");
-  if (count > 2) {
-    measure({static_cast<int>(number(arguments[1])), number(arguments[2]),
-             count > 3 ? static_cast<int>(number(arguments[3])) : 1});
-    return 0;
-  }
+void measure_all() {
   for (const int dimensions : {1, 2}) {
     for (const Eigen::Index unknowns : {1'000, 10'000, 100'000, 1'000'000}) {
       const auto points = std::lround(std::sqrt(unknowns));
@@ -235,5 +209,22 @@ int main(int count, char** arguments) {
   }
   for (const int dimensions : {1, 2}) apart([&] { measure({dimensions, 1'000'000, 2}); });
   apart(measure_direct);
-  return 0;
 }
+
+}  // namespace
+
+void large(const Words& words) {
+  const std::string what = words.empty() ? "" : words[0];
+  if (what == "solvers") return measure_solvers(words.size() > 1 ? std::stoi(words[1]) : 1000);
+  if (what == "transforms") return measure_transforms();
+  if (what == "direct") return measure_direct();
+  if (words.size() == 1) throw std::invalid_argument("large [solvers [N] | transforms | direct | D N [T]]");
+  fmt::print(
+      "dimensions | unknowns | threads | run [s] | step | history | solve | rest | bare streaming | bare "
+      "arithmetic | "
+      "solver | factors [s] | history bytes | bytes | error\n");
+  if (words.empty()) return measure_all();
+  measure({std::stoi(words[0]), std::stol(words[1]), words.size() > 2 ? std::stoi(words[2]) : 1});
+}
+
+}  // namespace fde::bench::figures

@@ -15,10 +15,12 @@
 #include <string_view>
 #include <vector>
 
+#include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
 
+namespace fde::bench::figures {
 namespace {
 
 struct Arguments {
@@ -142,11 +144,13 @@ void print_row(const Region& region, int points) {
 
 }  // namespace
 
-int main() {
+void function_times(const Words& /*words*/) {
   constexpr int points = 20000;
-  fde::reference::mittag_leffler(0.5, 1.0, -1.0);  // computes the tables, not to be timed
+  reference::mittag_leffler(0.5, 1.0, -1.0);  // computes the tables, not to be timed
   fmt::print("region,points,median,95 %,99.9 %,worst\n");
-  fde::reference::prabhakar(0.5, 1.0, 1.5, -1.0);
+  reference::prabhakar(0.5, 1.0, 1.5, -1.0);
   for (const Region& region : regions()) print_row(region, points);
   for (const Region& region : other_functions()) print_row(region, points / 20);
 }
+
+}  // namespace fde::bench::figures

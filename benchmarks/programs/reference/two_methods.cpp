@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Agreement of the two methods used for the references of nonlinear scenes, as CSV; their times on standard
-// error. `fde_two_methods --random N` draws N scenes with random parameters and prints a line for each whose
-// methods differ by more than the stated bound, and for each without a reference. The exit code is 1 in the
-// first case.
+// error. `fde_figures two_methods --random N` draws N scenes with random parameters and prints a line for
+// each whose methods differ by more than the stated bound, and for each without a reference. The exit code is
+// 1 in the first case.
 
 #include <fmt/format.h>
 
@@ -21,16 +21,17 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/reference/nonlinear/collocation.hpp"
 #include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
 
-namespace fde::bench {
+namespace fde::bench::figures {
 namespace {
 
-constexpr std::array times{1.0, 5.0, 20.0, 50.0};
+constexpr std::array compared_times{1.0, 5.0, 20.0, 50.0};
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -106,16 +107,17 @@ int random_problems(int count) {
 }
 
 void print_rows(const SceneFactory& maker, Scene scene) {
-  scene.problem.end = times.back();
+  scene.problem.end = compared_times.back();
   const auto start = std::chrono::steady_clock::now();
   const auto [problem, outputs] = reference_problem_of(scene);
   const reference::Reference reference =
       reference::reference_solution(problem);  // runs the second method too
   const double both = seconds_since(start);
-  const auto second = reference::diffusive_solution(problem, {}, {times.begin(), times.end()});
+  const auto second =
+      reference::diffusive_solution(problem, {}, {compared_times.begin(), compared_times.end()});
   fmt::print(stderr, "{}: reference {:.2f} s, its second method {:.2f} s in {} steps\n", maker.id, both,
              seconds_since(start) - both, second.times.size());
-  for (const double t : times) {
+  for (const double t : compared_times) {
     const reference::ReferenceValue known = reference.at(t);
     const auto k = std::ranges::find(second.times, t) - second.times.begin();
     const Vec values = columns_at(outputs, t, known.value),
@@ -130,17 +132,15 @@ void print_rows(const SceneFactory& maker, Scene scene) {
 }
 
 }  // namespace
-}  // namespace fde::bench
 
-int main(int count, char** words) try {
-  const std::span arguments(words, static_cast<std::size_t>(count));
-  if (arguments.size() == 3 && std::string_view(arguments[1]) == "--random")
-    return fde::bench::random_problems(std::stoi(arguments[2])) > 0 ? 1 : 0;
-  if (arguments.size() != 1) throw std::invalid_argument("usage: fde_two_methods [--random N]");
+void two_methods(const Words& words) {
+  if (words.size() == 2 && words[0] == "--random") {
+    if (random_problems(std::stoi(words[1])) > 0) throw std::runtime_error("the two methods differ");
+    return;
+  }
+  if (!words.empty()) throw std::invalid_argument("two_methods [--random N]");
   fmt::print("scene,t,quantity,collocation,second_method,difference,bound\n");
-  for (const auto* maker : fde::bench::nonlinear_scenes())
-    fde::bench::print_rows(*maker, fde::bench::make_scene(*maker));
-} catch (const std::exception& error) {
-  fmt::print(stderr, "{}\n", error.what());
-  return 3;
+  for (const auto* maker : nonlinear_scenes()) print_rows(*maker, make_scene(*maker));
 }
+
+}  // namespace fde::bench::figures

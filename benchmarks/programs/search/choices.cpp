@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
@@ -22,7 +23,7 @@
 #include "fdebench/benchmarks/search/search.hpp"
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
 
-namespace fde::bench {
+namespace fde::bench::figures {
 namespace {
 
 constexpr std::array gradings{1.0, 1.5, 2.0, 3.0, 4.0};
@@ -131,20 +132,17 @@ void compare(const Question& question) {
 }
 
 }  // namespace
-}  // namespace fde::bench
 
-int main(int count, char** words) try {
-  const std::vector<std::string> given(words + 1, words + count);
+void choices(const Words& given) {
   std::mt19937_64 random(given.empty() ? 1 : std::stoull(given[0]));
   const int questions = given.size() < 2 ? 40 : std::stoi(given[1]);
   fmt::print(
       "scene,kind,accuracy,scheme,grading,steps,part_of_accuracy,seconds,best,its_grading,its_steps,ratio,"
       "search_seconds\n");
   for (int i = 0; i < questions; ++i) {
-    fde::bench::compare(fde::bench::random_question(random));
+    compare(random_question(random));
     std::fflush(stdout);
   }
-} catch (const std::exception& error) {
-  fmt::print(stderr, "{}\n", error.what());
-  return 1;
 }
+
+}  // namespace fde::bench::figures

@@ -11,11 +11,12 @@
 #include <set>
 #include <string>
 
+#include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
 
-namespace fde::bench {
+namespace fde::bench::figures {
 namespace {
 
 constexpr std::array scenes_of_all{"relaxation",      "relaxation:gamma=1.5",
@@ -55,7 +56,7 @@ std::string reasons(std::vector<SearchCandidate> found) {
 }
 
 // Prints the row of a scene; returns the text of reasons() for it.
-std::string tell(const char* label) {
+std::string tell(const std::string& label) {
   const Scene scene = make_scene(parse_variant(label));
   fmt::print("| `{}`", label);
   std::vector<SearchCandidate> found;
@@ -70,18 +71,13 @@ std::string tell(const char* label) {
 }
 
 }  // namespace
-}  // namespace fde::bench
 
-int main(int count, char** words) try {
-  const std::vector<const char*> requested(words + 1, words + count);
+void winners(const Words& scenes) {
   fmt::print("| scene | 1e-4 | 1e-6 | 1e-8 | 1e-10 | 1e-12 |\n|---|---|---|---|---|---|\n");
   std::string reasons = "\nRates seen, with the cost of a step:\n";
-  for (const auto* scene :
-       requested.empty() ? std::vector(fde::bench::scenes_of_all.begin(), fde::bench::scenes_of_all.end())
-                         : requested)
-    reasons += fde::bench::tell(scene);
+  for (const auto& scene : scenes.empty() ? Words(scenes_of_all.begin(), scenes_of_all.end()) : scenes)
+    reasons += tell(scene);
   fmt::print("{}", reasons);
-} catch (const std::exception& error) {
-  fmt::print(stderr, "{}\n", error.what());
-  return 1;
 }
+
+}  // namespace fde::bench::figures

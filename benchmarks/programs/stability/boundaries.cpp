@@ -13,11 +13,12 @@
 #include <complex>
 #include <numbers>
 
+#include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/schemes/diagnostics/stability_region.hpp"
 
+namespace fde::bench::figures {
 namespace {
 
-using namespace fde;
 constexpr double pi = std::numbers::pi;
 
 void print(const Scheme& scheme, double order, std::string_view line, int piece, double theta,
@@ -34,7 +35,7 @@ void print_boundary(const Scheme& scheme, double order, int points, int& piece) 
 
 }  // namespace
 
-int main() try {
+void stability_boundaries(const Words& /*words*/) {
   fmt::print("scheme,order,line,piece,theta,re,im\n");
   int piece = 0;
   for (const double order : {0.3, 0.5, 0.7, 1.0, 1.2, 1.5, 1.8}) {
@@ -46,8 +47,6 @@ int main() try {
       print_boundary(scheme, order, scheme.capabilities.implicit ? 120 : 60, piece);
     }
   }
-  return 0;
-} catch (const std::exception& error) {
-  fmt::print(stderr, "fde_stability_boundaries: {}\n", error.what());
-  return 1;
 }
+
+}  // namespace fde::bench::figures

@@ -13,14 +13,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
 
+namespace fde::bench::figures {
 namespace {
-
-using namespace fde;
-using namespace fde::bench;
 
 Problem oscillator(double alpha, double beta, double mu, double nu) {
   const auto maker =
@@ -38,7 +37,7 @@ double largest_step(const Problem& problem) {
 
 }  // namespace
 
-int main() try {
+void stability_chain_steps(const Words& /*words*/) {
   fmt::print("alpha,beta,mu,nu,step\n");
   for (const auto& orders : {std::pair{1.5, 0.5}, {1.25, 0.75}, {1.9, 0.1}}) {
     for (int i = -4; i <= 4; ++i) {
@@ -50,8 +49,6 @@ int main() try {
       }
     }
   }
-  return 0;
-} catch (const std::exception& error) {
-  fmt::print(stderr, "fde_stability_chain_steps: {}\n", error.what());
-  return 1;
 }
+
+}  // namespace fde::bench::figures

@@ -5,19 +5,17 @@
 
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <stdexcept>
 #include <string_view>
 
+#include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/benchmarks/programs/stability/late_growth.hpp"
 #include "fdebench/benchmarks/programs/stability/linear_multistep.hpp"
 #include "fdebench/schemes/diagnostics/stability_region.hpp"
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 
+namespace fde::bench::figures {
 namespace {
-
-using namespace fde;
-using namespace fde::bench;
 
 const Scheme& scheme(std::string_view id) { return *find_scheme(id); }
 
@@ -85,9 +83,8 @@ void print_reversal() {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  const auto arguments = std::span(argv, static_cast<std::size_t>(argc));
-  const std::string_view what = arguments.size() == 2 ? arguments[1] : "";
+void stability_tables(const Words& words) {
+  const std::string_view what = words.size() == 1 ? std::string_view(words[0]) : "";
   if (what == "intervals") {
     print_intervals();
   } else if (what == "damping") {
@@ -97,8 +94,6 @@ int main(int argc, char** argv) try {
   } else {
     throw std::invalid_argument("say intervals, damping or reversal");
   }
-  return 0;
-} catch (const std::exception& error) {
-  fmt::print(stderr, "fde_stability_tables: {}\n", error.what());
-  return 1;
 }
+
+}  // namespace fde::bench::figures

@@ -9,9 +9,9 @@
 
 namespace fde::reference {
 
-// P(e^w) of a linear problem (linear_transform.hpp) for the search for its zeros: in long double and, where the
-// terms cancel, from exact coefficients with as many digits as needed. For orders at a distance delta, P is
-// as small as a power of delta wherever their terms cancel. Not thread-safe.
+// P(e^w) of a linear problem (linear_transform.hpp) for the search for its zeros: in long double and, where
+// the terms cancel, from exact coefficients with as many digits as needed. For orders at a distance delta, P
+// is as small as a power of delta wherever their terms cancel. Not thread-safe.
 class CharacteristicFunction {
  public:
   using Point = Complex<long double>;

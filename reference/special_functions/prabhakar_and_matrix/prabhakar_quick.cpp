@@ -18,8 +18,8 @@ long double to_long(const DoubleDouble& x) { return static_cast<long double>(x.h
 
 bool meets_tolerance(const QuickValue& x) { return x.error <= quick_tolerance * std::abs(x.value); }
 
-// A bound of the sum of the terms from `next` on, as in prabhakar_transform.cpp; size: the modulus of the first
-// of them without 1/Gamma.
+// A bound of the sum of the terms from `next` on, as in prabhakar_transform.cpp; size: the modulus of the
+// first of them without 1/Gamma.
 std::optional<long double> tail(double alpha, long double argument, double gamma, int next, long double size,
                                 long double modulus) {
   constexpr long double slow = 0.9L, largest_reciprocal = 1.13L;

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "fdebench/reports/analysis/recommendation.hpp"
-#include "fdebench/reports/page/accuracies.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
@@ -58,11 +57,17 @@ json winner(const PageInput& page, const SceneSettings& scene, std::span<const R
   return row;
 }
 
-// The best that there is if no run is within the accuracy.
-json shortfall(const PageInput& page, const Shortfall& missed) {
-  json row{{"best", repeatable(page, missed.best)}, {"untimed", missed.untimed > 0}};
+// The best that there is if no run is within the accuracy, and why that is no better.
+json shortfall(const PageInput& page, const Shortfall& missed, double accuracy) {
+  json row{{"best", repeatable(page, missed.best)},
+           {"untimed", missed.untimed > 0},
+           {"is_no_better", missed.untimed == 0 && missed.best.error <= accuracy},  // than a constant
+           {"is_rounding", missed.is_rounding},
+           {"known_up_to", fact(missed.known_up_to)}};
   if (const auto& needed = missed.steps_needed) {
+    const double seconds = needed->value * missed.line.seconds_per_step();
     row["needed"] = {{"line", page.label(missed.line)},
+                     {"seconds", seconds > 0.0 ? fact(seconds) : json()},
                      {"steps", fact(needed->value)},
                      {"low", fact(needed->low)},
                      {"high", fact(needed->high)}};
@@ -75,7 +80,7 @@ json answer(const PageInput& page, const SceneSettings& scene, const SceneLines&
   if (const auto ranked = lines.within(kind, accuracy); !ranked.empty())
     return winner(page, scene, ranked, kind);
   const auto missed = lines.shortfall(kind, accuracy, forecasts);
-  return missed ? shortfall(page, *missed) : json::object();
+  return missed ? shortfall(page, *missed, accuracy) : json::object();
 }
 
 }  // namespace
@@ -84,7 +89,7 @@ json answers_section(const PageInput& page) {
   if (page.runs.finished.empty() && page.families.finished.empty()) return {};
   const auto& runs = page.runs.finished.empty() ? page.families.finished : page.runs.finished;
   return compact({{"id", "answer"},
-                  {"accuracies", accuracies},
+                  {"accuracies", default_accuracies},
                   {"several_sessions", page.sessions.size() > 1},
                   {"first_run", runs.front().timing.first_run},
                   {"schemes", scheme_verdicts(page)}});
@@ -94,7 +99,7 @@ json scene_answers(const PageInput& page, const SceneSettings& scene, const Scen
                    const ErrorKind& kind) {
   json rows = json::array();
   const auto forecasts = lines.forecasts(kind);
-  for (const double accuracy : accuracies) {
+  for (const double accuracy : default_accuracies) {
     json row = answer(page, scene, lines, kind, forecasts, accuracy);
     row["accuracy"] = accuracy;
     rows.push_back(std::move(row));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fdebench/reports/analysis/compared_columns.hpp"
-#include "fdebench/reports/page/accuracies.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
@@ -108,7 +108,7 @@ json row_of(const PageInput& page, const CodeRuns& code, const CodeRuns& own, co
            {"language", code.program.language},
            {"cells", json::array()}};
   row.update(reason_facts(code));
-  for (const double accuracy : accuracies)
+  for (const double accuracy : default_accuracies)
     row["cells"].push_back(cell_facts(page, code, own, kind, accuracy));
   return row;
 }
@@ -141,7 +141,7 @@ json codes_section(const PageInput& page) {
                          {"rows", rows}});
     }
   }
-  return {{"id", "codes"}, {"accuracies", accuracies}, {"octave", is_octave}, {"groups", groups}};
+  return {{"id", "codes"}, {"accuracies", default_accuracies}, {"octave", is_octave}, {"groups", groups}};
 }
 
 }  // namespace fde::bench

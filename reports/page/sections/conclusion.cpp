@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/reports/page/accuracies.hpp"
+#include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
@@ -21,7 +21,7 @@ struct AccuracyRange {
 
 std::vector<AccuracyRange> ranges_of(const PageInput& page, const SceneLines& lines, const ErrorKind& kind) {
   std::vector<AccuracyRange> found;
-  for (const double accuracy : accuracies) {
+  for (const double accuracy : default_accuracies) {
     const auto ranked = lines.within(kind, accuracy);
     if (ranked.empty()) break;
     if (!found.empty() && page.label(found.back().last) == page.label(ranked.front())) {
@@ -52,21 +52,12 @@ json leader(const PageInput& page, const SceneSettings& scene, const SceneLines&
 
 // Why no run is within this accuracy, the first that none reaches: its error is rounding or not resolved by
 // the reference.
-json limit(const PageInput& page, const SceneLines& lines, RunSpan runs, const ErrorKind& kind,
-           double accuracy) {
+json limit(const PageInput& page, const SceneLines& lines, const ErrorKind& kind, double accuracy) {
   const auto missed = lines.shortfall(kind, accuracy, {});
   if (!missed || missed->untimed > 0) return {};
   json facts{{"accuracy", accuracy}, {"error", fact(missed->best.error)}, {"line", page.label(missed->best)}};
-  const auto best = std::ranges::find_if(runs, [&](const Record& run) {
-    return run.key.scheme == missed->best.schemes.front() && run.key.setup == missed->best.setup;
-  });
-  if (best == runs.end()) return facts;
-  const auto rounding = (*best)["rounding"], bound = (*best)["reference_bound_maximum"];
-  if (rounding && *rounding >= 0.25 * missed->best.error) {
-    facts["is_rounding"] = true;
-  } else if (bound && *bound >= 0.1 * missed->best.error) {
-    facts["is_unresolved"] = true;
-  }
+  facts["is_rounding"] = missed->is_rounding;
+  facts["is_unresolved"] = missed->known_up_to.has_value();
   return facts;
 }
 
@@ -82,8 +73,8 @@ json conclusion(const PageInput& page, const SceneLines& lines, RunSpan runs, co
     facts["leader"] = leader(page, scene, lines, kind, reached);
   }
   const auto* const next =
-      std::ranges::find_if(accuracies, [&](double accuracy) { return accuracy < 0.5 * reached; });
-  if (next != accuracies.end()) facts["limit"] = limit(page, lines, runs, kind, *next);
+      std::ranges::find_if(default_accuracies, [&](double accuracy) { return accuracy < 0.5 * reached; });
+  if (next != default_accuracies.end()) facts["limit"] = limit(page, lines, kind, *next);
   std::set<std::string> refused, ended;
   for (const Record& run : of_scene(page.runs.failed, scene))
     (run.ending.kind == SolveStatus::refused ? refused : ended).insert(page.label(run.key));

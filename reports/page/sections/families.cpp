@@ -16,7 +16,6 @@
 
 #include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/robustness.hpp"
-#include "fdebench/reports/page/accuracies.hpp"
 #include "fdebench/reports/page/chart_number.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
@@ -205,7 +204,7 @@ json plane_facts(Plane& plane) {
   for (const auto& member : family.members) facts["names"].push_back(label_of(member.scene));
   for (const ErrorKind& kind : error_kinds) {
     const std::string id(error_measure(kind));
-    for (const double accuracy : accuracies) {
+    for (const double accuracy : default_accuracies) {
       RankedRuns ranked;
       for (const auto& lines : plane.lines) ranked.push_back(lines.within(kind, accuracy));
       facts["cells"][id].push_back(
@@ -233,7 +232,7 @@ json family_sections(const PageInput& page) {
                  {"scene", title},
                  {"name", label_of(family.scene)},
                  {"source", source}});
-    section["accuracies"] = accuracies;
+    section["accuracies"] = default_accuracies;
     section["plane"] = compact(plane_facts(plane));
     sections.push_back(std::move(section));
   }

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/trial_result.hpp"
-#include "fdebench/reports/page/accuracies.hpp"
 #include "fdebench/reports/page/facts.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
@@ -32,7 +32,7 @@ std::map<std::string, LineScore> scores_of(const PageInput& page, const ErrorKin
   for (const RunSpan runs : by_scene(page.runs.finished)) {
     const auto& scene = runs.front().key.scene;
     const SceneLines lines(page.runs, scene);
-    for (const double accuracy : accuracies) {
+    for (const double accuracy : default_accuracies) {
       const auto ranked = lines.within(kind, accuracy);
       if (!ranked.empty()) ++found[page.label(ranked.front())].won;
       for (const RecommendedRun& option : ranked) {

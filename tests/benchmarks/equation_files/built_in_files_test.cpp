@@ -55,8 +55,7 @@ TEST_P(BuiltInFile, IsTheSameSceneWhenItIsSaved) {
   EXPECT_FALSE(a.smoothness.powers.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, BuiltInFile, testing::ValuesIn(built_in_files()),
-                         [](const auto& test) { return test.param->id; });
+INSTANTIATE_TEST_SUITE_P(Every, BuiltInFile, testing::ValuesIn(built_in_files()), id_of_param);
 
 TEST(BuiltInFiles, ArePrintedOnlyWhereTheyAreFiles) {
   EXPECT_GE(built_in_files().size(), 14U);

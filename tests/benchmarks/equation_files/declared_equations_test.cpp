@@ -71,9 +71,8 @@ bool has_algebraic_rows(const SceneFactory& maker) {
       maker.equations, [](const EquationFormula& equation) { return equation.terms.front().order == "0"; });
 }
 
-EquationText to_text(const SceneFactory& maker, double end) {
-  EquationText text{
-      .file = maker.id, .title = maker.title, .end = formula(fde::bench::to_text(ParameterValue(end)))};
+EquationText equation_text_of(const SceneFactory& maker, double end) {
+  EquationText text{.file = maker.id, .title = maker.title, .end = formula(to_text(ParameterValue(end)))};
   for (const auto& parameter : maker.parameters) {
     if (const auto* value = std::get_if<double>(&parameter.value)) {
       text.parameters.push_back(
@@ -109,9 +108,9 @@ class DeclaredEquations : public testing::TestWithParam<const SceneFactory*> {};
 TEST_P(DeclaredEquations, AreThoseOfTheProblem) {
   const SceneFactory& maker = *GetParam();
   Scene code = make_scene(maker);
-  EquationText text = to_text(maker, code.problem.end);
+  EquationText text = equation_text_of(maker, code.problem.end);
   for (const double jump : code.problem.jump_times)
-    text.jumps.push_back(formula(fde::bench::to_text(ParameterValue(jump))));
+    text.jumps.push_back(formula(to_text(ParameterValue(jump))));
   keep_initial_values(text, Parameters(maker.id, maker.parameters, {}));
   const Scene written = make_scene(equation_scene(text));
   const bool constrained = has_algebraic_rows(maker);
@@ -142,8 +141,7 @@ std::vector<const SceneFactory*> with_equations() {
   return makers;
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryScene, DeclaredEquations, testing::ValuesIn(with_equations()),
-                         [](const auto& test) { return test.param->id; });
+INSTANTIATE_TEST_SUITE_P(OfEveryScene, DeclaredEquations, testing::ValuesIn(with_equations()), id_of_param);
 
 }  // namespace
 }  // namespace fde::bench

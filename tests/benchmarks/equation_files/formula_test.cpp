@@ -24,12 +24,12 @@ double value_of(const std::string& text) {
   return Program(pool, {formula}, 2)(0.7, (Vec(2) << 0.3, -1.2).finished());
 }
 
-struct KnownCase {
+struct KnownValue {
   std::string text;
   double value;
 };
 
-class Formula : public testing::TestWithParam<KnownCase> {};
+class Formula : public testing::TestWithParam<KnownValue> {};
 
 TEST_P(Formula, HasItsValue) {
   const auto& [text, value] = GetParam();
@@ -39,25 +39,25 @@ TEST_P(Formula, HasItsValue) {
 // mpmath, 30 digits.
 INSTANTIATE_TEST_SUITE_P(
     Values, Formula,
-    testing::Values(KnownCase{"1 + 2*3", 7.0}, KnownCase{"(1 + 2)*3", 9.0}, KnownCase{"2^3^2", 512.0},
-                    KnownCase{"-2^2", -4.0}, KnownCase{"2^-1", 0.5}, KnownCase{"8/4/2", 1.0},
-                    KnownCase{"1 - 2 - 3", -4.0}, KnownCase{"- - 3", 3.0}, KnownCase{"1e-3", 0.001},
-                    KnownCase{".5", 0.5}, KnownCase{"2.", 2.0}, KnownCase{"x^3", 0.027},
-                    KnownCase{"x^0", 1.0}, KnownCase{"x^-2", 11.111111111111111},
-                    KnownCase{"x^0.5", 0.54772255750516611}, KnownCase{"x^y", 4.2408654551313070},
-                    KnownCase{"sin(x)", 0.29552020666133958}, KnownCase{"cos(x)", 0.95533648912560602},
-                    KnownCase{"tan(x)", 0.30933624960962326}, KnownCase{"asin(x)", 0.30469265401539751},
-                    KnownCase{"acos(x)", 1.2661036727794991}, KnownCase{"atan(x)", 0.29145679447786709},
-                    KnownCase{"atan2(x, y)", 2.8966139904629289}, KnownCase{"sinh(x)", 0.30452029344714261},
-                    KnownCase{"cosh(x)", 1.0453385141288605}, KnownCase{"tanh(x)", 0.29131261245159090},
-                    KnownCase{"exp(y)", 0.30119421191220209}, KnownCase{"log(x)", -1.2039728043259359},
-                    KnownCase{"sqrt(t)", 0.83666002653407555}, KnownCase{"abs(y)", 1.2},
-                    KnownCase{"sign(y)", -1.0}, KnownCase{"step(y)", 0.0}, KnownCase{"step(x - x)", 0.5},
-                    KnownCase{"min(x, y)", -1.2}, KnownCase{"max(x, y)", 0.3},
-                    KnownCase{"pi", 3.1415926535897932}, KnownCase{"gamma(2.5)", 1.3293403881791370},
+    testing::Values(KnownValue{"1 + 2*3", 7.0}, KnownValue{"(1 + 2)*3", 9.0}, KnownValue{"2^3^2", 512.0},
+                    KnownValue{"-2^2", -4.0}, KnownValue{"2^-1", 0.5}, KnownValue{"8/4/2", 1.0},
+                    KnownValue{"1 - 2 - 3", -4.0}, KnownValue{"- - 3", 3.0}, KnownValue{"1e-3", 0.001},
+                    KnownValue{".5", 0.5}, KnownValue{"2.", 2.0}, KnownValue{"x^3", 0.027},
+                    KnownValue{"x^0", 1.0}, KnownValue{"x^-2", 11.111111111111111},
+                    KnownValue{"x^0.5", 0.54772255750516611}, KnownValue{"x^y", 4.2408654551313070},
+                    KnownValue{"sin(x)", 0.29552020666133958}, KnownValue{"cos(x)", 0.95533648912560602},
+                    KnownValue{"tan(x)", 0.30933624960962326}, KnownValue{"asin(x)", 0.30469265401539751},
+                    KnownValue{"acos(x)", 1.2661036727794991}, KnownValue{"atan(x)", 0.29145679447786709},
+                    KnownValue{"atan2(x, y)", 2.8966139904629289}, KnownValue{"sinh(x)", 0.30452029344714261},
+                    KnownValue{"cosh(x)", 1.0453385141288605}, KnownValue{"tanh(x)", 0.29131261245159090},
+                    KnownValue{"exp(y)", 0.30119421191220209}, KnownValue{"log(x)", -1.2039728043259359},
+                    KnownValue{"sqrt(t)", 0.83666002653407555}, KnownValue{"abs(y)", 1.2},
+                    KnownValue{"sign(y)", -1.0}, KnownValue{"step(y)", 0.0}, KnownValue{"step(x - x)", 0.5},
+                    KnownValue{"min(x, y)", -1.2}, KnownValue{"max(x, y)", 0.3},
+                    KnownValue{"pi", 3.1415926535897932}, KnownValue{"gamma(2.5)", 1.3293403881791370},
                     // E_0.5(-1) = e erfc(1)
-                    KnownCase{"mittag_leffler(0.5, 1, -1)", 0.42758357615580701},
-                    KnownCase{" x *\ty\n", -0.36}));
+                    KnownValue{"mittag_leffler(0.5, 1, -1)", 0.42758357615580701},
+                    KnownValue{" x *\ty\n", -0.36}));
 
 class Derivative : public testing::TestWithParam<std::string> {};
 

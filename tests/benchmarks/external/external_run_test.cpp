@@ -24,7 +24,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 // Shell code: prints the output times of the task file $1, one a line.
-constexpr auto times = R"(sed -n '/"times"/,/]/p' "$1" | tr -d ' ],' | grep '^[0-9]')";
+constexpr auto print_times = R"(sed -n '/"times"/,/]/p' "$1" | tr -d ' ],' | grep '^[0-9]')";
 
 class ExternalRuns : public testing::Test {
  protected:
@@ -38,7 +38,7 @@ class ExternalRuns : public testing::Test {
   [[nodiscard]] std::string square(const std::string& first = "", const std::string& name = "mine") const {
     return program(fmt::format("echo >> '{}'; {}\n{} | awk 'BEGIN {{ print \"t,y\" }} {{ printf "
                                "\"%s,%.17g\\n\", $1, $1 * $1 + 1e-3 }}'\n",
-                               (folder_.path() / "starts").string(), first, times),
+                               (folder_.path() / "starts").string(), first, print_times),
                    name);
   }
 
@@ -139,7 +139,7 @@ TEST_F(ExternalRuns, AreAskedForTheGrid) {
   ASSERT_EQ(run(square()).code, 0);
   ASSERT_EQ(run(square(fmt::format("grep -q '\"grid\": \"graded:2.0\"\\|\"grid\": \"graded:2\"' \"$1\" && "
                                    "{} | grep -q '^0.015625$' || exit 9",
-                                   times)),
+                                   print_times)),
                 {"--grid", "graded:2"})
                 .code,
             0);

@@ -24,7 +24,7 @@ namespace {
 
 using Status = CommandResult::Status;
 
-std::string to_text(const std::filesystem::path& file) {
+std::string contents_of(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
@@ -38,14 +38,14 @@ class ShellCommands : public testing::Test {
 
   // Whether the process with this id exists and is no zombie.
   static bool is_alive(long pid) {
-    const auto facts = to_text(fmt::format("/proc/{}/stat", pid));
+    const auto facts = contents_of(fmt::format("/proc/{}/stat", pid));
     const auto name_end = facts.rfind(") ");
     return name_end != std::string::npos && facts[name_end + 2] != 'Z';
   }
 
   // Expects that the process whose id is in this file ends within ten seconds.
   static void expect_gone(const std::filesystem::path& file) {
-    const long pid = std::stol(to_text(file));
+    const long pid = std::stol(contents_of(file));
     ASSERT_GT(pid, 1);
     for (int i = 0; i < 1000 && is_alive(pid); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -61,7 +61,7 @@ TEST_F(ShellCommands, TakeTheArgumentUnchangedAsTheirLastWord) {
   const auto end = run("printf '%s|' one");
   EXPECT_EQ(end.status, Status::exited);
   EXPECT_EQ(end.code, 0);
-  EXPECT_EQ(to_text(out_.path()), R"(one|a 'b' "c" $d\|)");
+  EXPECT_EQ(contents_of(out_.path()), R"(one|a 'b' "c" $d\|)");
 }
 
 TEST_F(ShellCommands, TellTheirExitCodeAndTheirTime) {
@@ -69,7 +69,7 @@ TEST_F(ShellCommands, TellTheirExitCodeAndTheirTime) {
   EXPECT_EQ(end.status, Status::exited);
   EXPECT_EQ(end.code, 3);
   EXPECT_GE(end.seconds, 0.2);
-  EXPECT_EQ(to_text(err_.path()), "no\n");
+  EXPECT_EQ(contents_of(err_.path()), "no\n");
   EXPECT_EQ(run("no_such_program_here").code, 127);
 }
 

@@ -94,8 +94,7 @@ std::vector<const SceneFactory*> makers() {
   for (const auto& maker : built_in_scenes()) all.push_back(&maker);
   return all;
 }
-INSTANTIATE_TEST_SUITE_P(, OtherUnits, testing::ValuesIn(makers()),
-                         [](const auto& test) { return std::string(test.param->id); });
+INSTANTIATE_TEST_SUITE_P(, OtherUnits, testing::ValuesIn(makers()), id_of_param);
 
 std::string ending(const ParameterValues& values, std::string_view scheme, int steps) {
   const Scene scene = make_scene(*find_scene("relaxation"), values);

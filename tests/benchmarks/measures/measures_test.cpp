@@ -319,7 +319,7 @@ TEST_P(WholeOrders, EverySchemeTendsToGslsSolution) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, WholeOrders, testing::Values("pendulum", "extensible_pendulum", "brusselator"),
-                         [](const auto& test) { return test.param; });
+                         text_of_param);
 
 // J^(1-beta) of phi', by GSL's quadrature for algebraic endpoint singularities, equals the chain's D^beta
 // phi.

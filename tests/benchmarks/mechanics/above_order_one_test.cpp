@@ -24,15 +24,15 @@ ParameterValues plane(double alpha, const ParameterValue& constant, const std::s
 }
 
 // q1, q2, lambda at t = 1, from Laplace transforms inverted in 30 digits (Talbot contour, mpmath).
-struct KnownCase {
+struct KnownStart {
   double alpha;
   ParameterValue constant;
   double q1, q2, lambda;
 };
 const std::array known{
-    KnownCase{1.5, 0.0, 1.1656754129312, -0.00411994594170824, 0.9139166466279092},
-    KnownCase{1.2, 0.0, 1.15534932079803, -0.0074892761163345, 0.92576384210619801},
-    KnownCase{1.5, std::string("a1*v1+a2*v2"), 1.29199062340401, 0.0514508608173795, 1.0883401285245232},
+    KnownStart{1.5, 0.0, 1.1656754129312, -0.00411994594170824, 0.9139166466279092},
+    KnownStart{1.2, 0.0, 1.15534932079803, -0.0074892761163345, 0.92576384210619801},
+    KnownStart{1.5, std::string("a1*v1+a2*v2"), 1.29199062340401, 0.0514508608173795, 1.0883401285245232},
 };
 
 TEST(AboveOrderOne, TheReferenceTakesEveryConstant) {
@@ -48,7 +48,7 @@ TEST(AboveOrderOne, TheReferenceTakesEveryConstant) {
 
 // f = a.v + b.w = C0 holds from the start, with w(0) along a.
 TEST(AboveOrderOne, BothFormsApproachItForEveryConstant) {
-  for (const KnownCase& at : known) {
+  for (const KnownStart& at : known) {
     for (const auto* formulation : {"integrated", "multiplier"}) {
       Scene scene = scene_of("fractional_constraint_2d", plane(at.alpha, at.constant, formulation));
       scene.problem.end = 1.0;

@@ -57,8 +57,7 @@ TEST(FractionalKnifeEdge, OnTheSphereWithoutMemoryAndGravityIsTheLoxodrome) {
 }
 
 class OnBothSurfaces : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(, OnBothSurfaces, testing::Values("plane", "sphere"),
-                         [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(, OnBothSurfaces, testing::Values("plane", "sphere"), text_of_param);
 
 // The memory term is b times the constraint, so alpha = 1 gives (1 + b) times the constraint.
 TEST_P(OnBothSurfaces, AlphaToOneIsTheMotionWithoutMemory) {

@@ -36,7 +36,7 @@ TEST_P(SingularReaction, SchemesComeNearerToItsPowerSeries) {
   }
 }
 
-std::string name_of_case(const testing::TestParamInfo<SingularReaction::ParamType>& test) {
+std::string name_of_reaction(const testing::TestParamInfo<SingularReaction::ParamType>& test) {
   const auto& [scheme, grading, exact] = test.param;
   return fmt::format("{}__{}__{}", scheme->id, grading, std::lround(100.0 * exact.alpha));
 }
@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(, SingularReaction,
                          testing::Combine(testing::ValuesIn(implicit_schemes()),
                                           testing::Values(1.0, 2.0, 3.0, 4.0),
                                           testing::ValuesIn(series_values())),
-                         name_of_case);
+                         name_of_reaction);
 
 }  // namespace
 }  // namespace fde::bench

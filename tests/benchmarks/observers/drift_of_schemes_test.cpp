@@ -130,8 +130,10 @@ TEST_P(IndependentDrift, FallsAtTheRateOfTheScheme) {
   const double expected = scheme.expected_rate(scene.problem, scene.smoothness, 1.0, Norm::maximum);
   const Fit fit = fit_rate(points);
   EXPECT_GT(fit.correlation, 0.99);
-  const Grid finest{scene.problem.end, 2048};
-  const double judge = error_of_memory_rule(scene, exact_columns(scene, finest), finest);
+  static const double judge = [&] {
+    const Grid finest{scene.problem.end, 2048};
+    return error_of_memory_rule(scene, exact_columns(scene, finest), finest);
+  }();
   EXPECT_TRUE(fit.slope > expected - 0.15 || points.back().error < 2.0 * judge)
       << fit.slope << ' ' << points.back().error << ' ' << judge;
 }

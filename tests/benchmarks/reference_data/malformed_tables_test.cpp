@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-void check(const TemporaryFolder& folder) {
+void require_well_formed(const TemporaryFolder& folder) {
   check_folder(folder.path(), 1, [](std::size_t, std::size_t, const std::string&) {});
 }
 
@@ -28,7 +28,8 @@ class MalformedTables : public testing::TestWithParam<MalformedTable> {};
 TEST_P(MalformedTables, AreNamedWithLineAndColumn) {
   const TemporaryFolder folder;
   folder.write(GetParam().file, GetParam().text);
-  EXPECT_THAT([&] { check(folder); }, ThrowsMessage<std::invalid_argument>(HasSubstr(GetParam().message)));
+  EXPECT_THAT([&] { require_well_formed(folder); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr(GetParam().message)));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -57,7 +58,8 @@ TEST(ReferenceTables, AMalformedDescriptionIsNamed) {
     const TemporaryFolder folder;
     folder.write("power.csv", "t,y\n3,9\n");
     folder.write("power.json", description);
-    EXPECT_THAT([&] { check(folder); }, ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
+    EXPECT_THAT([&] { require_well_formed(folder); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr(message)));
   };
   complains("{", "power.json: is not JSON, at byte 2");
   complains(R"({"parameters": {"p": {"of": 2}}})", "power.json: is not as docs/reference_data.md says");
@@ -73,7 +75,8 @@ TEST(ReferenceTables, AMalformedDescriptionIsNamed) {
 
 TEST(ReferenceTables, AFolderWithoutTablesIsNamed) {
   const TemporaryFolder folder;
-  EXPECT_THAT([&] { check(folder); }, ThrowsMessage<std::invalid_argument>(HasSubstr("holds no table")));
+  EXPECT_THAT([&] { require_well_formed(folder); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("holds no table")));
 }
 
 }  // namespace

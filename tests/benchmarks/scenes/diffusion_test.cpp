@@ -47,8 +47,7 @@ std::vector<Field> fields() {
 }
 
 class DiffusionOf : public testing::TestWithParam<Field> {};
-INSTANTIATE_TEST_SUITE_P(, DiffusionOf, testing::ValuesIn(fields()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(, DiffusionOf, testing::ValuesIn(fields()), name_of_param);
 
 // E_g(A t^g) u(0) by the eigenvectors of the matrix, computed by Eigen.
 TEST_P(DiffusionOf, IsTheMittagLefflerFunctionOfItsMatrix) {

@@ -14,7 +14,7 @@
 namespace fde::bench {
 namespace {
 
-struct KnownCase {
+struct KnownMotion {
   std::string scene;
   ParameterValues values;
   Vec middle, end;  // q1, q2 at T/2 and T
@@ -24,9 +24,9 @@ struct KnownCase {
 Vec pair(double a, double b) { return Eigen::Vector2d(a, b); }
 
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-void PrintTo(const KnownCase& known, std::ostream* out) { *out << known.scene; }
+void PrintTo(const KnownMotion& known, std::ostream* out) { *out << known.scene; }
 
-class GivenMotion : public testing::TestWithParam<KnownCase> {
+class GivenMotion : public testing::TestWithParam<KnownMotion> {
  protected:
   const Scene scene_ = scene_of(GetParam().scene, GetParam().values);
 };
@@ -67,36 +67,36 @@ TEST_P(GivenMotion, IsApproachedByBothSchemes) {
 // there product trapezoids of 2048 to 8192 equal steps, extrapolated, differ from it by 3.8e-6, as the
 // reference does, and from the reference by 4e-9.
 INSTANTIATE_TEST_SUITE_P(, GivenMotion,
-                         testing::Values(KnownCase{"two_sided_constraint",
-                                                   {{"motion", "given"}},
-                                                   pair(1.29954860963, 0.39875172641),
-                                                   pair(1.5043243183, 0.84734211548),
-                                                   1e-7},
-                                         KnownCase{"two_sided_constraint",
-                                                   {{"motion", "given"}, {"ends", "place"}},
-                                                   pair(1.27578353172, 0.54746074749),
-                                                   pair(1.48577406279, 1.07829722802),
-                                                   2e-7},
-                                         KnownCase{"fractional_vakonomic",
-                                                   {},
-                                                   pair(1.30674380032, 0.31608218302),
-                                                   pair(1.54731281982, 0.55004961216),
-                                                   4e-7},
-                                         KnownCase{"fractional_vakonomic",
-                                                   {{"ends", "momentum"}, {"across", 0.3}},
-                                                   pair(1.26599408679, 0.57283856221),
-                                                   pair(1.51400441246, 0.95420374034),
-                                                   5e-6},
-                                         KnownCase{"fractional_hamilton",
-                                                   {{"motion", "given"}},
-                                                   pair(1.43685386514, -0.80551402058),
-                                                   pair(1.61982901719, -1.1845439965),
-                                                   1e-7},
-                                         KnownCase{"fractional_hamilton",
-                                                   {{"motion", "given"}, {"ends", "place"}, {"end1", 1.2}},
-                                                   pair(1.16803927438, -0.27442095112),
-                                                   pair(1.2, -0.32911372039),
-                                                   2e-8}),
+                         testing::Values(KnownMotion{"two_sided_constraint",
+                                                     {{"motion", "given"}},
+                                                     pair(1.29954860963, 0.39875172641),
+                                                     pair(1.5043243183, 0.84734211548),
+                                                     1e-7},
+                                         KnownMotion{"two_sided_constraint",
+                                                     {{"motion", "given"}, {"ends", "place"}},
+                                                     pair(1.27578353172, 0.54746074749),
+                                                     pair(1.48577406279, 1.07829722802),
+                                                     2e-7},
+                                         KnownMotion{"fractional_vakonomic",
+                                                     {},
+                                                     pair(1.30674380032, 0.31608218302),
+                                                     pair(1.54731281982, 0.55004961216),
+                                                     4e-7},
+                                         KnownMotion{"fractional_vakonomic",
+                                                     {{"ends", "momentum"}, {"across", 0.3}},
+                                                     pair(1.26599408679, 0.57283856221),
+                                                     pair(1.51400441246, 0.95420374034),
+                                                     5e-6},
+                                         KnownMotion{"fractional_hamilton",
+                                                     {{"motion", "given"}},
+                                                     pair(1.43685386514, -0.80551402058),
+                                                     pair(1.61982901719, -1.1845439965),
+                                                     1e-7},
+                                         KnownMotion{"fractional_hamilton",
+                                                     {{"motion", "given"}, {"ends", "place"}, {"end1", 1.2}},
+                                                     pair(1.16803927438, -0.27442095112),
+                                                     pair(1.2, -0.32911372039),
+                                                     2e-8}),
                          [](const auto& test) {
                            return test.param.scene + "_" + std::to_string(test.index);
                          });

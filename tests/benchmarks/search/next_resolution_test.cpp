@@ -120,6 +120,20 @@ TEST(NextResolutions, LeaveASlowerConfigurationWithARunThatShowsIt) {
   }
 }
 
+// The second configuration takes 100 times as long for a step: its next run waits until the first, which goes
+// on with more and more steps, takes as long.
+TEST(NextResolutions, AreDueBeforeThoseThatTakeFourTimesAsLong) {
+  std::vector<Refinement> of_scene(3);
+  const std::vector models{power(1.0, 1.0), power(1.0, 1.0, 1e-5), power(1.0, 1.0, 3e-7)};
+  for (std::size_t i = 0; i < models.size(); ++i) of_scene[i].runs = {run_of(models[i], 1024)};
+  const auto due = [&] { return due_runs(goal_for(), of_scene, next_resolutions(goal_for(), of_scene)); };
+  EXPECT_THAT(due(), testing::ElementsAre(0, 2));
+  of_scene[0].is_closed = of_scene[2].is_closed = true;
+  EXPECT_THAT(due(), testing::ElementsAre(1));
+  of_scene[1].is_closed = true;
+  EXPECT_TRUE(due().empty());
+}
+
 // 0.1 s a run: the forecast says that rate 1 needs 1e6 steps and 1e3 times as long.
 TEST(NextResolutions, LeaveALongConfigurationByItsForecast) {
   const auto found = searched(goal_for(), {power(1.0, 1.0, 1e-4), power(1.0, 2.0, 1e-4)});
@@ -262,6 +276,14 @@ TEST(NextTolerances, AreNoneWhereErrorsDoNotFall) {
   const auto of = searched_tolerances([](double) { return 2.0 * accuracy; }, [](double) { return 1e-5; });
   EXPECT_EQ(chosen_tolerance(of), 0.0);
   EXPECT_LE(of.runs.size(), 15U);
+}
+
+// Each tolerance takes ten times as long as the one before: no run is made that is expected to take more than
+// most_seconds.
+TEST(NextTolerances, AreNoLongerThanTheMostSeconds) {
+  const auto of = searched_tolerances([](double tolerance) { return 100.0 * tolerance; },
+                                      [](double tolerance) { return 1e-5 / tolerance; });
+  EXPECT_LE(*finest_timed(of)->seconds, 0.1);
 }
 
 TEST(NextTolerances, EndWhereTheTimeRunsOut) {

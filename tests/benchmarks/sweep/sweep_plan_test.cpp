@@ -7,6 +7,7 @@
 #include <map>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/benchmarks/search/accuracy_target.hpp"
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
 #include "fdebench/benchmarks/sweep/forecast.hpp"
 #include "fdebench/benchmarks/sweep/sweep.hpp"
@@ -104,7 +105,10 @@ TEST(Sweeps, ContinuedAnywhereTakeTheRunsOfAnUninterruptedOne) {
 }
 
 TEST(DefaultSweeps, SearchForTheCheapestRunsAndThoroughOnesMakeAll) {
-  EXPECT_EQ(default_plan().goal->targets.size(), 8U);
+  const SearchGoal goal = default_plan().goal.value();
+  for (const auto& target : goal.targets)
+    EXPECT_TRUE(std::ranges::count(default_accuracies, target.error)) << target.error;
+  EXPECT_EQ(goal.targets.size(), 2 * default_accuracies.size());
   EXPECT_FALSE(thorough_plan().goal);
 }
 

@@ -16,7 +16,7 @@ namespace fde::bench {
 namespace {
 
 constexpr auto nothing_is_recorded = [](const auto&) { return std::optional<Record>(); };
-constexpr auto silence = [](const auto&) {};
+constexpr auto no_report = [](const auto&) {};
 
 // A continued sweep times the examined runs without a second examination.
 TEST(ContinuedSweeps, TimeWhatIsExamined) {
@@ -35,7 +35,7 @@ TEST(ContinuedSweeps, TimeWhatIsExamined) {
                    EXPECT_GT(run["time_high"], 0.0);
                    timed.push_back(run.key.scheme);
                  },
-             .on_event = silence});
+             .on_event = no_report});
   EXPECT_THAT(examined, testing::ElementsAre("adams_pc"));
   EXPECT_THAT(timed, testing::ElementsAre("l1", "adams_pc"));
 }
@@ -91,7 +91,7 @@ TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
                           std::this_thread::sleep_for(std::chrono::milliseconds(1));
                         },
                     .append_times = [&](const Record& run) { times.insert(run.key); },
-                    .on_event = silence});
+                    .on_event = no_report});
   EXPECT_EQ(runs.size(), sweep.scenes.size() * sweep.schemes.size() * sweep.plan.resolutions.size());
   EXPECT_EQ(std::set<RunKey>(runs.begin(), runs.end()).size(), runs.size());
   EXPECT_TRUE(times == runs);

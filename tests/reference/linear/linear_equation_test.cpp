@@ -11,25 +11,12 @@
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "support/worst_row.hpp"
 
 namespace fde::reference {
 namespace {
 
-using Complex = std::complex<double>;
-
-// The row of a table with the largest ratio of error to tolerance, for one assertion over all rows.
-struct Worst {
-  double ratio = 0.0;
-  std::string row;
-
-  void update(double value, double exact, double allowed, const std::string& name) {
-    const double error = std::abs(value - exact), now = error == 0.0 ? 0.0 : error / allowed;
-    if (!(now <= ratio))
-      *this = {now, fmt::format("{}: {:.17g} for {:.17g}, allowed {:.3g}", name, value, exact, allowed)};
-  }
-};
-
-void expect_within(const Worst& worst) { EXPECT_LE(worst.ratio, 1.0) << worst.row; }
+using Value = std::complex<double>;
 
 LinearEquation relaxation(double gamma, double lambda, std::vector<double> initial) {
   return {{{1.0, gamma}, {-lambda, 0.0}}, std::move(initial)};
@@ -39,12 +26,12 @@ LinearEquation bagley_torvik() {
   return {{{1.0, 2.0}, {0.5, 1.5}, {0.5, 0.0}}, {0.0, 0.0}, {{8.0, 0.0, 0.0}, {-8.0, 0.0, 1.0}}};
 }
 
-struct Relaxation {
+struct NamedRelaxation {
   const char* name;
   double gamma, lambda;
 };
 
-class RelaxationEquation : public testing::TestWithParam<Relaxation> {};
+class RelaxationEquation : public testing::TestWithParam<NamedRelaxation> {};
 
 // D^gamma u = lambda u: u = E_gamma(lambda t^gamma). The tolerance includes the rounding of the argument.
 TEST_P(RelaxationEquation, IsSolvedByTheMittagLefflerFunction) {
@@ -52,10 +39,10 @@ TEST_P(RelaxationEquation, IsSolvedByTheMittagLefflerFunction) {
   std::vector<double> initial{1.0};
   if (gamma > 1.0) initial.push_back(0.0);
   const Reference solution = linear_reference(relaxation(gamma, lambda, initial), {0.0, gamma});
-  Worst worst;
+  bench::WorstRow worst;
   for (const double t : {0.0, 1e-3, 0.1, 1.0, 10.0, 1e3}) {
     const double z = lambda * std::pow(t, gamma);
-    const auto [exact, bound] = mittag_leffler(gamma, 1.0, Complex(z));
+    const auto [exact, bound] = mittag_leffler(gamma, 1.0, Value(z));
     if (!std::isfinite(bound)) continue;
     const double slope = z * (mittag_leffler(gamma, 0.0, z) / (gamma * (z == 0.0 ? 1.0 : z)));  // z E'
     const double allowed = 1e-15 * (std::abs(exact.real()) + 3.0 * std::abs(slope)) + 1e-40;
@@ -69,21 +56,20 @@ TEST_P(RelaxationEquation, IsSolvedByTheMittagLefflerFunction) {
   expect_within(worst);
 }
 
-INSTANTIATE_TEST_SUITE_P(LinearEquation, RelaxationEquation,
-                         testing::Values(Relaxation{"Slow", 0.25, -1.0}, Relaxation{"Half", 0.5, -2.0},
-                                         Relaxation{"NearlyExponential", 0.999, -3.0},
-                                         Relaxation{"Stiff", 0.5, -1e8}, Relaxation{"Growing", 0.75, 10.0},
-                                         Relaxation{"Exponential", 1.0, -3.0},
-                                         Relaxation{"Oscillating", 1.5, -4.0},
-                                         Relaxation{"NearlyHarmonic", 1.99, -1.0}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    LinearEquation, RelaxationEquation,
+    testing::Values(NamedRelaxation{"Slow", 0.25, -1.0}, NamedRelaxation{"Half", 0.5, -2.0},
+                    NamedRelaxation{"NearlyExponential", 0.999, -3.0}, NamedRelaxation{"Stiff", 0.5, -1e8},
+                    NamedRelaxation{"Growing", 0.75, 10.0}, NamedRelaxation{"Exponential", 1.0, -3.0},
+                    NamedRelaxation{"Oscillating", 1.5, -4.0}, NamedRelaxation{"NearlyHarmonic", 1.99, -1.0}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 // If a zero were missed or found twice, the two functions would differ by a term e^(s* t).
 TEST(LinearEquation, FindsEveryZero) {
   std::mt19937_64 random(
       20240517);  // NOLINT(bugprone-random-generator-seed,cert-msc51-cpp): the same rows each time
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  Worst worst;
+  bench::WorstRow worst;
   for (int i = 0; i < 100; ++i) {
     const double gamma = 1.0 + unit(random), lambda = -std::pow(10.0, 3.0 * unit(random) - 1.0);
     const Reference solution = linear_reference(relaxation(gamma, lambda, {1.0, 0.0}), {0.0});
@@ -99,7 +85,7 @@ TEST(FractionalOscillator, IsSolvedByMittagLefflerFunctions) {
   constexpr double nu = 1.5, w2 = 2.0;
   const Reference solution =
       linear_reference({{{1.0, nu}, {w2, 0.0}}, {1.0, 0.5}, {{1.0, 0.0}, {0.25, 1.0}}}, {0.0, nu});
-  Worst worst;
+  bench::WorstRow worst;
   for (const double t : {0.0, 0.25, 1.0, 4.0, 16.0, 100.0}) {  // t^nu is exact at the squares
     const double power = std::pow(t, nu), z = -w2 * power;
     const double exact = mittag_leffler(nu, 1.0, z) + 0.5 * t * mittag_leffler(nu, 2.0, z) +
@@ -125,7 +111,7 @@ class IntegerOrderEquation : public testing::TestWithParam<IntegerOrders> {};
 TEST_P(IntegerOrderEquation, HasItsElementarySolution) {
   const auto& [name, equation, solution, derivative] = GetParam();
   const Reference exact = linear_reference(equation, {0.0, 1.0});
-  Worst worst;
+  bench::WorstRow worst;
   for (const double t : {0.0, 0.0625, 0.5, 2.0, 5.0, 17.0}) {
     const ReferenceValue known = exact.at(t);
     worst.update(known.value[0], solution(t), 1e-15 * std::abs(solution(t)), fmt::format("u({})", t));
@@ -179,7 +165,7 @@ TEST(BagleyTorvik, MeetsAnIndependentInversion) {
       {50.0, {0.0084969608995445852931, -0.020712550266463374095, 0.0061077946834593944010}},
   };
   const Reference solution = linear_reference(bagley_torvik(), {0.0, 1.5, 2.0});
-  Worst worst;
+  bench::WorstRow worst;
   for (const auto& [t, values] : rows) {
     const ReferenceValue known = solution.at(t);
     for (std::size_t j = 0; j < values.size(); ++j) {
@@ -192,7 +178,7 @@ TEST(BagleyTorvik, MeetsAnIndependentInversion) {
 
 TEST(BagleyTorvik, SolvesItsEquation) {
   const Reference solution = linear_reference(bagley_torvik(), {0.0, 1.5, 2.0});
-  Worst worst;
+  bench::WorstRow worst;
   for (const double t : {0.0, 0.01, 0.5, 0.99, 1.0, 1.01, 3.0, 10.0, 50.0}) {
     const Vec u = solution.at(t).value;
     worst.update(u[2] + 0.5 * u[1] + 0.5 * u[0], t < 1.0 ? 8.0 : 0.0, 1e-14, fmt::format("t = {}", t));
@@ -204,7 +190,7 @@ TEST(BagleyTorvik, SolvesItsEquation) {
 TEST(DampedOscillator, MeetsAnIndependentInversion) {
   const Reference solution =
       linear_reference({{{1.0, 2.0}, {0.043, 1.5}, {0.08, 1.0}, {0.09, 0.5}, {1.0, 0.0}}, {1.0, 0.0}}, {0.0});
-  Worst worst;
+  bench::WorstRow worst;
   for (const auto& [t, values] : std::vector<Row>{{1.0, {0.56928013702285318479}},
                                                   {5.0, {0.18237137944541475918}},
                                                   {20.0, {0.052918320126998222225}},

@@ -11,7 +11,7 @@
 namespace fde::reference {
 namespace {
 
-Matrix scalar(double value) { return Matrix::Constant(1, 1, value); }
+Matrix one_by_one(double value) { return Matrix::Constant(1, 1, value); }
 
 TEST(LinearSystem, StartsWithItsInitialValuesAndGrowsBeyondDouble) {
   const Reference solution = linear_reference({.orders = {0.3, 1.7},
@@ -80,20 +80,22 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Shape",
                 {{0.5}, {{1.0}}, Matrix(1, 2)},
                 "the matrix has to have a row and a column for each order"},
-        Mistake{"Coefficient", {{0.5}, {{1.0}}, scalar(NAN)}, "coefficients have to be finite"},
-        Mistake{"Order", {{-0.5}, {{1.0}}, scalar(1.0)}, "orders have to be 0 or above"},
-        Mistake{"Missing", {{1.5}, {{1.0}}, scalar(1.0)}, "an initial value is missing"},
-        Mistake{"NoList", {{1.5}, {}, scalar(1.0)}, "a list of initial values is needed for each order"},
-        Mistake{"Initial", {{0.5}, {{INFINITY}}, scalar(1.0)}, "initial values have to be finite"},
-        Mistake{
-            "Load", {{0.5}, {{1.0}}, scalar(1.0), {{{1.0, -1.0}}}}, "powers of loads have to be above -1"},
+        Mistake{"Coefficient", {{0.5}, {{1.0}}, one_by_one(NAN)}, "coefficients have to be finite"},
+        Mistake{"Order", {{-0.5}, {{1.0}}, one_by_one(1.0)}, "orders have to be 0 or above"},
+        Mistake{"Missing", {{1.5}, {{1.0}}, one_by_one(1.0)}, "an initial value is missing"},
+        Mistake{"NoList", {{1.5}, {}, one_by_one(1.0)}, "a list of initial values is needed for each order"},
+        Mistake{"Initial", {{0.5}, {{INFINITY}}, one_by_one(1.0)}, "initial values have to be finite"},
+        Mistake{"Load",
+                {{0.5}, {{1.0}}, one_by_one(1.0), {{{1.0, -1.0}}}},
+                "powers of loads have to be above -1"},
         Mistake{"Loads",
-                {{0.5}, {{1.0}}, scalar(1.0), {{}, {}}},
+                {{0.5}, {{1.0}}, one_by_one(1.0), {{}, {}}},
                 "there have to be no loads, or a list of them for each order"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(LinearSystem, RejectsTimesAndDigitsThatAreNone) {
-  const Reference solution = linear_reference({.orders = {0.5}, .initial = {{1.0}}, .matrix = scalar(-1.0)});
+  const Reference solution =
+      linear_reference({.orders = {0.5}, .initial = {{1.0}}, .matrix = one_by_one(-1.0)});
   EXPECT_THROW(solution.at(-1.0), std::invalid_argument);
   EXPECT_THROW(solution.at(NAN), std::invalid_argument);
   EXPECT_THROW(solution.digits(1.0, 0), std::invalid_argument);

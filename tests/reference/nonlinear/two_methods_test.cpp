@@ -121,7 +121,7 @@ TEST_P(EnergyBalances, HoldAlongTheReferenceWithFractionalDamping) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, EnergyBalances, testing::Values("pendulum", "extensible_pendulum"),
-                         [](const auto& test) { return std::string(test.param); });
+                         bench::text_of_param);
 
 }  // namespace
 }  // namespace fde::reference

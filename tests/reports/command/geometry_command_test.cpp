@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fdebench/benchmarks/text/number_text.hpp"
-#include "support/command_output.hpp"
+#include "support/command_line_result.hpp"
 
 namespace fde::bench {
 namespace {
@@ -37,7 +37,7 @@ TEST(GeometryCommand, PrintsTheSymbolsOfTheSphere) {
 
 // The file of isokinetic calls its coordinates x1, x2, x3, because q1 is a parameter.
 TEST(GeometryCommand, NamesCoordinatesAsTheirColumns) {
-  const auto answer = fdebench({"geometry", "isokinetic"});
+  const auto answer = fdebench("geometry isokinetic");
   EXPECT_EQ(value_of(answer.out, "metric,q2,q2,"), 1.0);
   EXPECT_EQ(value_of(answer.out, "metric,q1,q2,"), 0.0);
 }
@@ -82,7 +82,7 @@ TEST(GeometryCommand, BringsTheVelocityOfTheStartOntoTheConstraint) {
 
 // With a memory term the reaction is not a function of the state.
 TEST(GeometryCommand, LeavesTheReactionOutWhereItRemembers) {
-  const auto answer = fdebench({"geometry", "fractional_knife_edge"});
+  const auto answer = fdebench("geometry fractional_knife_edge");
   EXPECT_EQ(answer.code, 0);
   EXPECT_NE(answer.out.find("semispray,"), std::string::npos);
   EXPECT_EQ(answer.out.find("constrained_semispray"), std::string::npos);
@@ -94,7 +94,7 @@ TEST(GeometryCommand, DoesNotDependOnTheFormulation) {
 }
 
 TEST(GeometryCommand, RefusesWhatHasNoGeometry) {
-  EXPECT_EQ(fdebench({"geometry", "relaxation"}).code, 2);
+  EXPECT_EQ(fdebench("geometry relaxation").code, 2);
   const auto answer = fdebench({"geometry", "loxodrome", "--place", "1,2,3"});
   EXPECT_EQ(answer.code, 2);
   EXPECT_NE(answer.err.find("--place = 1,2,3: must be 2 numbers, one a coordinate"), std::string::npos);

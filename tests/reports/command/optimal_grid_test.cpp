@@ -11,7 +11,7 @@
 
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
-#include "fdebench/benchmarks/sweep/sweep.hpp"
+#include "fdebench/benchmarks/sweep/scene_refinements.hpp"
 #include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 
@@ -50,7 +50,8 @@ TEST(OptimalGrid, OfASweepIsBesideTheUniformOne) {
   sweep.graded = graded_schemes();
   const auto gradings = [&](const char* scheme, const char* scene) {
     std::vector<double> found;
-    for (const auto& setup : setups_of(sweep, *find_scheme(scheme), scene_of(scene).problem))
+    const Scene target = scene_of(scene);
+    for (const auto& setup : setups_of(sweep, *find_scheme(scheme), &target.problem))
       found.push_back(setup.grading);
     return found;
   };

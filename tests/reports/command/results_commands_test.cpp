@@ -26,7 +26,7 @@ namespace {
 using testing::HasSubstr;
 
 // A run of l1 on `power` with its measures.
-struct SyntheticRun {
+struct WrittenRun {
   int steps = 64;
   double error = 1e-3, relative = 1e-3, rounding = 1e-15;
   OutcomeKind ending = SolveStatus::finished;
@@ -36,7 +36,7 @@ struct SyntheticRun {
 
 class Comparisons : public testing::Test {
  protected:
-  [[nodiscard]] std::string write(const std::string& name, const std::vector<SyntheticRun>& runs,
+  [[nodiscard]] std::string write(const std::string& name, const std::vector<WrittenRun>& runs,
                                   const std::string& machine = "m") const {
     Session session{};
     session.machine = machine;
@@ -46,12 +46,12 @@ class Comparisons : public testing::Test {
     return (folder_.path() / name).string();
   }
 
-  [[nodiscard]] CommandOutput compare(const std::vector<SyntheticRun>& before,
-                                      const std::vector<SyntheticRun>& now) const {
+  [[nodiscard]] CommandOutput compare(const std::vector<WrittenRun>& before,
+                                      const std::vector<WrittenRun>& now) const {
     return fdebench({"compare", write("before", before), write("now", now)});
   }
 
-  static std::string text_of(const SyntheticRun& made) {
+  static std::string text_of(const WrittenRun& made) {
     Record run{.key = {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = made.steps}},
                .steps = made.steps,
                .end = 1.0,
@@ -120,7 +120,7 @@ TEST_F(Comparisons, EndWithOneWhereMoreIsAskedOfTimesAndRuns) {
 
 // Errors of 1e-15 with rounding effects of 1e-15 count as grown from 5e-15 on.
 TEST_F(Comparisons, TakeRoundingForNoChange) {
-  const SyntheticRun before{.error = 1e-15, .relative = 1e-12, .rounding = 1e-15};
+  const WrittenRun before{.error = 1e-15, .relative = 1e-12, .rounding = 1e-15};
   EXPECT_EQ(compare({before}, {{.error = 4.9e-15, .relative = 4.9e-12, .rounding = 1e-15}}).code, 0);
   EXPECT_EQ(compare({before}, {{.error = 5.1e-15, .relative = 1e-12, .rounding = 1e-15}}).code, 1);
   EXPECT_EQ(compare({before}, {{.error = 1e-15, .relative = 5.1e-12, .rounding = 1e-15}}).code, 1);
@@ -131,7 +131,7 @@ TEST_F(Comparisons, TakeRoundingForNoChange) {
 // bound at the end only.
 TEST_F(Comparisons, TakeWhatTheReferenceLeavesOpenForNoChange) {
   const auto made = [](double error, double bound, std::optional<double> largest_bound) {
-    return SyntheticRun{
+    return WrittenRun{
         .rounding = 0.0, .largest_error = error, .bound = bound, .largest_bound = largest_bound};
   };
   EXPECT_EQ(compare({made(1e-9, 1e-12, 1e-9)}, {made(1.9e-9, 1e-12, 1e-9)}).code, 0);
@@ -141,10 +141,10 @@ TEST_F(Comparisons, TakeWhatTheReferenceLeavesOpenForNoChange) {
 }
 
 TEST_F(Comparisons, EndWithOneWhereAVerdictGotWorse) {
-  const SyntheticRun inaccurate{.relative = 0.5}, lost{.relative = 0.5, .ending = Verdict::accuracy_lost},
+  const WrittenRun inaccurate{.relative = 0.5}, lost{.relative = 0.5, .ending = Verdict::accuracy_lost},
       refused{.ending = SolveStatus::refused, .least = {}},
       diverged{.ending = SolveStatus::non_finite, .least = {}};
-  const SyntheticRun relative_same{};
+  const WrittenRun relative_same{};
   EXPECT_EQ(compare({relative_same}, {refused}).code, 1);
   EXPECT_EQ(compare({relative_same}, {diverged}).code, 1);
   EXPECT_EQ(compare({inaccurate}, {lost}).code, 1);
@@ -167,7 +167,7 @@ TEST_F(Comparisons, TellARatioOfTimesWithItsNoise) {
 }
 
 TEST_F(Comparisons, PutTheWorstFirst) {
-  std::vector<SyntheticRun> before, now;
+  std::vector<WrittenRun> before, now;
   for (int i = 1; i <= 30; ++i) {
     before.push_back({.steps = i});
     now.push_back({.steps = i, .error = 1e-3 * (1 + i)});

@@ -45,12 +45,12 @@ Results results_of_codes() {
   return results;
 }
 
-json rows_of(const json& codes) { return codes["groups"]["error_end"].front()["rows"]; }
+json rows_in(const json& codes) { return codes["groups"]["error_end"].front()["rows"]; }
 
 TEST(CodesSection, HasARowForEachCodeOursFirst) {
   const auto codes_section = section(page_data(read_runs(results_of_codes())), "codes");
   std::vector<std::string> codes;
-  for (const auto& row : rows_of(codes_section)) codes.push_back(row["code"]);
+  for (const auto& row : rows_in(codes_section)) codes.push_back(row["code"]);
   EXPECT_EQ(codes, (std::vector<std::string>{"fdebench", "flmm2", "tsfcoll"}));
   EXPECT_EQ(codes_section["octave"], true);
 }
@@ -58,7 +58,7 @@ TEST(CodesSection, HasARowForEachCodeOursFirst) {
 // To 1e-2 the second setting is the quickest, and twice as slow as l1; to 1e-4 and 1e-6 the first, and no
 // run of l1 reaches 1e-6.
 TEST(CodesSection, TakesTheQuickestSettingWithinEachError) {
-  const auto row = rows_of(section(page_data(read_runs(results_of_codes())), "codes"))[1];
+  const auto row = rows_in(section(page_data(read_runs(results_of_codes())), "codes"))[1];
   EXPECT_EQ(row["language"], "GNU Octave 7.3.0");
   const auto& cells = row["cells"];
   EXPECT_EQ(cells[0]["line"], "flmm2 method 2");
@@ -73,7 +73,7 @@ TEST(CodesSection, TakesTheQuickestSettingWithinEachError) {
 }
 
 TEST(CodesSection, SaysWhyACodeSolvesNothing) {
-  const auto row = rows_of(section(page_data(read_runs(results_of_codes())), "codes"))[2];
+  const auto row = rows_in(section(page_data(read_runs(results_of_codes())), "codes"))[2];
   EXPECT_EQ(row["ending"], "refused");
   EXPECT_EQ(row["detail"], "takes scalar equations");
 }

@@ -13,7 +13,7 @@
 namespace fde::bench {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const Scheme& scheme(std::string_view id) { return *find_scheme(id); }

@@ -16,16 +16,16 @@ namespace fde::bench {
 namespace {
 
 constexpr double order = 0.5;
-constexpr int steps = 100;
+constexpr int reversal_steps = 100;
 
 double exact(double rate) { return 1.0 / (-rate * std::sqrt(M_PI)); }  // to O(rate^-3)
 
 double at_one(std::string_view scheme, double rate) {
-  return solve(scheme, scalar_equation(order, rate), steps).y(0, steps);
+  return solve(scheme, scalar_equation(order, rate), reversal_steps).y(0, reversal_steps);
 }
 
 double at_one(Multistep rule, double rate) {
-  return multistep_relaxation(rule, order, rate * 0.1, steps)[steps];
+  return multistep_relaxation(rule, order, rate * 0.1, reversal_steps)[reversal_steps];
 }
 
 TEST(Reversal, FirstOrderRulesAreRight) {

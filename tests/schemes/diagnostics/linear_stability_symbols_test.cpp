@@ -12,7 +12,7 @@
 namespace fde::bench {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Value = ComplexValue;
 
 std::vector<double> all_orders() {

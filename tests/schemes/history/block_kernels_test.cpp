@@ -18,7 +18,7 @@ namespace {
 using Real = long double;
 
 // Half a unit in the last place of a double, relative to it.
-constexpr Real unit = std::numeric_limits<double>::epsilon() / 2;
+constexpr Real long_unit = std::numeric_limits<double>::epsilon() / 2;
 
 // Entries of both signs, so that cancellation amplifies errors.
 Matrix random_matrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
@@ -47,7 +47,7 @@ struct Sum {
     ++terms;
   }
   [[nodiscard]] bool agrees(double result) const {
-    return std::abs(static_cast<Real>(result) - value) <= terms * unit * absolute;
+    return std::abs(static_cast<Real>(result) - value) <= terms * long_unit * absolute;
   }
 };
 
@@ -168,10 +168,10 @@ TEST_P(BlockKernels, PhiFunctionsAreGoodToAFewUnits) {
       if (x > 700) break;
       for (int k = 1; k <= 3; ++k) {
         const Real exact = exact_phi(k, x);
-        EXPECT_LE(std::abs(all(i, k - 1) - exact), 16 * unit * exact)
+        EXPECT_LE(std::abs(all(i, k - 1) - exact), 16 * long_unit * exact)
             << "phi_" << k << '(' << double(x) << ')';
       }
-      EXPECT_LE(std::abs(all(i, 3) - std::expm1(-x)), 8 * unit * -std::expm1(-x)) << double(x);
+      EXPECT_LE(std::abs(all(i, 3) - std::expm1(-x)), 8 * long_unit * -std::expm1(-x)) << double(x);
     }
     expect_the_bits_of_the_widest(functions);
   }
@@ -197,7 +197,7 @@ TEST_P(BlockKernels, AdvanceKeepsInTheCarryWhatRoundingTook) {
           const double total = result(i, j), rest = result(i, columns + j);
           const Real change = static_cast<Real>(decay(i)) * state(i, j) + input(i, j) + carry(i, j);
           const Real size = std::abs(decay(i) * state(i, j)) + std::abs(input(i, j)) + std::abs(carry(i, j));
-          EXPECT_LE(std::abs((static_cast<Real>(total) - state(i, j)) + rest - change), 3 * unit * size);
+          EXPECT_LE(std::abs((static_cast<Real>(total) - state(i, j)) + rest - change), 3 * long_unit * size);
           EXPECT_EQ(total + rest, total);
         }
       }
@@ -260,7 +260,8 @@ TEST_P(BlockKernels, AdvanceLosesNothingOverAMillionSlowDecays) {
   }
   const Real d = decay(0), exact = std::expm1(calls * std::log1p(d)) / d;
   for (Eigen::Index i = 0; i < lanes; ++i) {
-    EXPECT_LE(std::abs((state(i) + static_cast<Real>(carry(i))) / (input(i) * exact) - 1), 3 * unit) << i;
+    EXPECT_LE(std::abs((state(i) + static_cast<Real>(carry(i))) / (input(i) * exact) - 1), 3 * long_unit)
+        << i;
   }
 }
 

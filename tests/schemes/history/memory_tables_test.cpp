@@ -13,7 +13,7 @@ namespace {
 
 using Real = long double;
 
-constexpr Real unit = std::numeric_limits<double>::epsilon() / 2;
+constexpr Real table_unit = std::numeric_limits<double>::epsilon() / 2;
 
 MemoryTables tables_of(double order, double steps) {
   return {{{&families::rectangle, order}, {&families::trapezoid, order}},
@@ -31,7 +31,7 @@ TEST(MemoryTables, PointsStandForEverySlowExponentialAtEveryLagOfABlock) {
         for (Eigen::Index i = 0; i < tables.points(); ++i)
           sum += tables.spread(m, i) * std::exp(-Real{tables.compressed.nodes[i]} * t);
         const Real exact = std::exp(-Real{tables.nodes[m]} * t);
-        EXPECT_LE(std::abs(sum - exact), 3 * unit * exact) << "node " << m << ", t = " << t;
+        EXPECT_LE(std::abs(sum - exact), 3 * table_unit * exact) << "node " << m << ", t = " << t;
       }
     }
   }

@@ -15,7 +15,7 @@
 namespace fde::bench {
 namespace {
 
-const WeightTables interpolating_families{
+const WeightTables variable_step_families{
     {{&families::rectangle, 0.3}, {&families::rectangle, 1.0}, {&families::rectangle, 1.7}},
     {{&families::trapezoid, 0.3}, {&families::trapezoid, 1.0}, {&families::trapezoid, 1.7}},
     {{&families::l1, 0.3}, {&families::l1, 1.0}, {&families::trapezoid, 2.0}}};
@@ -51,7 +51,7 @@ StepPlan plan_of(const Times& times) {
 Vec sample_at(double t) { return Vec{{1.0 + 0.5 * std::sin(t), 1.3 + 0.2 * std::cos(3.0 * t), 1.0}}; }
 
 Matrix sums_at(const History& history, double t) {
-  Matrix sums(3, static_cast<Eigen::Index>(interpolating_families.size()));
+  Matrix sums(3, static_cast<Eigen::Index>(variable_step_families.size()));
   for (Eigen::Index sum = 0; sum < sums.cols(); ++sum) {
     history.convolve(t, static_cast<std::size_t>(sum), sums.col(sum));
   }
@@ -61,7 +61,7 @@ Matrix sums_at(const History& history, double t) {
 // The sums at every time; before each, `reject` may evaluate sums at times that are not pushed.
 template <typename Reject>
 std::vector<Matrix> along(const Times& times, HistoryKind kind, double tolerance, Reject reject) {
-  const auto history = make_history(kind, interpolating_families, plan_of(times), tolerance);
+  const auto history = make_history(kind, variable_step_families, plan_of(times), tolerance);
   std::vector<Matrix> sums;
   for (std::size_t n = 1; n < times.size(); ++n) {
     history->push(times[n - 1], sample_at(times[n - 1]));
@@ -101,7 +101,7 @@ TEST(VariableSteps, LeaveNoTraceWhenTheyAreRejected) {
 TEST(VariableSteps, MayBePushedWithoutBeingAskedFor) {
   const Times times = hard_times()[1];
   for (const auto kind : {HistoryKind::direct, HistoryKind::exponentials}) {
-    const auto history = make_history(kind, interpolating_families, plan_of(times), 1e-15);
+    const auto history = make_history(kind, variable_step_families, plan_of(times), 1e-15);
     for (std::size_t n = 0; n + 1 < times.size(); ++n) history->push(times[n], sample_at(times[n]));
     EXPECT_EQ(sums_at(*history, times.back()), along(times, kind, 1e-15, nothing).back()) << name(kind);
   }
@@ -111,7 +111,7 @@ TEST(VariableSteps, ThatAreEqualGiveTheSumsOfEqualSteps) {
   const Times times = after_steps(std::vector<double>(300, 0.25));
   StepPlan equal = plan_of(times);
   equal.uniform = true;
-  const auto history = make_history(HistoryKind::exponentials, interpolating_families, equal, 1e-15);
+  const auto history = make_history(HistoryKind::exponentials, variable_step_families, equal, 1e-15);
   const auto sums = along(times, HistoryKind::exponentials, 1e-15, nothing);
   for (std::size_t n = 1; n < times.size(); ++n) {
     history->push(times[n - 1], sample_at(times[n - 1]));

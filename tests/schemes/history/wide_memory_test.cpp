@@ -18,7 +18,7 @@
 namespace fde::bench {
 namespace {
 
-constexpr int steps = 200;
+constexpr int wide_steps = 200;
 
 struct Family {
   std::string name;
@@ -43,10 +43,10 @@ Rows sums(const Family& family, Eigen::Index first, Eigen::Index components, int
   WeightTables tables;
   for (const auto& table : family.tables) tables.emplace_back(static_cast<std::size_t>(components), table);
   const auto history =
-      make_history(HistoryKind::exponentials, tables, step_plan({.end = 1.0, .steps = steps}), 1e-15);
+      make_history(HistoryKind::exponentials, tables, step_plan({.end = 1.0, .steps = wide_steps}), 1e-15);
   const RowThreads several(threads);
-  Rows result(std::ssize(tables) * components, steps);
-  for (int n = 0; n < steps; ++n) {
+  Rows result(std::ssize(tables) * components, wide_steps);
+  for (int n = 0; n < wide_steps; ++n) {
     history->push(n, Vec::NullaryExpr(components, [&](Eigen::Index i) { return sample_of(first + i, n); }));
     for (std::size_t s = 0; s < tables.size(); ++s) {
       history->convolve(n + 1, s,

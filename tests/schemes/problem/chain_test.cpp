@@ -15,9 +15,9 @@ using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::Pointwise;
 
-const std::vector<Term> damping{{0.1, 0.5}, {0.2, 1.0}, {0.3, 1.5}};
+const std::vector<Term> damping_terms{{0.1, 0.5}, {0.2, 1.0}, {0.3, 1.5}};
 
-std::vector<double> orders(const std::vector<Component>& components) {
+std::vector<double> orders_of(const std::vector<Component>& components) {
   std::vector<double> result;
   for (const auto& component : components) result.push_back(component.order);
   return result;
@@ -31,9 +31,9 @@ std::vector<double> starts(const std::vector<Component>& components) {
 
 // Yin, Liu & Anh 2007, eqs 5.4, 5.5.
 TEST(Chain, OfThePendulumHasFourLinksAndItsInitialValuesAtWholeNodes) {
-  const Chain chain({1.0, 2.0}, damping, {1.0, -0.3});
+  const Chain chain({1.0, 2.0}, damping_terms, {1.0, -0.3});
   EXPECT_THAT(chain.nodes(), ElementsAre(0.0, 0.5, 1.0, 1.5));
-  EXPECT_THAT(orders(chain.components()), ElementsAre(0.5, 0.5, 0.5, 0.5));
+  EXPECT_THAT(orders_of(chain.components()), ElementsAre(0.5, 0.5, 0.5, 0.5));
   EXPECT_THAT(starts(chain.components()), ElementsAre(1.0, 0.0, -0.3, 0.0));
 }
 
@@ -65,7 +65,7 @@ TEST(Chain, RefusesTermsThatAreNotBelowTheLeadingOrder) {
 // u'' = c + t^(1/2) + ... for (1.5, 0.5): D^beta u starts like t^(1-beta), D^alpha u
 // like t^(2-alpha).
 TEST(ChainSmoothness, OfThePendulum) {
-  const auto smoothness = smoothness_of_chains({Chain({1.0, 2.0}, damping, {1.0, -0.3})});
+  const auto smoothness = smoothness_of_chains({Chain({1.0, 2.0}, damping_terms, {1.0, -0.3})});
   EXPECT_THAT(smoothness.powers[0], ElementsAre(1.0, 2.0, 2.5, 3.0, 3.5, 4.0));
   EXPECT_DOUBLE_EQ(smoothness.powers[1].front(), 0.5);
   EXPECT_THAT(smoothness.powers[2].front(), DoubleNear(1.0, 1e-15));
@@ -73,7 +73,7 @@ TEST(ChainSmoothness, OfThePendulum) {
 }
 
 TEST(ChainSmoothness, WithoutInitialVelocityTheLowerDerivativeIsSmoother) {
-  const auto smoothness = smoothness_of_chains({Chain({1.0, 2.0}, damping, {1.0, 0.0})});
+  const auto smoothness = smoothness_of_chains({Chain({1.0, 2.0}, damping_terms, {1.0, 0.0})});
   EXPECT_DOUBLE_EQ(smoothness.powers[0].front(), 2.0);
   EXPECT_DOUBLE_EQ(smoothness.powers[1].front(), 1.5);
 }
@@ -86,7 +86,7 @@ TEST(Splitting, OrdersAboveOneBecomeLinks) {
   const auto links = splitting_up_to_one(order_and_half());
   EXPECT_THAT(links, ElementsAre(ElementsAre(1.0, 0.5), ElementsAre(0.5)));
   const auto problem = split_orders(order_and_half(), links);
-  EXPECT_THAT(orders(problem.components), ElementsAre(1.0, 0.5, 0.5));
+  EXPECT_THAT(orders_of(problem.components), ElementsAre(1.0, 0.5, 0.5));
   EXPECT_THAT(starts(problem.components), ElementsAre(1.0, 2.0, 3.0));
   Vec f(3);
   problem.rhs(0.0, (Vec(3) << 5.0, 6.0, 7.0).finished(), f);

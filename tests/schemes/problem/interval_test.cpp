@@ -16,13 +16,13 @@
 namespace fde::bench {
 namespace {
 
-struct Case {
+struct IntervalOperation {
   std::string name;
   std::function<Interval(const Interval&, const Interval&)> enclosed;
   std::function<long double(long double, long double)> exact;
 };
 
-std::vector<Case> cases() {
+std::vector<IntervalOperation> operations() {
   using Long = long double;
   return {
       {"sum", [](auto& a, auto& b) { return a + b; }, [](Long a, Long b) { return a + b; }},
@@ -63,7 +63,7 @@ Interval drawn(std::mt19937& random) {
 
 TEST(Interval, ContainsTheValuesOfFunctions) {
   std::mt19937 random(7);
-  for (const auto& [name, enclosed, exact] : cases()) {
+  for (const auto& [name, enclosed, exact] : operations()) {
     for (int k = 0; k < 2000; ++k) {
       const Interval a = drawn(random), b = drawn(random), value = enclosed(a, b);
       for (int point = 0; point < 8; ++point) {
@@ -83,7 +83,7 @@ TEST(Interval, ContainsTheValuesOfFunctions) {
 
 TEST(Interval, OfAPointIsARoundedPoint) {
   constexpr double few = 64.0 * std::numeric_limits<double>::epsilon();
-  for (const auto& [name, enclosed, exact] : cases()) {
+  for (const auto& [name, enclosed, exact] : operations()) {
     const double x = 0.7, y = 1.3;
     EXPECT_LE(enclosed(x, y).width(), few * std::abs(static_cast<double>(exact(x, y)))) << name;
   }

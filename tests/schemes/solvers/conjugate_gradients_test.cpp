@@ -18,12 +18,12 @@ double none(double /*x*/, double /*y*/) { return 0.0; }
 double one(double /*x*/, double /*y*/) { return 1.0; }
 double smooth(double x, double y) { return 1.0 + 0.9 * std::sin(6.0 * x) * std::cos(5.0 * y); }
 double far_apart(double x, double y) { return std::exp(4.6 * std::sin(3.0 * x + 2.0 * y)); }
-double jump(double x, double y) { return std::hypot(x - 0.5, y - 0.5) < 0.3 ? 10.0 : 1.0; }
+double disc(double x, double y) { return std::hypot(x - 0.5, y - 0.5) < 0.3 ? 10.0 : 1.0; }
 double thin(double /*x*/, double /*y*/) { return 0.01; }
 // 3 u^2 - 1 of the Allen-Cahn equation, for a wave u.
 double reaction(double x, double y) { return 3.0 * std::pow(std::sin(9.0 * x) * std::cos(7.0 * y), 2) - 1.0; }
 
-struct Case {
+struct GradientCase {
   std::string name;
   double (*diffusivity)(double, double);
   double (*reaction)(double, double);
@@ -31,16 +31,18 @@ struct Case {
 };
 
 // For a jump of the diffusivity by 10 the bound of the theory is sqrt(10) / 2 log 2^54 = 59 iterations.
-class Coefficients : public testing::TestWithParam<Case> {
+class Coefficients : public testing::TestWithParam<GradientCase> {
  protected:
   static SparseMatrix matrix(Eigen::Index n, Eigen::Index m) {
     return step_matrix(n, m, 0.03, GetParam().diffusivity, GetParam().reaction);
   }
 };
 INSTANTIATE_TEST_SUITE_P(, Coefficients,
-                         testing::Values(Case{"constant", one, none, 4}, Case{"smooth", smooth, none, 25},
-                                         Case{"far_apart", far_apart, none, 52}, Case{"jump", jump, none, 59},
-                                         Case{"reaction", thin, reaction, 12}),
+                         testing::Values(GradientCase{"constant", one, none, 4},
+                                         GradientCase{"smooth", smooth, none, 25},
+                                         GradientCase{"far_apart", far_apart, none, 52},
+                                         GradientCase{"jump", disc, none, 59},
+                                         GradientCase{"reaction", thin, reaction, 12}),
                          [](const auto& test) { return test.param.name; });
 
 Vec load(Eigen::Index size) {

@@ -38,13 +38,13 @@ Matrix with(Matrix a, int row, int column, double value) {
   return a;
 }
 
-struct Case {
+struct FactorCase {
   std::string name, method;
   Matrix matrix;
   int sign = 1;
 };
 
-std::vector<Case> cases() {
+std::vector<FactorCase> factor_cases() {
   const Matrix line = diffusion(9, false, 3.0), square = diffusion(5, true, 3.0);
   return {{"line", "tridiagonal", line},
           {"wind", "tridiagonal", with(line, 3, 4, -0.5)},
@@ -56,8 +56,8 @@ std::vector<Case> cases() {
           {"exchanged_rows", "lu", (Matrix(2, 2) << 0.0, 1.0, 1.0, 0.0).finished(), -1}};
 }
 
-class SparseMatrixOf : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(, SparseMatrixOf, testing::ValuesIn(cases()),
+class SparseMatrixOf : public testing::TestWithParam<FactorCase> {};
+INSTANTIATE_TEST_SUITE_P(, SparseMatrixOf, testing::ValuesIn(factor_cases()),
                          [](const auto& test) { return test.param.name; });
 
 TEST_P(SparseMatrixOf, IsSolvedByTheQuickestMethodThatMay) {

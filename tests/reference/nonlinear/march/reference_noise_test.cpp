@@ -15,7 +15,7 @@
 namespace fde::reference {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double double_epsilon = std::numeric_limits<double>::epsilon();
 
 // D^order x = factor (sin^2 z + cos^2 z - 1), z' = 1: x = 0 and z = t.
 Problem cancelling(double order, double factor) {
@@ -31,14 +31,15 @@ Problem cancelling(double order, double factor) {
 TEST(RhsNoise, IsNoneWhereFIsSmooth) {
   const Problem problem{.components = {{0.5, {1.0}}},
                         .rhs = [](double t, In y, Out f) { f[0] = t * t + std::exp(y[0]); }};
-  EXPECT_LT(rhs_noise(problem, 0.5, Vec::Constant(1, 1.0), 0.6, Vec::Constant(1, 1.1))[0], 3 * epsilon);
+  EXPECT_LT(rhs_noise(problem, 0.5, Vec::Constant(1, 1.0), 0.6, Vec::Constant(1, 1.1))[0],
+            3 * double_epsilon);
 }
 
 TEST(RhsNoise, IsThatOfTermsThatCancel) {
   for (const double factor : {1.0, 1e-6}) {
     const Vec noise = rhs_noise(cancelling(0.5, factor), 1.0, Vec{{0.0, 1.0}}, 1.1, Vec{{0.0, 1.1}});
-    EXPECT_GT(noise[0], 0.1 * epsilon * factor);
-    EXPECT_LT(noise[0], 2 * epsilon * factor);
+    EXPECT_GT(noise[0], 0.1 * double_epsilon * factor);
+    EXPECT_LT(noise[0], 2 * double_epsilon * factor);
     EXPECT_EQ(noise[1], 0.0);
   }
 }
@@ -95,8 +96,8 @@ TEST_P(SphericalKnifeEdge, WithoutGravityIsALoxodrome) {
     const ReferenceValue known = reference.at(t);
     const double down = 0.5 / std::hypot(1.0, 0.5), theta = 0.7 + down * t;
     const double phi = 0.5 * std::log(std::tan(theta / 2) / std::tan(0.35));
-    EXPECT_NEAR(known.value[0], theta, known.bound[0] + epsilon) << t;
-    EXPECT_NEAR(known.value[1], phi, known.bound[1] + 4 * epsilon) << t;
+    EXPECT_NEAR(known.value[0], theta, known.bound[0] + double_epsilon) << t;
+    EXPECT_NEAR(known.value[1], phi, known.bound[1] + 4 * double_epsilon) << t;
     EXPECT_LT(known.bound.head(2).maxCoeff(), 2e-14) << t;
   }
 }

@@ -12,18 +12,18 @@
 namespace fde::reference {
 namespace {
 
-struct Case {
+struct ContourCase {
   const char* name;
   double alpha, beta;
   std::complex<double> z;
 };
 
-class OnCoarseContours : public testing::TestWithParam<Case> {
+class OnCoarseContours : public testing::TestWithParam<ContourCase> {
  protected:
   using Roots = std::vector<std::complex<double>>;
 
   // 1 + i theta of the poles with |arg s*| < 2 pi.
-  [[nodiscard]] static Roots roots_of(const Case& x, double mu, double& nearest_other_argument) {
+  [[nodiscard]] static Roots roots_of(const ContourCase& x, double mu, double& nearest_other_argument) {
     Roots roots;
     for (int sheet = -6; sheet <= 6; ++sheet) {
       const double argument = std::arg(x.z) + 2.0 * sheet * std::numbers::pi;
@@ -39,7 +39,7 @@ class OnCoarseContours : public testing::TestWithParam<Case> {
 };
 
 // The trapezoidal sum with its residues at 60 digits, so that its error is the discretisation error.
-BigComplex sum_with_residues(const Case& x, const Contour<BigReal>& contour,
+BigComplex sum_with_residues(const ContourCase& x, const Contour<BigReal>& contour,
                              const std::vector<std::complex<double>>& roots, double distance) {
   const BigReal alpha(x.alpha), beta(x.beta);
   const BigComplex z(x.z.real(), x.z.imag());
@@ -60,7 +60,7 @@ BigComplex sum_with_residues(const Case& x, const Contour<BigReal>& contour,
 }
 
 TEST_P(OnCoarseContours, WhatIsNeglectedIsBounded) {
-  const Case& x = GetParam();
+  const ContourCase& x = GetParam();
   const auto text = [](double number) { return fmt::format("{}", number); };
   const auto exact = mittag_leffler(text(x.alpha), text(x.beta), text(x.z.real()), text(x.z.imag()), 45);
   for (const double omega : {16.0, 24.0, 40.0, 64.0}) {
@@ -87,7 +87,7 @@ TEST_P(OnCoarseContours, WhatIsNeglectedIsBounded) {
 // The function is the integral along a line plus the residues of the poles to the right of it.
 TEST_P(OnCoarseContours, TheIntegralAlongALineIsBounded) {
   constexpr double rounding = 1e-13;  // of large residues
-  const Case& x = GetParam();
+  const ContourCase& x = GetParam();
   const std::complex<double> value = mittag_leffler(x.alpha, x.beta, x.z).value;
   for (const double mu : {0.5, 2.0, 8.0}) {
     for (const double distance : {0.25, 1.0, 2.0}) {
@@ -112,14 +112,15 @@ TEST_P(OnCoarseContours, TheIntegralAlongALineIsBounded) {
 
 INSTANTIATE_TEST_SUITE_P(
     ContourBound, OnCoarseContours,
-    testing::Values(Case{"NoPole", 0.5, 1.0, -1.0}, Case{"Kernel", 0.5, 0.5, -3.0},
-                    Case{"SmallArgument", 0.75, 1.0, 0.015625}, Case{"LargeArgument", 0.75, 1.0, -1024.0},
-                    Case{"PoleOnTheRealAxis", 0.5, 1.0, 1.5}, Case{"PoleBeyondTheContour", 0.5, 1.0, 6.0},
-                    Case{"PoleNextToTheCut", 1.0078125, 1.0, -5.0}, Case{"PairOfPoles", 1.5, 1.0, -20.0},
-                    Case{"ThreePairs", 4.5, 2.0, -100.0}, Case{"ComplexArgument", 0.75, 1.5, {-2.0, 3.0}},
-                    Case{"SmallOrder", 0.0625, 1.0, {0.5, 0.5}}, Case{"NegativeBeta", 0.75, -3.25, -2.0},
-                    Case{"LargeBeta", 1.25, 9.5, -2.0}),
-    [](const testing::TestParamInfo<Case>& test) { return test.param.name; });
+    testing::Values(
+        ContourCase{"NoPole", 0.5, 1.0, -1.0}, ContourCase{"Kernel", 0.5, 0.5, -3.0},
+        ContourCase{"SmallArgument", 0.75, 1.0, 0.015625}, ContourCase{"LargeArgument", 0.75, 1.0, -1024.0},
+        ContourCase{"PoleOnTheRealAxis", 0.5, 1.0, 1.5}, ContourCase{"PoleBeyondTheContour", 0.5, 1.0, 6.0},
+        ContourCase{"PoleNextToTheCut", 1.0078125, 1.0, -5.0}, ContourCase{"PairOfPoles", 1.5, 1.0, -20.0},
+        ContourCase{"ThreePairs", 4.5, 2.0, -100.0}, ContourCase{"ComplexArgument", 0.75, 1.5, {-2.0, 3.0}},
+        ContourCase{"SmallOrder", 0.0625, 1.0, {0.5, 0.5}}, ContourCase{"NegativeBeta", 0.75, -3.25, -2.0},
+        ContourCase{"LargeBeta", 1.25, 9.5, -2.0}),
+    [](const testing::TestParamInfo<ContourCase>& test) { return test.param.name; });
 
 // The logarithm of a line integral is convex in the exponent, and so lies below its chords.
 TEST(LineIntegrals, InterpolationIsAnUpperBound) {

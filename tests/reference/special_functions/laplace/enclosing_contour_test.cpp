@@ -9,29 +9,27 @@
 namespace fde::reference {
 namespace {
 
-using Point = EnclosingContour::Point;
+using ContourPoint = EnclosingContour::Point;
 
 // F(s) = product of (s - s_j)^-order_j, and its inverse Laplace transform at time 1.
-struct Case {
+struct RationalTransform {
   const char* name;
-  std::vector<Point> singularities;
+  std::vector<ContourPoint> singularities;
   std::vector<double> orders;
   BigComplex (*exact)();
   bool real = false;
 };
 
-std::string test_name(const testing::TestParamInfo<Case>& test) { return test.param.name; }
+BigComplex big(const ContourPoint& s) { return {BigReal(s.real()), BigReal(s.imag())}; }
 
-BigComplex big(const Point& s) { return {BigReal(s.real()), BigReal(s.imag())}; }
-
-BigComplex transform(const Case& x, const EnclosingContour::Node& node) {
+BigComplex transform(const RationalTransform& x, const EnclosingContour::Node& node) {
   BigComplex product(1);
   for (std::size_t j = 0; j < x.orders.size(); ++j)
     product *= exp(BigReal(-x.orders[j]) * log(BigComplex(node.s - big(x.singularities[j]))));
   return product;
 }
 
-EnclosingContour::Majorant majorant(const Case& x) {
+EnclosingContour::Majorant majorant(const RationalTransform& x) {
   return [x](const EnclosingContour::Disc& disc) {
     long double sum = 0.0L;
     for (std::size_t j = 0; j < x.orders.size(); ++j) {
@@ -43,10 +41,10 @@ EnclosingContour::Majorant majorant(const Case& x) {
   };
 }
 
-class EnclosingContourOf : public testing::TestWithParam<Case> {};
+class EnclosingContourOf : public testing::TestWithParam<RationalTransform> {};
 
 TEST_P(EnclosingContourOf, InvertsWithinItsBound) {
-  const Case& x = GetParam();
+  const RationalTransform& x = GetParam();
   for (const int digits : {5, 16, 50, 150}) {
     const EnclosingContour contour(x.singularities, digits, {.order = 3.0L});
     const Precision precision(contour.working_digits());
@@ -68,57 +66,60 @@ BigReal pair_on_axis(const BigReal& y) { return (1 - cos(y)) / (y * y); }
 INSTANTIATE_TEST_SUITE_P(
     , EnclosingContourOf,
     testing::Values(
-        Case{"BranchPoint", {0.0L}, {0.5}, [] { return BigComplex(1 / sqrt(pi<BigReal>())); }, true},
-        Case{"TriplePole", {2.0L}, {3.0}, [] { return BigComplex(exp(BigReal(2)) / 2); }, true},
+        RationalTransform{
+            "BranchPoint", {0.0L}, {0.5}, [] { return BigComplex(1 / sqrt(pi<BigReal>())); }, true},
+        RationalTransform{"TriplePole", {2.0L}, {3.0}, [] { return BigComplex(exp(BigReal(2)) / 2); }, true},
         // J_0(5): two branch points
-        Case{"BesselFunction",
-             {Point(0.0L, 5.0L), Point(0.0L, -5.0L)},
-             {0.5, 0.5},
-             [] {
-               BigReal value;
-               mpfr_j0(value.backend().data(), BigReal(5).backend().data(), MPFR_RNDN);
-               return BigComplex(value);
-             },
-             true},
-        Case{"FarPair",
-             {0.0L, Point(0.0L, 100.0L), Point(0.0L, -100.0L)},
-             {1.0, 1.0, 1.0},
-             [] { return BigComplex(pair_on_axis(BigReal(100))); },
-             true},
-        Case{"DoublePoleOnOneSide",
-             {0.0L, Point(-3.0L, 60.0L)},
-             {1.0, 2.0},
-             [] {
-               const BigComplex pole(-3, 60);
-               return BigComplex(BigReal(1) / (pole * pole) +
-                                 exp(pole) * (BigReal(1) / pole - BigReal(1) / (pole * pole)));
-             }},
+        RationalTransform{"BesselFunction",
+                          {ContourPoint(0.0L, 5.0L), ContourPoint(0.0L, -5.0L)},
+                          {0.5, 0.5},
+                          [] {
+                            BigReal value;
+                            mpfr_j0(value.backend().data(), BigReal(5).backend().data(), MPFR_RNDN);
+                            return BigComplex(value);
+                          },
+                          true},
+        RationalTransform{"FarPair",
+                          {0.0L, ContourPoint(0.0L, 100.0L), ContourPoint(0.0L, -100.0L)},
+                          {1.0, 1.0, 1.0},
+                          [] { return BigComplex(pair_on_axis(BigReal(100))); },
+                          true},
+        RationalTransform{"DoublePoleOnOneSide",
+                          {0.0L, ContourPoint(-3.0L, 60.0L)},
+                          {1.0, 2.0},
+                          [] {
+                            const BigComplex pole(-3, 60);
+                            return BigComplex(BigReal(1) / (pole * pole) +
+                                              exp(pole) * (BigReal(1) / pole - BigReal(1) / (pole * pole)));
+                          }},
         // e^-1000 is negligible at all requested digits
-        Case{"LeavesOutWhatDoesNotMatter",
-             {0.0L, -1000.0L},
-             {1.0, 1.0},
-             [] { return BigComplex(BigReal(-expm1(BigReal(-1000)) / 1000)); },
-             true},
-        Case{"LargeGrowth",
-             {1e8L, 0.0L},
-             {1.0, 2.0},
-             [] {
-               const BigReal pole(1e8);
-               return BigComplex((exp(pole) - 1 - pole) / (pole * pole));
-             },
-             true}),
-    test_name);
+        RationalTransform{"LeavesOutWhatDoesNotMatter",
+                          {0.0L, -1000.0L},
+                          {1.0, 1.0},
+                          [] { return BigComplex(BigReal(-expm1(BigReal(-1000)) / 1000)); },
+                          true},
+        RationalTransform{"LargeGrowth",
+                          {1e8L, 0.0L},
+                          {1.0, 2.0},
+                          [] {
+                            const BigReal pole(1e8);
+                            return BigComplex((exp(pole) - 1 - pole) / (pole * pole));
+                          },
+                          true}),
+    [](const auto& test) { return test.param.name; });
 
 TEST(EnclosingContour, GrowsWithTheHeightOfItsSingularitiesOnly) {
-  const EnclosingContour low({0.0L}, 50), high({0.0L, Point(0.0L, 1e3L), Point(0.0L, -1e3L)}, 50);
+  const EnclosingContour low({0.0L}, 50),
+      high({0.0L, ContourPoint(0.0L, 1e3L), ContourPoint(0.0L, -1e3L)}, 50);
   EXPECT_LE(low.count(), 80);
   EXPECT_LE(high.count(), 5000);
-  EXPECT_EQ(EnclosingContour({0.0L, Point(-1e6L, 1e6L), Point(-1e6L, -1e6L)}, 50).count(), low.count());
+  EXPECT_EQ(EnclosingContour({0.0L, ContourPoint(-1e6L, 1e6L), ContourPoint(-1e6L, -1e6L)}, 50).count(),
+            low.count());
 }
 
 TEST(EnclosingContour, RefusesWhatIsTooFarApart) {
   try {
-    const EnclosingContour contour({Point(0.0L, 1e12L), Point(0.0L, -1e12L)}, 16);
+    const EnclosingContour contour({ContourPoint(0.0L, 1e12L), ContourPoint(0.0L, -1e12L)}, 16);
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("2e+12 apart"), std::string::npos) << error.what();

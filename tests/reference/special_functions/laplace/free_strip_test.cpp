@@ -14,16 +14,16 @@
 namespace fde::reference {
 namespace {
 
-struct Case {
+struct StripCase {
   const char* name;
   double alpha, beta, gamma;
   std::complex<double> z;
 };
 
-class OnCoarseShiftedContours : public testing::TestWithParam<Case> {};
+class OnCoarseShiftedContours : public testing::TestWithParam<StripCase> {};
 
 // The trapezoidal sum at 60 digits, so that its error is the discretisation error.
-BigComplex trapezoidal_sum(const Case& x, const ShiftedShape& shape) {
+BigComplex trapezoidal_sum(const StripCase& x, const ShiftedShape& shape) {
   const Contour<BigReal> contour(shape.mu, shape.omega, shape.depth, false);
   const BigReal alpha(x.alpha), beta(x.beta), gamma(x.gamma), offset(shape.offset);
   const BigComplex z(x.z.real(), x.z.imag());
@@ -41,7 +41,7 @@ BigComplex trapezoidal_sum(const Case& x, const ShiftedShape& shape) {
 
 // All singularities are inside, so that the only error is the discretisation error.
 TEST_P(OnCoarseShiftedContours, WhatIsNeglectedIsBounded) {
-  const Case& x = GetParam();
+  const StripCase& x = GetParam();
   const auto text = [](double number) { return fmt::format("{}", number); };
   const auto exact =
       prabhakar(text(x.alpha), text(x.beta), text(x.gamma), text(x.z.real()), text(x.z.imag()), 45);
@@ -65,16 +65,16 @@ TEST_P(OnCoarseShiftedContours, WhatIsNeglectedIsBounded) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SingularityFreeStrip, OnCoarseShiftedContours,
-                         testing::Values(Case{"NoSingularity", 0.5, 1.0, 1.5, -1.0},
-                                         Case{"FarUp", 1.75, 1.0, 1.5, -100.0},
-                                         Case{"OnTheImaginaryAxis", 2.0, 1.0, 0.5, -100.0},
-                                         Case{"OnTheRealAxis", 0.5, 1.0, 1.25, 1.5},
-                                         Case{"NextToTheCut", 1.0078125, 1.0, 1.5, -5.0},
-                                         Case{"OneOfTwo", 1.5, 1.0, 2.5, {-12.0, 9.0}},
-                                         Case{"NegativeBeta", 0.75, -2.25, 3.5, -2.0},
-                                         Case{"LargeBeta", 1.25, 6.5, 0.75, -2.0},
-                                         Case{"Large", 0.75, 1.0, 1.5, -4096.0}),
-                         [](const testing::TestParamInfo<Case>& test) { return test.param.name; });
+                         testing::Values(StripCase{"NoSingularity", 0.5, 1.0, 1.5, -1.0},
+                                         StripCase{"FarUp", 1.75, 1.0, 1.5, -100.0},
+                                         StripCase{"OnTheImaginaryAxis", 2.0, 1.0, 0.5, -100.0},
+                                         StripCase{"OnTheRealAxis", 0.5, 1.0, 1.25, 1.5},
+                                         StripCase{"NextToTheCut", 1.0078125, 1.0, 1.5, -5.0},
+                                         StripCase{"OneOfTwo", 1.5, 1.0, 2.5, {-12.0, 9.0}},
+                                         StripCase{"NegativeBeta", 0.75, -2.25, 3.5, -2.0},
+                                         StripCase{"LargeBeta", 1.25, 6.5, 0.75, -2.0},
+                                         StripCase{"Large", 0.75, 1.0, 1.5, -4096.0}),
+                         [](const testing::TestParamInfo<StripCase>& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace fde::reference

@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include "fdebench/schemes/problem/progress/progress.hpp"
+#include "support/worst_row.hpp"
 
 namespace fde::reference {
 namespace {
@@ -25,19 +26,6 @@ using Wide = boost::multiprecision::number<boost::multiprecision::mpfr_float_bac
 std::string name_of(double alpha, double beta, Value z) {
   return fmt::format("E_{{{},{}}}({}{:+}i)", alpha, beta, z.real(), z.imag());
 }
-
-// The row of a table with the largest ratio of error to tolerance, for one assertion over all rows.
-struct Worst {
-  double ratio = 0.0;
-  std::string row;
-
-  void update(double error, double allowed, const std::string& name) {
-    const double now = error == 0.0 ? 0.0 : error / allowed;
-    if (!(now <= ratio)) *this = {now, fmt::format("{}: error {:.3g}, allowed {:.3g}", name, error, allowed)};
-  }
-};
-
-void expect_within(const Worst& worst) { EXPECT_LE(worst.ratio, 1.0) << worst.row; }
 
 struct KnownCase {
   double alpha, beta;
@@ -69,7 +57,7 @@ const std::vector<KnownCase> known_values{
 };
 
 TEST(MittagLeffler, MeetsValuesFromAnIndependentSummation) {
-  Worst worst;
+  bench::WorstRow worst;
   for (const auto& [alpha, beta, z, value] : known_values) {
     worst.update(std::abs(mittag_leffler(alpha, beta, z).value - value), 4e-16 * std::abs(value),
                  name_of(alpha, beta, z));
@@ -78,7 +66,7 @@ TEST(MittagLeffler, MeetsValuesFromAnIndependentSummation) {
 }
 
 TEST(MittagLeffler, BoundsItsError) {
-  Worst worst;
+  bench::WorstRow worst;
   for (const auto& [alpha, beta, z, value] : known_values) {
     const auto [computed, bound] = mittag_leffler(alpha, beta, z);
     EXPECT_LE(bound, 1e-15 * std::abs(value)) << name_of(alpha, beta, z);
@@ -95,13 +83,11 @@ struct Elementary {
   Wide (*value)(const Wide& x);
 };
 
-std::string test_name(const testing::TestParamInfo<Elementary>& test) { return test.param.name; }
-
 class MittagLefflerElementary : public testing::TestWithParam<Elementary> {};
 
 TEST_P(MittagLefflerElementary, IsExactToTheLastDigits) {
   const auto& [name, alpha, beta, argument, value] = GetParam();
-  Worst worst;
+  bench::WorstRow worst;
   for (const double x : {0.0078125, 0.25, 1.0, 1.5, 3.0, 7.25, 20.0, 25.5}) {
     const double z = argument(x);  // exact: x has few bits
     const auto exact = value(Wide(x)).convert_to<double>();
@@ -132,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Elementary{"ScaledErrorFunction", 0.5, 1, [](double x) { return -x; }, erfcx},
                     Elementary{"ScaledErrorFunctionGrowing", 0.5, 1, [](double x) { return x; },
                                [](const Wide& x) { return erfcx(Wide(-x)); }}),
-    test_name);
+    [](const auto& test) { return test.param.name; });
 
 struct Sample {
   double alpha, beta;
@@ -164,7 +150,7 @@ std::vector<Sample> samples(int count) {
 std::string exactly(double x) { return Wide(x).str(0, std::ios_base::scientific); }
 
 TEST(MittagLeffler, FacesAgree) {
-  Worst worst;
+  bench::WorstRow worst;
   for (const auto& [alpha, beta, z] : samples(300)) {
     const auto [value, bound] = mittag_leffler(alpha, beta, z);
     if (!std::isfinite(bound)) continue;
@@ -187,7 +173,7 @@ TEST(MittagLeffler, IsConjugateSymmetric) {
 
 // E_{alpha,beta}(z) = 1/Gamma(beta) + z E_{alpha,alpha+beta}(z)
 TEST(MittagLeffler, SatisfiesTheRecurrence) {
-  Worst worst;
+  bench::WorstRow worst;
   for (const auto& [alpha, beta, z] : samples(200)) {
     const Value left = mittag_leffler(alpha, beta, z).value,
                 next = z * mittag_leffler(alpha, alpha + beta, z).value;
@@ -200,7 +186,7 @@ TEST(MittagLeffler, SatisfiesTheRecurrence) {
 
 // E_{2 alpha,beta}(z^2) = (E_{alpha,beta}(z) + E_{alpha,beta}(-z)) / 2
 TEST(MittagLeffler, SatisfiesTheDuplicationFormula) {
-  Worst worst;
+  bench::WorstRow worst;
   for (const double alpha : {0.25, 0.5, 0.75, 1.0, 1.5, 2.5}) {
     for (const Value z : {Value(-1.5), Value(0.0, 2.0), Value(0.5, -1.5)}) {
       const Value plus = mittag_leffler(alpha, 0.75, z).value, minus = mittag_leffler(alpha, 0.75, -z).value;
@@ -215,7 +201,7 @@ TEST(MittagLeffler, SatisfiesTheDuplicationFormula) {
 // alpha z E'_{alpha,beta}(z) = E_{alpha,beta-1}(z) - (beta-1) E_{alpha,beta}(z), with E' by a central
 // difference of rate 4.
 TEST(MittagLeffler, HasTheRightDerivative) {
-  Worst worst;
+  bench::WorstRow worst;
   constexpr double alpha = 0.75, beta = 1.25, h = 0x1p-9;
   for (const double z : {-8.0, -1.0, 0.5, 2.0}) {
     const auto at = [&](double x) { return mittag_leffler(alpha, beta, x); };

@@ -18,7 +18,7 @@ namespace {
 using Value = std::complex<double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct KnownCase {
+struct TinyOrder {
   double alpha, beta;
   Value z, value;
 };
@@ -35,15 +35,15 @@ std::size_t work_of(const Call& call) {
 // The power series for |z| < 1, otherwise -sum z^-k / Gamma(beta - alpha k), in mpmath with 420 digits.
 TEST(TinyOrders, MeetSeriesWithoutWork) {
   for (const auto& [alpha, beta, z, value] :
-       {KnownCase{2.0851374e-317, 168.00402843958, {3.0, 1.390671161592297e-309}, -3.2574186930803867e-301},
-        KnownCase{5e-324, -182.0, {-0.5, 2.0}, {-9312065658.7324719, -5440757463.5290847}},
-        KnownCase{1e-300, 150.5, -3.0, 5.3635722933518037e-263},
-        KnownCase{1e-310, -160.25, 0.5, -7.555701904967478e+284},
-        KnownCase{1e-40, -1e-12, -5.0, -1.6666666666657046e-13},
-        KnownCase{1e-25, -3.0, {2.0, 1e-22}, {-1.2e-24, 1.8e-46}},
-        KnownCase{1e-32, 0.75, {1.001, 1e-20}, {-816.04893909835286, 8.1604893909844269e-15}},
-        KnownCase{3e-60, 6e-60, {0.0, 1e5}, {5.9999999988004e-80, 3.0000000003e-65}},
-        KnownCase{1e-50, 170.0, {1e200, 1e180}, 0.0}}) {
+       {TinyOrder{2.0851374e-317, 168.00402843958, {3.0, 1.390671161592297e-309}, -3.2574186930803867e-301},
+        TinyOrder{5e-324, -182.0, {-0.5, 2.0}, {-9312065658.7324719, -5440757463.5290847}},
+        TinyOrder{1e-300, 150.5, -3.0, 5.3635722933518037e-263},
+        TinyOrder{1e-310, -160.25, 0.5, -7.555701904967478e+284},
+        TinyOrder{1e-40, -1e-12, -5.0, -1.6666666666657046e-13},
+        TinyOrder{1e-25, -3.0, {2.0, 1e-22}, {-1.2e-24, 1.8e-46}},
+        TinyOrder{1e-32, 0.75, {1.001, 1e-20}, {-816.04893909835286, 8.1604893909844269e-15}},
+        TinyOrder{3e-60, 6e-60, {0.0, 1e5}, {5.9999999988004e-80, 3.0000000003e-65}},
+        TinyOrder{1e-50, 170.0, {1e200, 1e180}, 0.0}}) {
     const auto work = work_of([&, alpha = alpha, beta = beta, z = z, value = value] {
       const auto [found, bound] = mittag_leffler(alpha, beta, z);
       EXPECT_LE(std::abs(found - value), bound + 2e-16 * std::abs(value)) << alpha << ' ' << beta;

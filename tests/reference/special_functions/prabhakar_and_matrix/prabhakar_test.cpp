@@ -28,7 +28,7 @@ void expect_same(const MittagLefflerValue& a, Value b, double bound, const std::
 
 Precise decimal(double x) { return Precise(fmt::format("{:.12g}", x)); }
 
-struct KnownCase {
+struct KnownPrabhakar {
   double alpha, beta, gamma;
   Value z, value;
 };
@@ -38,7 +38,7 @@ std::string name_of(double alpha, double beta, double gamma, Value z) {
 }
 
 // mpmath 1.3: the power series at 60 digits plus the number of digits of its largest term.
-const std::vector<KnownCase> by_power_series{
+const std::vector<KnownPrabhakar> prabhakar_by_power_series{
     {0.7, 1.0, 1.5, -3.0, 0.02218924634849091735},
     {0.7, 1.0, 1.5, {-3.0, 4.0}, {-0.0081601223865187107174, -0.00050076425239855378033}},
     {0.3, 0.3, 2.5, {0.5, 1.0}, {0.1267282342141331212, -1.0998070644639930879}},
@@ -56,7 +56,7 @@ const std::vector<KnownCase> by_power_series{
     {4.5, 2.0, 1.5, 1e4, 111.51152309484032684}};
 
 TEST(Prabhakar, MeetsValuesFromAnIndependentSummation) {
-  for (const auto& [alpha, beta, gamma, z, value] : by_power_series) {
+  for (const auto& [alpha, beta, gamma, z, value] : prabhakar_by_power_series) {
     expect_same(prabhakar(alpha, beta, gamma, z), value, 2e-16 * std::abs(value),
                 name_of(alpha, beta, gamma, z));
   }
@@ -65,7 +65,7 @@ TEST(Prabhakar, MeetsValuesFromAnIndependentSummation) {
 // mpmath 1.3: the power series at 200 digits. One point for each case of the contours in double-double: no
 // singularity on the sheet, one of large imaginary part inside, one on the positive axis, one so far to the
 // left that it is negligible.
-const std::vector<KnownCase> on_a_contour{
+const std::vector<KnownPrabhakar> on_a_contour{
     {0.75, 1, 1.5, -20.0, -0.0011599938916278277578},
     {0.5, 0.5, 0.25, -3.0, 0.32428117250747484299},
     {1.5, 1, 1.5, -100.0, 0.00034750430056852317827},
@@ -115,7 +115,7 @@ TEST(Prabhakar, KeepsASmallSecondParameter) {
 
 // mpmath 1.3: hyp1f1(gamma, beta, z) / gamma(beta) at 30 digits.
 TEST(Prabhakar, OfOrderOneIsKummersFunction) {
-  const std::vector<KnownCase> rows{
+  const std::vector<KnownPrabhakar> rows{
       {1.0, 1.5, 0.5, -3.0, 0.56909076642393639986},
       {1.0, 0.5, 1.75, -12.5, 0.0046604294995437893515},
       {1.0, 3.25, 2.5, 4.0, 10.966470185051593351},

@@ -19,7 +19,7 @@ namespace fde::bench {
 namespace {
 
 // Half a unit in the last place of a double, relative to it.
-constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+constexpr double unit_of_sum = std::numeric_limits<double>::epsilon() / 2;
 
 constexpr std::array tolerances{1e-4, 1e-8, 1e-12, 1e-15};
 
@@ -49,7 +49,7 @@ double relative_error(const Exact& value, const Exact& exact) {
 }
 
 // The largest ratio of error and allowed error; once NaN it stays NaN.
-struct Worst {
+struct WorstSum {
   double error = 0.0, ratio = 0.0, at = 0.0;
   void update(double candidate, double allowed, double where) {
     if (candidate <= ratio * allowed || std::isnan(ratio)) return;
@@ -62,13 +62,13 @@ class ExponentialSums : public testing::TestWithParam<double> {
   // Rounding of the coefficients changes the sum by at most one unit, rounding of the nodes by at most
   // sum c s t exp(-s t) / (t^(a-1) / Gamma(a)) = 1 - a units (the derivative of the kernel). One more unit is
   // for the rounding in extended precision.
-  static double rounding(double exponent) { return (3.0 - exponent) * unit; }
+  static double rounding(double exponent) { return (3.0 - exponent) * unit_of_sum; }
 
   // The worst error of the rounded sum, at times that are not multiples of the period of the error in log t.
-  static Worst worst_error(const ExponentialSum& sum, const Range& range) {
+  static WorstSum worst_error(const ExponentialSum& sum, const Range& range) {
     const Exact a = GetParam(), scale = 1 / tgamma(a);
     const double allowed = sum.bound + rounding(GetParam());
-    Worst worst;
+    WorstSum worst;
     for (const double t : geometric(range.low, range.high, 1.6)) {
       const Exact kernel = scale * pow(Exact(t), a - 1);
       worst.update(relative_error(value(sum.coefficients, sum.nodes, t), kernel), allowed, t);
@@ -197,7 +197,7 @@ class WeightTransform : public testing::Test {
   // The bound of the sum holds for weights that are means of the kernel. In addition to the rounding of the
   // sum, at most 3 - a units, the factors have 20 units: one for each of five products, three for each of
   // three quotients expm1(s)/s, two for exp and four for Gamma; other families have less.
-  static double allowed(double bound) { return bound + 23.0 * unit; }
+  static double allowed(double bound) { return bound + 23.0 * unit_of_sum; }
 
   // Compares the weights from coefficients_of(sum) with exact ones, at lags from the smallest for which a
   // history uses them.
@@ -206,7 +206,7 @@ class WeightTransform : public testing::Test {
     for (const double tolerance : {1e-6, 1e-15}) {
       const auto sum = exponential_sum(kernel_exponent(table), 7.0, longest + 2.0, tolerance);
       const Vec coefficients = coefficients_of(table, sum);
-      Worst worst;
+      WorstSum worst;
       for (const double lag : geometric(9.0, longest, 1.7)) {
         const auto k = static_cast<std::int64_t>(lag);
         const double error = relative_error(value(coefficients, sum.nodes, k), weighed(table, k, exact));

@@ -35,11 +35,11 @@ Exact exact_integral(double order, double distance, double length) {
   return moments(order, distance, length).constant / tgamma(Exact(order));
 }
 
-constexpr std::array orders{0.01, 0.3, 0.5, 0.9, 1.0, 1.3, 1.9, 2.0};
+constexpr std::array interval_orders{0.01, 0.3, 0.5, 0.9, 1.0, 1.3, 1.9, 2.0};
 
 // An ulp each for length / far, for the power, for Gamma and for their product; four more in the closed form,
 // which subtracts numbers up to 4.5 times the difference (order 2), each with an error of about half an ulp.
-constexpr double allowed_ulps = 8.0;
+constexpr double allowed_interval_ulps = 8.0;
 
 class IntervalWeightsOfOrder : public testing::TestWithParam<double> {
  protected:
@@ -58,8 +58,8 @@ class IntervalWeightsOfOrder : public testing::TestWithParam<double> {
 TEST_P(IntervalWeightsOfOrder, AreGoodToAFewUlp) {
   for_intervals([](double order, double distance, double length) {
     const auto [left, right] = interval_weights(order, distance, length);
-    EXPECT_LE(ulps(left, exact_left(order, distance, length)), allowed_ulps);
-    EXPECT_LE(ulps(right, exact_right(order, distance, length)), allowed_ulps);
+    EXPECT_LE(ulps(left, exact_left(order, distance, length)), allowed_interval_ulps);
+    EXPECT_LE(ulps(right, exact_right(order, distance, length)), allowed_interval_ulps);
   });
 }
 
@@ -69,11 +69,11 @@ TEST_P(IntervalWeightsOfOrder, SumToTheIntegralOfTheKernel) {
     const auto [left, right] = interval_weights(order, distance, length);
     EXPECT_GT(left, 0.0);
     EXPECT_GT(right, 0.0);
-    EXPECT_LE(ulps(left + right, exact_integral(order, distance, length)), allowed_ulps + 0.5);
+    EXPECT_LE(ulps(left + right, exact_integral(order, distance, length)), allowed_interval_ulps + 0.5);
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(, IntervalWeightsOfOrder, testing::ValuesIn(orders));
+INSTANTIATE_TEST_SUITE_P(, IntervalWeightsOfOrder, testing::ValuesIn(interval_orders));
 
 class RulesOnUniformGrids : public testing::TestWithParam<const WeightFamily*> {};
 
@@ -82,7 +82,7 @@ class RulesOnUniformGrids : public testing::TestWithParam<const WeightFamily*> {
 // of L1 changes its weights by half an ulp per unit of ln k.
 TEST_P(RulesOnUniformGrids, WeighAsTheirTables) {
   const auto& family = *GetParam();
-  for (const double order : orders) {
+  for (const double order : interval_orders) {
     if (family.acts_on_increments && order >= 1.0) continue;
     const WeightTable table{&family, order};
     const double g = integral_order(table);
@@ -95,7 +95,8 @@ TEST_P(RulesOnUniformGrids, WeighAsTheirTables) {
                    falling = family.endpoint_values(1.0, 0.0, length);
         const double integral = before.left * rising.left + before.right * rising.right +
                                 after.left * falling.left + after.right * falling.right;
-        const double allowed = allowed_ulps + 4.0 + (family.acts_on_increments ? std::log(k) / 2.0 : 0.0);
+        const double allowed =
+            allowed_interval_ulps + 4.0 + (family.acts_on_increments ? std::log(k) / 2.0 : 0.0);
         EXPECT_LE(ulps(integral * integral_to_sum_factor(table, length), published_weight(table, lag)),
                   allowed)
             << "order " << order << ", length " << length << ", k " << lag;

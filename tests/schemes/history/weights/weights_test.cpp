@@ -28,7 +28,7 @@ const std::vector<double> orders{0.01, 0.05, 0.1, 0.2, 0.3,  0.4, 0.5, 0.6, 0.7,
 // Where long double has no more digits than double, the rounding of each operation is left.
 constexpr double allowed_ulps = std::numeric_limits<long double>::digits > 60 ? 1.0 : 4.0;
 
-struct Worst {
+struct WorstWeight {
   double ulps = 0.0;
   double order = 0.0;
   std::int64_t lag = 0;
@@ -44,7 +44,7 @@ class WeightFamilies : public testing::TestWithParam<const WeightFamily*> {};
 
 TEST_P(WeightFamilies, AreGoodToOneUlpUpToABillion) {
   const WeightFamily* const family = GetParam();
-  Worst worst;
+  WorstWeight worst;
   for (const double order : orders) {
     if (family->acts_on_increments && order >= 1.0) continue;
     for (const auto lag : lags())
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(, WeightFamilies,
                          [](const auto& test) { return std::string(test.param->id); });
 
 TEST(StartWeight, IsGoodToOneUlpUpToABillion) {
-  Worst worst;
+  WorstWeight worst;
   for (const double order : orders) {
     for (const auto n : lags()) {
       worst.update(ulps(*first_sample_weight({&families::trapezoid, order}, n),

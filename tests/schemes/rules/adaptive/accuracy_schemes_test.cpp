@@ -20,7 +20,9 @@ class AccuracyScheme : public testing::TestWithParam<const Scheme*> {
   }
 };
 
-Component decay(double order) { return {order, order > 1.0 ? std::vector{1.0, 0.0} : std::vector{1.0}}; }
+Component one_of_order(double order) {
+  return {order, order > 1.0 ? std::vector{1.0, 0.0} : std::vector{1.0}};
+}
 
 TEST_P(AccuracyScheme, KeepsConstants) {
   for (const double order : {0.2, 0.5, 1.0, 1.5, 2.0}) {
@@ -31,7 +33,8 @@ TEST_P(AccuracyScheme, KeepsConstants) {
 }
 
 TEST_P(AccuracyScheme, SolvesUncoupledRowsAsAlone) {
-  const Problem both{.components = {decay(0.4), decay(1.6)}, .rhs = [](double, In y, Out f) { f = -y; }};
+  const Problem both{.components = {one_of_order(0.4), one_of_order(1.6)},
+                     .rhs = [](double, In y, Out f) { f = -y; }};
   const auto path = run(both, 1e-6, {.output_times = {1.0}});
   EXPECT_NEAR(path.y(0, 0), reference::mittag_leffler(0.4, 1.0, -1.0), 3e-6);
   EXPECT_NEAR(path.y(1, 0), reference::mittag_leffler(1.6, 1.0, -1.0), 3e-6);
@@ -39,7 +42,7 @@ TEST_P(AccuracyScheme, SolvesUncoupledRowsAsAlone) {
 
 TEST_P(AccuracyScheme, DoesNotDependOnTheOrderOfRows) {
   const auto run_of = [&](double first, double second) {
-    const Problem problem{.components = {decay(first), decay(second)},
+    const Problem problem{.components = {one_of_order(first), one_of_order(second)},
                           .rhs = [](double, In y, Out f) { f = -y; },
                           .derivatives = DenseLinearPart{-Matrix::Identity(2, 2)}};
     return run(problem, 1e-5);

@@ -89,15 +89,15 @@ std::vector<RequestedRun> hard() {
           multiplier("fractional_constraint_nonlinear")};
 }
 
-constexpr auto name_of = [](const auto& test) {
+constexpr auto name_of_run = [](const auto& test) {
   auto name = testing::PrintToString(test.param);
   std::ranges::replace_if(
       name, [](char c) { return std::isalnum(c) == 0; }, '_');
   return name;
 };
 
-INSTANTIATE_TEST_SUITE_P(SceneRegistry, Adaptive, testing::ValuesIn(smooth_and_singular()), name_of);
-INSTANTIATE_TEST_SUITE_P(HardScenes, Adaptive, testing::ValuesIn(hard()), name_of);
+INSTANTIATE_TEST_SUITE_P(SceneRegistry, Adaptive, testing::ValuesIn(smooth_and_singular()), name_of_run);
+INSTANTIATE_TEST_SUITE_P(HardScenes, Adaptive, testing::ValuesIn(hard()), name_of_run);
 
 // D^0.5 y = t^p, y(0) = 0: y = Gamma(p+1)/Gamma(p+1.5) t^(p+0.5).
 TEST(AdaptiveRules, AreExactForTheirPolynomials) {

@@ -11,7 +11,7 @@
 namespace fde::bench {
 namespace {
 
-struct Case {
+struct SparseCase {
   std::string name, method;
   Problem problem;
   SparseMatrix matrix;  // of the linear part
@@ -28,7 +28,7 @@ Problem problem_of(const SparseMatrix& matrix, double order, double cubic) {
   return problem;
 }
 
-std::vector<Case> cases() {
+std::vector<SparseCase> sparse_cases() {
   const auto square =
       std::get<SparseLinearPart>(scene_of("fractional_diffusion_2d", {{"n", 6.0}}).problem.derivatives)
           .matrix;
@@ -39,16 +39,15 @@ std::vector<Case> cases() {
   ring.coeffRef(0, 19) = ring.coeffRef(19, 0) = 441.0;
   ring.makeCompressed();
   const auto of = [](std::string name, std::string method, const SparseMatrix& matrix, double order) {
-    return Case{std::move(name), std::move(method), problem_of(matrix, order, 0.0), matrix};
+    return SparseCase{std::move(name), std::move(method), problem_of(matrix, order, 0.0), matrix};
   };
   return {of("line", "tridiagonal", line, 0.5), of("square", "fast_sine", square, 0.5),
           of("classical", "fast_sine", square, 1.0), of("ring", "lu", ring, 0.3),
           of("wave", "lu", square, 1.5)};
 }
 
-class SparseStages : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(, SparseStages, testing::ValuesIn(cases()),
-                         [](const auto& test) { return test.param.name; });
+class SparseStages : public testing::TestWithParam<SparseCase> {};
+INSTANTIATE_TEST_SUITE_P(, SparseStages, testing::ValuesIn(sparse_cases()), name_of_param);
 
 Trajectory solved(const Problem& problem) {
   auto path = find_scheme("radau_exponentials")

@@ -16,13 +16,15 @@
 namespace fde::bench {
 namespace {
 
-constexpr int steps = 40;
+constexpr int parabola_steps = 40;
 
 Problem of_order(double order) {
   return {.components = {{order, {0.0}}}, .rhs = [](double, In, Out f) { f.setZero(); }};
 }
 
-std::vector<Grid> grids() { return {{2.0, steps}, {2.0, steps, 1.5}, {2.0, steps, 4.0}}; }
+std::vector<Grid> grids() {
+  return {{2.0, parabola_steps}, {2.0, parabola_steps, 1.5}, {2.0, parabola_steps, 4.0}};
+}
 
 // The derivatives at all t* of a function y with y(0) = 0.
 template <class Parabolas>
@@ -56,7 +58,7 @@ TEST_P(ParabolasOfOrder, FromAheadAreExactForSquaresOnEveryGrid) {
       for (const double p : {1.0, 2.0}) {
         const auto values = derivatives<ForwardParabolas>(
             order, grid, [=](double t) { return std::pow(t, p); }, history);
-        for (int n = 1; n <= steps; ++n) {
+        for (int n = 1; n <= parabola_steps; ++n) {
           const double at = grid.time(n) - (1.0 - sigma) * grid.step(n),
                        exact = caputo_derivative_of_power(order, p, at);
           EXPECT_NEAR(values[static_cast<std::size_t>(n - 1)], exact, 2e-13 * exact)
@@ -74,7 +76,7 @@ TEST_P(ParabolasOfOrder, FromBehindMissTheFirstBendOfSquaresOnEveryGrid) {
     for (const auto history : {HistoryKind::direct, HistoryKind::exponentials}) {
       const auto values = derivatives<BackwardParabolas>(
           order, grid, [](double t) { return t * t; }, history);
-      for (int n = 1; n <= steps; ++n) {
+      for (int n = 1; n <= parabola_steps; ++n) {
         const double t = grid.time(n), first = grid.step(1);
         double bend = n == 1 ? first : 0.0;  // for order 1
         if (order < 1.0) {
@@ -119,11 +121,11 @@ double published_l2_1_sigma(double g, int j, int k) {
 
 template <class Parabolas>
 void expect_published(double order, double (*coefficient)(double g, int j, int k)) {
-  const Grid grid{steps, steps};
-  for (int m = 1; m <= steps; ++m) {  // the one increment that is not 0
+  const Grid grid{parabola_steps, parabola_steps};
+  for (int m = 1; m <= parabola_steps; ++m) {  // the one increment that is not 0
     const auto values = derivatives<Parabolas>(
         order, grid, [=](double t) { return t >= m ? 1.0 : 0.0; }, HistoryKind::direct);
-    for (int n = 1; n <= steps; ++n) {
+    for (int n = 1; n <= parabola_steps; ++n) {
       const double value = std::tgamma(2.0 - order) * values[static_cast<std::size_t>(n - 1)];
       EXPECT_NEAR(value, n < m ? 0.0 : coefficient(order, n - m, n), 2e-13) << "n " << n << ", m " << m;
     }
@@ -149,7 +151,7 @@ TEST(L2OneSigma, OfOrderOneIsTheMidpointRule) {
   for (const auto& grid : grids()) {
     const auto path = find_scheme("l2_1_sigma")->solve(logistic, grid, {});
     Vec f(1);
-    for (int n = 1; n <= steps; ++n) {
+    for (int n = 1; n <= parabola_steps; ++n) {
       const double h = grid.step(n);
       logistic.rhs(grid.time(n) - 0.5 * h, 0.5 * (path.y.col(n) + path.y.col(n - 1)), f);
       EXPECT_NEAR(path.y(0, n) - path.y(0, n - 1), h * f[0], 1e-14) << grid.grading << ' ' << n;
@@ -162,7 +164,7 @@ TEST(L1Two, OfOrderOneIsBdf2AfterBackwardEuler) {
   for (const auto& grid : grids()) {
     const auto path = find_scheme("l1_2")->solve(logistic, grid, {});
     Vec f(1);
-    for (int n = 1; n <= steps; ++n) {
+    for (int n = 1; n <= parabola_steps; ++n) {
       const double h = grid.step(n), r = n == 1 ? 0.0 : h / grid.step(n - 1);
       logistic.rhs(grid.time(n), path.y.col(n), f);
       const double newest = path.y(0, n) - path.y(0, n - 1);

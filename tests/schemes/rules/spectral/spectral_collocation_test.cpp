@@ -21,24 +21,24 @@ Trajectory run(const Problem& problem, double accuracy, const Options& options =
   return scheme().solve(problem, Tolerance{accuracy, accuracy}, options);
 }
 
-struct RequestedRun {
+struct SpectralRun {
   std::string scene;
   ParameterValues values{};
 };
 
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-void PrintTo(const RequestedRun& asked, std::ostream* out) {
+void PrintTo(const SpectralRun& asked, std::ostream* out) {
   *out << SceneVariant{&scene_maker(asked.scene), asked.values}.label();
 }
 
 // With the constraint as an algebraic row; alpha is the order of the scene's memory term, if it has one.
-RequestedRun multiplier(const std::string& scene, std::optional<double> alpha = {}) {
-  RequestedRun asked{scene, {{"formulation", "multiplier"}}};
+SpectralRun multiplier(const std::string& scene, std::optional<double> alpha = {}) {
+  SpectralRun asked{scene, {{"formulation", "multiplier"}}};
   if (alpha) asked.values["alpha"] = *alpha;
   return asked;
 }
 
-class Spectral : public testing::TestWithParam<RequestedRun> {};
+class Spectral : public testing::TestWithParam<SpectralRun> {};
 
 // At the run's own times, the first of which are close to a singular start.
 TEST_P(Spectral, DeliversTheAccuracy) {
@@ -65,16 +65,15 @@ TEST_P(Spectral, DeliversTheAccuracy) {
 INSTANTIATE_TEST_SUITE_P(
     SceneRegistry, Spectral,
     testing::Values(
-        RequestedRun{"relaxation"}, RequestedRun{"relaxation", {{"gamma", 0.1}}},
-        RequestedRun{"relaxation", {{"gamma", 1.7}}}, RequestedRun{"relaxation", {{"gamma", 1.0}}},
-        RequestedRun{"relaxation", {{"lambda", 20.0}}}, RequestedRun{"relaxation_pair"},
-        RequestedRun{"power", {{"gamma", 0.2}, {"p", 0.3}}}, RequestedRun{"diethelm"},
-        RequestedRun{"linear_system"}, RequestedRun{"fractional_oscillator"},
-        RequestedRun{"damped_oscillator"}, RequestedRun{"pendulum"}, RequestedRun{"extensible_pendulum"},
-        RequestedRun{"multi_term"}, RequestedRun{"brusselator"}, RequestedRun{"van_der_pol", {{"mu", 1e4}}},
-        RequestedRun{"robertson"}, RequestedRun{"stiff_relaxation", {{"lambda", -1e8}}},
-        RequestedRun{"fractional_constraint_2d"}, RequestedRun{"knife_edge"},
-        RequestedRun{"canonical_ensemble"}, RequestedRun{"fractional_knife_edge"},
+        SpectralRun{"relaxation"}, SpectralRun{"relaxation", {{"gamma", 0.1}}},
+        SpectralRun{"relaxation", {{"gamma", 1.7}}}, SpectralRun{"relaxation", {{"gamma", 1.0}}},
+        SpectralRun{"relaxation", {{"lambda", 20.0}}}, SpectralRun{"relaxation_pair"},
+        SpectralRun{"power", {{"gamma", 0.2}, {"p", 0.3}}}, SpectralRun{"diethelm"},
+        SpectralRun{"linear_system"}, SpectralRun{"fractional_oscillator"}, SpectralRun{"damped_oscillator"},
+        SpectralRun{"pendulum"}, SpectralRun{"extensible_pendulum"}, SpectralRun{"multi_term"},
+        SpectralRun{"brusselator"}, SpectralRun{"van_der_pol", {{"mu", 1e4}}}, SpectralRun{"robertson"},
+        SpectralRun{"stiff_relaxation", {{"lambda", -1e8}}}, SpectralRun{"fractional_constraint_2d"},
+        SpectralRun{"knife_edge"}, SpectralRun{"canonical_ensemble"}, SpectralRun{"fractional_knife_edge"},
         multiplier("nonholonomic_particle"), multiplier("blade_on_sphere"), multiplier("isokinetic"),
         multiplier("fractional_constraint_2d", 0.8), multiplier("fractional_constraint_nonlinear", 0.3),
         multiplier("fractional_knife_edge", 0.8)),

@@ -17,7 +17,7 @@
 namespace fde::bench {
 namespace {
 
-struct Case {
+struct MultistepCase {
   std::string name;
   std::string_view scheme;
   Scene scene;
@@ -27,11 +27,11 @@ struct Case {
 };
 
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const MultistepCase& c, std::ostream* out) { *out << c.name; }
 
 // The cases in which the asymptotic range of rules of rate 3 begins before rounding.
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<MultistepCase> multistep_cases() {
+  std::vector<MultistepCase> all;
   const auto add = [&](const std::string& name, Scene scene, const std::vector<double>& orders, bool slow) {
     scene.problem.end = 1.0;
     for (const auto* id : {"bdf2", "newton_gregory_2", "fractional_trapezoidal"})
@@ -70,17 +70,17 @@ std::vector<Case> cases() {
 
 // The cases for the first steps: without rules of rate 3, whose leading error term has such a small factor
 // that the next terms hide it, and without multi-term equations, whose rows have other orders.
-std::vector<Case> cases_of_first_steps() {
-  auto some = cases();
-  std::erase_if(some, [](const Case& c) { return c.rate > 2.0 || c.scheme == "multi_term_bdf2"; });
+std::vector<MultistepCase> cases_of_first_steps() {
+  auto some = multistep_cases();
+  std::erase_if(some, [](const MultistepCase& c) { return c.rate > 2.0 || c.scheme == "multi_term_bdf2"; });
   return some;
 }
 
-class MultistepRate : public testing::TestWithParam<Case> {};
-class MultistepFirstSteps : public testing::TestWithParam<Case> {};
+class MultistepRate : public testing::TestWithParam<MultistepCase> {};
+class MultistepFirstSteps : public testing::TestWithParam<MultistepCase> {};
 
 // The sums of orders and integers, from the first that has no starting weight on.
-std::vector<double> powers_without_start_weights(const Case& c) {
+std::vector<double> powers_without_start_weights(const MultistepCase& c) {
   auto steps = c.orders;
   steps.push_back(1.0);
   auto powers = power_lattice({0.0}, steps, c.rate + 1.0);
@@ -184,10 +184,8 @@ TEST_P(MultistepRate, InTheMaximumNormIsThatOfTheory) {
   expect_rate(errors, 1.0 / (16 * coarsest), theory);
 }
 
-INSTANTIATE_TEST_SUITE_P(, MultistepRate, testing::ValuesIn(cases()),
-                         [](const auto& test) { return test.param.name; });
-INSTANTIATE_TEST_SUITE_P(, MultistepFirstSteps, testing::ValuesIn(cases_of_first_steps()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(, MultistepRate, testing::ValuesIn(multistep_cases()), name_of_param);
+INSTANTIATE_TEST_SUITE_P(, MultistepFirstSteps, testing::ValuesIn(cases_of_first_steps()), name_of_param);
 
 struct HighRule {
   const char* id;

@@ -21,7 +21,7 @@
 namespace fde::bench {
 namespace {
 
-using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>>;
+using Precise = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>>;
 
 const std::vector<const WeightFamily*> rules{&families::bdf2,
                                              &families::bdf3,
@@ -37,19 +37,20 @@ std::string name_of(const testing::TestParamInfo<const WeightFamily*>& rule) {
 }
 
 // (a(zeta))^exponent from its logarithmic derivative: b' a = exponent a' b.
-std::vector<Exact> series_power(const std::vector<Exact>& a, const Exact& exponent, std::size_t count) {
-  std::vector<Exact> b{pow(a[0], exponent)};
+std::vector<Precise> series_power(const std::vector<Precise>& a, const Precise& exponent, std::size_t count) {
+  std::vector<Precise> b{pow(a[0], exponent)};
   for (std::size_t n = 1; n < count; ++n) {
-    Exact sum = 0;
+    Precise sum = 0;
     for (std::size_t k = 1; k < a.size() && k <= n; ++k)
-      sum += (exponent * k - Exact(n - k)) * a[k] * b[n - k];
+      sum += (exponent * k - Precise(n - k)) * a[k] * b[n - k];
     b.emplace_back(sum / (a[0] * n));
   }
   return b;
 }
 
-std::vector<Exact> product(const std::vector<Exact>& a, const std::vector<Exact>& b, std::size_t count) {
-  std::vector<Exact> c(count, Exact(0));
+std::vector<Precise> product(const std::vector<Precise>& a, const std::vector<Precise>& b,
+                             std::size_t count) {
+  std::vector<Precise> c(count, Precise(0));
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size() && i + j < count; ++j) c[i + j] += a[i] * b[j];
   }
@@ -58,25 +59,25 @@ std::vector<Exact> product(const std::vector<Exact>& a, const std::vector<Exact>
 
 // omega by Lubich's definitions: delta^(-g) with delta = sum_{k<=p} (1-zeta)^k / k; ((1+zeta)/(1-zeta)/2)^g;
 // the truncated series of (-ln zeta / (1-zeta))^(-g) in powers of 1-zeta, times (1-zeta)^(-g).
-std::vector<Exact> omega(const WeightFamily& rule, const Exact& g, std::size_t count) {
-  const std::vector<Exact> u{1, -1};
+std::vector<Precise> omega(const WeightFamily& rule, const Precise& g, std::size_t count) {
+  const std::vector<Precise> u{1, -1};
   const std::string id(rule.id);
   if (id.starts_with("bdf")) {
-    std::vector<Exact> delta{0}, power{1};
+    std::vector<Precise> delta{0}, power{1};
     for (int k = 1; k <= id.back() - '0'; ++k) {
       power = product(power, u, power.size() + 1);
-      delta.resize(power.size(), Exact(0));
+      delta.resize(power.size(), Precise(0));
       for (std::size_t i = 0; i < power.size(); ++i) delta[i] += power[i] / k;
     }
     return series_power(delta, -g, count);
   }
   if (id == "fractional_trapezoidal")
-    return product(series_power({Exact(0.5), Exact(0.5)}, g, count), series_power(u, -g, count), count);
-  const std::vector<Exact> logarithm{1, Exact(1) / 2, Exact(1) / 3};
+    return product(series_power({Precise(0.5), Precise(0.5)}, g, count), series_power(u, -g, count), count);
+  const std::vector<Precise> logarithm{1, Precise(1) / 2, Precise(1) / 3};
   const auto in_u = series_power(logarithm, -g, id.back() == '2' ? 2 : 3);
-  std::vector<Exact> q{0}, power{1};
-  for (const Exact& factor : in_u) {
-    q.resize(power.size(), Exact(0));
+  std::vector<Precise> q{0}, power{1};
+  for (const Precise& factor : in_u) {
+    q.resize(power.size(), Precise(0));
     for (std::size_t i = 0; i < power.size(); ++i) q[i] += factor * power[i];
     power = product(power, u, power.size() + 1);
   }
@@ -112,29 +113,29 @@ TEST_P(Multistep, WeightsAreTheCoefficientsOfTheirGeneratingFunction) {
 // W(n, j) for the steps n, one column a step, by elimination in the 100 digits of Exact.
 Matrix exact_weights(const WeightTable& table, const std::vector<double>& powers,
                      const std::vector<int>& steps) {
-  const Exact g = table.order;
+  const Precise g = table.order;
   const auto last = static_cast<std::size_t>(std::ranges::max(steps));
   const auto w = omega(*table.family, g, last + 1);
-  std::vector<std::vector<Exact>> rows;  // the equation of each p: j^p for j < s, then e_p(n) for each n
+  std::vector<std::vector<Precise>> rows;  // the equation of each p: j^p for j < s, then e_p(n) for each n
   for (const double p : powers) {
-    std::vector<Exact> values;
+    std::vector<Precise> values;
     for (std::size_t j = 0; j <= last; ++j)
-      values.push_back(j == 0 ? Exact(p == 0.0 ? 1 : 0) : Exact(pow(Exact(j), Exact(p))));
+      values.push_back(j == 0 ? Precise(p == 0.0 ? 1 : 0) : Precise(pow(Precise(j), Precise(p))));
     rows.emplace_back(values.begin(), values.begin() + std::ssize(powers));
-    const Exact factor = tgamma(Exact(p) + 1) / tgamma(Exact(p) + g + 1);
+    const Precise factor = tgamma(Precise(p) + 1) / tgamma(Precise(p) + g + 1);
     for (const int n : steps) {
-      Exact rest = factor * values[static_cast<std::size_t>(n)] * pow(Exact(n), g);
+      Precise rest = factor * values[static_cast<std::size_t>(n)] * pow(Precise(n), g);
       for (int j = 0; j <= n; ++j)
         rest -= w[static_cast<std::size_t>(n - j)] * values[static_cast<std::size_t>(j)];
       rows.back().emplace_back(rest / w[0]);
     }
   }
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Exact scale = 1 / rows[k][k];
+    const Precise scale = 1 / rows[k][k];
     for (auto& entry : rows[k]) entry *= scale;
     for (std::size_t r = 0; r < rows.size(); ++r) {
       if (r == k) continue;
-      const Exact factor = rows[r][k];
+      const Precise factor = rows[r][k];
       for (std::size_t c = k; c < rows[r].size(); ++c) rows[r][c] -= factor * rows[k][c];
     }
   }

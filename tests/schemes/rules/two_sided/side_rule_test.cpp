@@ -11,12 +11,12 @@
 namespace fde::bench {
 namespace {
 
-struct Case {
+struct SideCase {
   const WeightFamily* family;
   HistoryKind history;
 };
 
-class SideRules : public testing::TestWithParam<Case> {
+class SideRules : public testing::TestWithParam<SideCase> {
  protected:
   // The integral of f by the rule of one side.
   static Rows integral(Side side, double order, const Rows& f) {
@@ -88,10 +88,10 @@ TEST_P(SideRules, RightIntegralsOfPowersOfTheTimeLeft) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, SideRules,
-                         testing::Values(Case{&families::trapezoid, HistoryKind::direct},
-                                         Case{&families::trapezoid, HistoryKind::exponentials},
-                                         Case{&families::grunwald_letnikov, HistoryKind::direct},
-                                         Case{&families::grunwald_letnikov, HistoryKind::exponentials}),
+                         testing::Values(SideCase{&families::trapezoid, HistoryKind::direct},
+                                         SideCase{&families::trapezoid, HistoryKind::exponentials},
+                                         SideCase{&families::grunwald_letnikov, HistoryKind::direct},
+                                         SideCase{&families::grunwald_letnikov, HistoryKind::exponentials}),
                          [](const auto& test) {
                            const bool trapezoid = test.param.family == &families::trapezoid;
                            return (trapezoid ? "trapezoid_" : "grunwald_letnikov_") +
