@@ -21,12 +21,11 @@ struct ColumnErrors {
   bool operator==(const ColumnErrors&) const = default;
 };
 
-// Of more columns no values are recorded.
+// Of more columns only the names are recorded.
 inline constexpr std::size_t most_single_columns = 8;
 
-// The errors of every column alone, and those baselines and unresolved variations that can matter over some
-// of the columns, to four digits; the baseline of a constant column is 0. `names`: those of the run's
-// columns.
+// Each error, each baseline and each unresolved variation of every column alone; the baseline of a constant
+// column is 0. `names`: those of the run's columns.
 ColumnErrors column_errors(const FinishedRun& run, std::vector<std::string> names, bool is_part);
 
 // The measures over several of these columns: the errors, the baselines that are no larger than their error,

@@ -72,12 +72,13 @@ void substitute(const double* factors, const Exchanges& exchanges, double* b) {
 }  // namespace
 
 DenseFactors::DenseFactors(Eigen::Index size) : size_(size) {
-  const auto choose = [&]<int... less>(std::integer_sequence<int, less...>) {
-    ((size == less + 1 ? void(loops_ = {eliminate<less + 1, Exchanges>, substitute<less + 1, Exchanges>})
-                       : void()),
+  const auto choose = [&]<std::size_t... less>(std::index_sequence<less...>) {
+    ((size == static_cast<Eigen::Index>(less) + 1
+          ? void(loops_ = {eliminate<less + 1, Exchanges>, substitute<less + 1, Exchanges>})
+          : void()),
      ...);
   };
-  choose(std::make_integer_sequence<int, largest_small>());
+  choose(std::make_index_sequence<largest_small>());
 }
 
 void DenseFactors::factorise(const Matrix& matrix) {

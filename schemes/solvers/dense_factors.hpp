@@ -28,7 +28,7 @@ class DenseFactors {
   [[nodiscard]] int determinant_sign() const;
 
  private:
-  static constexpr int largest_small = 8;
+  static constexpr std::size_t largest_small = 8;
   using Exchanges = std::array<int, largest_small>;  // the row that elimination step k exchanged with row k
   struct Loops {                                     // for one size
     void (*factorise)(double* matrix, Exchanges& exchanges);
