@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(, OtherUnits, testing::ValuesIn(makers()), id_of_param)
 std::string ending(const ParameterValues& values, std::string_view scheme, int steps) {
   const Scene scene = make_scene(*find_scene("relaxation"), values);
   MemoizedReference reference(scene);
-  return sentence(*examine({}, scene, reference, *find_scheme(scheme), {steps}).ending);
+  return sentence(examine({}, scene, reference, *find_scheme(scheme), {steps}).ending);
 }
 
 // D^0.5 y = -1e6 y: after ten steps the result of a scheme may be farther from the reference than 0 is.

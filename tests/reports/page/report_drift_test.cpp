@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 MATCHER(IsNull, "") { return arg.is_null(); }
 
-constexpr double end_time = 8.0;
+constexpr double drift_end = 8.0;
 
 // A line of four numbers of steps whose drifts are proportional to h^rate and whose times are proportional to
 // N.
@@ -33,14 +33,14 @@ struct Line {
 };
 
 // The largest drift up to t, as it is recorded.
-Course course_to(double drift) { return {{0.5 * end_time, end_time}, {0.5 * drift, drift}}; }
+Course course_to(double drift) { return {{0.5 * drift_end, drift_end}, {0.5 * drift, drift}}; }
 
 void add_line(Results& results, const Line& line) {
   for (int steps = 64; steps <= line.finest; steps *= 2) {
-    const double h = end_time / steps, fallen = std::pow(h, line.rate);
+    const double h = drift_end / steps, fallen = std::pow(h, line.rate);
     Record run{.key = {.scene = line.scene, .scheme = "l1", .setup = {.resolution = steps}},
                .steps = steps,
-               .end = end_time,
+               .end = drift_end,
                .ending = line.ending};
     run.values.set("drift_internal", line.internal * fallen);
     if (line.independent > 0.0) {
@@ -68,14 +68,14 @@ SceneDescription described(const SceneSettings& scene) {
           .parameters = {{"formulation", "integrated", "how it is posed"}}};
 }
 
-Results empty_results() {
+Results results_without_runs() {
   return {.sessions = {Session{}},
           .records = {},
           .scenes = {described(with({})), described(with({{"alpha", 0.3}}))}};
 }
 
 Results three_formulations() {
-  Results results = empty_results();
+  Results results = results_without_runs();
   add_line(results, {with({{"alpha", 0.3}}), 1e-16, 1e-3, 1.5, 1e-6});
   add_line(results, {with({{"alpha", 0.3}, {"formulation", "acceleration"}}), 1e-2, 2e-2, 1.0, 1e-6});
   add_line(results, {with({{"alpha", 0.3}, {"formulation", "multiplier"}}), 1e-16, 1e-3, 1.5, 4e-6});
@@ -136,7 +136,7 @@ TEST(DriftSection, FindsWhichFormulationIsBestInTheSameTime) {
 }
 
 TEST(DriftSection, FollowsTheNumbers) {
-  Results results = empty_results();
+  Results results = results_without_runs();
   add_line(results, {with({}), 1e-2, 1e-2, 1.0, 1e-6});
   add_line(results, {with({{"formulation", "multiplier"}}), 1e-3, 1e-3, 1.0, 1e-6});
   const auto section = section_of(results);
@@ -151,7 +151,7 @@ TEST(DriftSection, ComparesAtTheFinestCommonStepCount) {
 }
 
 TEST(DriftSection, TakesRunsWithoutAReference) {
-  Results results = empty_results();
+  Results results = results_without_runs();
   add_line(results, {with({}), 1e-2, 0.0, 1.0, 1e-6, {Verdict::no_reference, "none is known"}});
   const auto section = section_of(results);
   EXPECT_THAT(facts(section, "/internal/largest"), ElementsAre(IsAbout(1.56e-4)));
@@ -171,18 +171,18 @@ TEST(DriftSection, DrawsDriftsOverStepAndTime) {
   EXPECT_EQ(best["formulation"], "integrated");
   EXPECT_EQ(best["steps"], 512);
   EXPECT_EQ(best["t"], std::vector<double>({4.0, 8.0}));
-  const double drift = 1e-3 * std::pow(end_time / 512, 1.5);
+  const double drift = 1e-3 * std::pow(drift_end / 512, 1.5);
   EXPECT_EQ(best["drift"], std::vector<double>({0.5 * drift, drift}));
 }
 
 TEST(DriftSection, DrawsNothingOfRounding) {
-  Results results = empty_results();
+  Results results = results_without_runs();
   add_line(results, {with({}), 1e-16, 0.0, 1.0, 1e-6});
   EXPECT_FALSE(section_of(results).contains("drifts"));
 }
 
 TEST(DriftSection, IsThereOnlyWithDrift) {
-  Results results = empty_results();
+  Results results = results_without_runs();
   results.records.push_back({.key = {.scene = {"pendulum"}, .scheme = "l1", .setup = {64}}, .steps = 64});
   EXPECT_TRUE(section_of(results).is_null());
 }
