@@ -148,9 +148,10 @@ std::vector<reference::ConditionedValue<Real>> values_at(
   const Value absent{Real(0), Real(0)};
   return values_from_parts(
       pool, of, absent, [&](Expression, const ExpressionPool::Node& node, const auto& parts) {
-        if (node.operation == Operation::variable)
+        if (node.operation == Operation::variable) {
           return node.variable == 0 ? Value{time, time}
                                     : rows.at(static_cast<std::size_t>(node.variable) - 1);
+        }
         if (node.operation != Operation::number)
           return rounded_apply<Real>(node.operation, parts(0), parts(1), parts(2));
         const Real number = node.text.empty()      ? Real(node.value)

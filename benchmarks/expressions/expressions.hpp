@@ -152,7 +152,7 @@ std::vector<Value> values_from_parts(const ExpressionPool& pool, const std::vect
   std::vector<Value> values(used.size(), absent);
   for (std::size_t e = 0; e < used.size(); ++e) {
     if (!used[e]) continue;
-    const ExpressionPool::Node node = pool[static_cast<Expression>(e)];
+    const ExpressionPool::Node& node = pool[static_cast<Expression>(e)];
     const auto parts = [&](std::size_t i) -> const Value& {
       return node.arguments[i] == ExpressionPool::none ? absent
                                                        : values[static_cast<std::size_t>(node.arguments[i])];

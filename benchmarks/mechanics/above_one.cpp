@@ -141,11 +141,12 @@ std::optional<Vec> initial_multiplier_above_one(const Dynamics& dynamics) {
 
 PosedEquations integrated_above_one(const Dynamics& dynamics) {
   const ConstantConstraint constraint(dynamics);
-  if (constraint.alignment() == 0.0)
+  if (constraint.alignment() == 0.0) {
     return {.ill_posed_reason =
                 fmt::format("formulation = integrated: must be multiplier for alpha = {} and a.b = 0: above "
                             "1 the constraint then fixes no derivative of order alpha",
                             constraint.order())};
+  }
   const auto& system = dynamics.system();
   const auto& algebra = dynamics.algebra();
   auto& pool = algebra.pool();

@@ -205,11 +205,12 @@ PosedEquations with_memory(const Dynamics& dynamics, double kappa) {
   const auto position = equations.add_rows(algebra.pool(), {RowKind::position}, 1.0, system.position);
   const RateChains chains(dynamics, equations);
   const auto formulation = kappa == 0.0 ? Formulation::acceleration : Formulation::stabilised;
-  if (const auto order = chains.unbounded_memory())
+  if (const auto order = chains.unbounded_memory()) {
     return {.ill_posed_reason = fmt::format("formulation = {}: must be multiplier: v' is unbounded at t = 0, "
                                             "and a force contains a derivative of "
                                             "order {}",
                                             name_of(formulation), *order)};
+  }
   if (!chains.is_well_posed()) {
     return {.ill_posed_reason = fmt::format(
                 "formulation = {}: must be neither acceleration nor stabilised for alpha = {}: "

@@ -133,12 +133,13 @@ Formulation reference_formulation(const Dynamics& dynamics) {
 }
 
 PosedEquations integrated_equations(const Dynamics& dynamics) {
-  if (const auto order = dynamics.force_order_with_memory_rates())
+  if (const auto order = dynamics.force_order_with_memory_rates()) {
     return {.ill_posed_reason =
                 fmt::format("formulation = integrated: must be multiplier, acceleration or stabilised where "
                             "a force contains a "
                             "derivative of order {} beside one of an order below 1 in a constraint",
                             *order)};
+  }
   const auto& system = dynamics.system();
   const auto& algebra = dynamics.algebra();
   auto& pool = algebra.pool();

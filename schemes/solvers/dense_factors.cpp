@@ -11,60 +11,60 @@ namespace fde {
 namespace {
 
 // Gaussian elimination in place, column by column; a zero pivot is left, as Eigen leaves it.
-template <int size, class Exchanges>
+template <std::size_t size, class Exchanges>
 void eliminate(double* matrix, Exchanges& exchanges) {
-  const auto a = [matrix](int i, int j) -> double& { return matrix[i + j * size]; };
-  for (int k = 0; k < size; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < size; ++i) {
+  const auto a = [matrix](std::size_t i, std::size_t j) -> double& { return matrix[i + j * size]; };
+  for (std::size_t k = 0; k < size; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < size; ++i) {
       if (std::abs(a(i, k)) > std::abs(a(pivot, k))) pivot = i;
     }
     exchanges[k] = pivot;
     if (a(pivot, k) != 0.0) {
       if (pivot != k) {
-        for (int j = 0; j < size; ++j) std::swap(a(k, j), a(pivot, j));
+        for (std::size_t j = 0; j < size; ++j) std::swap(a(k, j), a(pivot, j));
       }
-      for (int i = k + 1; i < size; ++i) a(i, k) /= a(k, k);
+      for (std::size_t i = k + 1; i < size; ++i) a(i, k) /= a(k, k);
     }
-    for (int j = k + 1; j < size; ++j) {
-      for (int i = k + 1; i < size; ++i) a(i, j) -= a(i, k) * a(k, j);
+    for (std::size_t j = k + 1; j < size; ++j) {
+      for (std::size_t i = k + 1; i < size; ++i) a(i, j) -= a(i, k) * a(k, j);
     }
   }
 }
 
 // sum_j row[j stride] x[j] for 0 <= j < length, in pairwise order: rounding errors grow with log(length).
-template <int length>
-double product_sum(const double* row, const double* x, int stride) {
+template <std::size_t length>
+double product_sum(const double* row, const double* x, std::size_t stride) {
   if constexpr (length == 1) {
     return row[0] * x[0];
   } else {
-    constexpr int half = length / 2;
+    constexpr std::size_t half = length / 2;
     return product_sum<half>(row, x, stride) +
            product_sum<length - half>(row + half * stride, x + half, stride);
   }
 }
 
 // Substitution: forward for the rows i of L, backward for those of U.
-template <int size, int i = 1>
+template <std::size_t size, std::size_t i = 1>
 void solve_lower(const double* factors, double* b) {
   if constexpr (i < size) {
     b[i] -= product_sum<i>(factors + i, b, size);
     solve_lower<size, i + 1>(factors, b);
   }
 }
-template <int size, int i = size - 1>
+template <std::size_t size, std::size_t rows = size>
 void solve_upper(const double* factors, double* b) {
-  if constexpr (i >= 0) {
-    if constexpr (i + 1 < size)
-      b[i] -= product_sum<size - 1 - i>(factors + i + (i + 1) * size, b + i + 1, size);
+  if constexpr (rows > 0) {
+    constexpr std::size_t i = rows - 1;
+    if constexpr (rows < size) b[i] -= product_sum<size - rows>(factors + i + rows * size, b + rows, size);
     b[i] /= factors[i + i * size];
-    solve_upper<size, i - 1>(factors, b);
+    solve_upper<size, i>(factors, b);
   }
 }
 
-template <int size, class Exchanges>
+template <std::size_t size, class Exchanges>
 void substitute(const double* factors, const Exchanges& exchanges, double* b) {
-  for (int k = 0; k < size; ++k) std::swap(b[k], b[exchanges[k]]);
+  for (std::size_t k = 0; k < size; ++k) std::swap(b[k], b[exchanges[k]]);
   solve_lower<size>(factors, b);
   solve_upper<size>(factors, b);
 }
@@ -106,7 +106,7 @@ int DenseFactors::determinant_sign() const {
     const double pivot =
         is_small ? small_[static_cast<std::size_t>(k * (size_ + 1))] : large_.matrixLU()(k, k);
     if (pivot == 0.0 || std::isnan(pivot)) return 0;
-    if (is_small && exchanges_[static_cast<std::size_t>(k)] != k) even = !even;
+    if (is_small && exchanges_[static_cast<std::size_t>(k)] != static_cast<std::size_t>(k)) even = !even;
     signs *= pivot > 0.0 ? 1.0 : -1.0;
   }
   return (signs > 0.0) == even ? 1 : -1;

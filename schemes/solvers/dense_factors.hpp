@@ -29,8 +29,9 @@ class DenseFactors {
 
  private:
   static constexpr std::size_t largest_small = 8;
-  using Exchanges = std::array<int, largest_small>;  // the row that elimination step k exchanged with row k
-  struct Loops {                                     // for one size
+  using Exchanges =
+      std::array<std::size_t, largest_small>;  // the row that elimination step k exchanged with row k
+  struct Loops {                               // for one size
     void (*factorise)(double* matrix, Exchanges& exchanges);
     void (*solve)(const double* factors, const Exchanges& exchanges, double* b);
   };
