@@ -14,7 +14,7 @@ namespace fde::bench {
 
 namespace {
 
-constexpr int digits_of_errors = 4;
+constexpr int digits_of_errors = 6;
 
 // Of each column alone, by a function of the rows of its values, reference and divisors.
 template <class Function>
