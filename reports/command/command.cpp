@@ -85,9 +85,10 @@ void check_none_empty(const std::vector<std::string>& arguments) {
 bool asks_for_version(std::span<const std::string> options) {
   constexpr std::array known{"-q", "--quiet", "-h", "--help", "-V", "--version"};
   for (const auto& option : options) {
-    if (std::ranges::find(known, option.substr(0, option.find('='))) == known.end())
+    if (std::ranges::find(known, option.substr(0, option.find('='))) == known.end()) {
       throw std::invalid_argument(
           fmt::format("{}: no such option; {} help lists the subcommands", option, name_of_program));
+    }
   }
   return std::ranges::any_of(options, [](const auto& word) { return word == "-V" || word == "--version"; });
 }
@@ -100,9 +101,10 @@ void run_words(std::vector<std::string> words, Streams& streams, const SceneRegi
     return;
   }
   if (name == words.end()) {
-    if (std::ranges::none_of(words, [](const auto& word) { return word == "-h" || word == "--help"; }))
+    if (std::ranges::none_of(words, [](const auto& word) { return word == "-h" || word == "--help"; })) {
       throw std::invalid_argument(
           fmt::format("A subcommand is required; {} help lists the subcommands", name_of_program));
+    }
     streams.out << overview_text(program, output_style(streams));
     return;
   }

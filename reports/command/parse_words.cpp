@@ -73,9 +73,10 @@ class Parser {
     const bool is_quiet = name == "-q" || name == "--quiet";
     const auto* const argument = command_.find(name);
     if (argument == nullptr && !is_quiet) {
-      if (name.starts_with("--"))
+      if (name.starts_with("--")) {
         refusing_.refuse(
             fmt::format("{}: {} has no such option{}", name, command_.name, suggestion(command_, name)));
+      }
       return take_rest(word);
     }
     if (is_quiet || argument->value.empty()) {

@@ -28,8 +28,8 @@ enum class Completion { nothing, scene, scheme, setting, grid, results, file, fo
 // "SCENE"; of arguments that exclude each other "[--at T1,T2,... |", "--every K |", "--points K]". A
 // positional argument is named by its value in small letters, or in front of it: "files:FILE...".
 struct ArgumentText {
-  ArgumentText(std::string_view form, std::string what, Allowed allowed = {}, std::string usual = {},
-               Completion completion = Completion::nothing);
+  ArgumentText(std::string_view form, std::string what_for, Allowed values = {}, std::string by_default = {},
+               Completion offered = Completion::nothing);
 
   std::string name, value;  // "--steps" and what stands for its value, "N"; empty: a flag
   std::string what;         // what it is for
@@ -44,8 +44,8 @@ struct ArgumentText {
 
 struct SubcommandText {
   using Examples = std::vector<std::pair<std::string, std::string>>;  // a command, and what it does
-  SubcommandText(std::string name, std::string group, std::string what, std::vector<ArgumentText> arguments,
-                 Examples examples, std::vector<std::string> see_also);
+  SubcommandText(std::string its_name, std::string its_group, std::string purpose,
+                 std::vector<ArgumentText> takes, Examples of_use, std::vector<std::string> related);
 
   std::string name, group, what;
   std::vector<ArgumentText> arguments;

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -103,7 +104,7 @@ std::vector<double> spread_times(int count, double end) {
 // The output times; empty: all.
 std::vector<double> times_of(const Given& given, const Resolution& resolution, double end) {
   const bool has_every = given.has("--every"), has_points = given.has("--points");
-  if (given.has("--at") + has_every + has_points > 1)
+  if (std::ranges::count(std::array{given.has("--at"), has_every, has_points}, true) > 1)
     throw std::invalid_argument("--at, --every and --points: one of them at most");
   if (given.has("--at")) return parse_times(given, resolution, end);
   const auto* grid = std::get_if<Grid>(&resolution);
