@@ -22,8 +22,8 @@ void function_times(const Words& words);
 void two_methods(const Words& words);
 
 // What `choose` recommends: held against all runs, and what docs/which_scheme.md shows.
-void choices(const Words& words);
-void winners(const Words& words);
+void choices(const Words& given);
+void winners(const Words& scenes);
 
 // docs/stability.md.
 void stability_boundaries(const Words& words);

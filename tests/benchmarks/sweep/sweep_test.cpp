@@ -63,8 +63,8 @@ TEST(Sweeps, TakeOneResolutionAfterTheOtherAndReportEachRun) {
              .repeats = {.most = 1},
              .threads = 1},
             {.recorded = nothing_is_recorded,
-             .append = [&](const auto&) { events.push_back("appends"); },
-             .append_times = [&](const auto&) { events.push_back("appends times"); },
+             .append = [&](const auto&) { events.emplace_back("appends"); },
+             .append_times = [&](const auto&) { events.emplace_back("appends times"); },
              .on_event = [&](const auto& event) { events.push_back(words_of(event)); }});
   EXPECT_THAT(events, testing::ElementsAre("examines N = 16", "appends", "times N = 16", "appends times",
                                            "N = 16 is done", "examines N = 32", "appends", "times N = 32",
