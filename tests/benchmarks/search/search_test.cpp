@@ -99,7 +99,7 @@ TEST(SearchOverGrids, CallsNoSchemeSlowerWithoutARunThatShowsIt) {
   EXPECT_GT(slower, 10);
 }
 
-// bdf6 takes microseconds, and its start weights tens of milliseconds in the first run of a process.
+// bdf6 takes about 20 microseconds, and its start weights 100 more in the first run of a process.
 TEST(Search, RanksByTheFirstRunWhereThatIsAsked) {
   const Scene scene = scene_of("relaxation");
   auto question = question_of(scene, {"", {Norm::end, Scale::mixed}, 1e-12});
@@ -107,7 +107,7 @@ TEST(Search, RanksByTheFirstRunWhereThatIsAsked) {
   const auto later = best();
   question.first_run = true;
   const auto first = best();
-  EXPECT_GT(later.best.setup_seconds, later.best.seconds);
+  EXPECT_GT(later.best.setup_seconds, 2.0 * later.best.seconds);
   EXPECT_LT(first.best.seconds, later.best.seconds + later.best.setup_seconds);
 }
 
