@@ -14,6 +14,11 @@ namespace fde::bench {
 // A number of the page: a whole one as it is, any other to eight digits. null without a finite value.
 nlohmann::json fact(const std::optional<double>& value);
 
+// A number of a chart, with as many digits as it can show: a page has thousands of these. null without a
+// value.
+inline constexpr int chart_digits = 5, few_digits = 3;
+nlohmann::json chart_number(const std::optional<double>& value, int digits = chart_digits);
+
 // The value without the members of its objects that are null, false or empty: a template leaves out what it
 // does not find. Elements of lists are kept.
 nlohmann::json compact(nlohmann::json value);

@@ -6,15 +6,12 @@
 #include <vector>
 
 #include "fdebench/reports/analysis/formulations.hpp"
-#include "fdebench/reports/page/chart_number.hpp"
-#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
 namespace {
 
 using nlohmann::json;
-
-constexpr int digits = 3;
 
 // The drift of effective_drift() up to t; empty if the run has none.
 Course course_of(const Record& run) {
@@ -57,8 +54,8 @@ json points_of(const PageInput& page, const ConstrainedScene& scene) {
       points["formulation"].push_back(place_in(formulations, of.formulation));
       points["line"].push_back(place_in(lines, page.label(run.key)));
       points["steps"].push_back(run.steps);
-      points["h"].push_back(rounded_for_chart(run.h()));
-      points["drift"].push_back(rounded_for_chart(drift, digits));
+      points["h"].push_back(chart_number(run.h()));
+      points["drift"].push_back(chart_number(drift, few_digits));
     }
   }
   points["formulations"] = formulations;

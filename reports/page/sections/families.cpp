@@ -16,7 +16,6 @@
 
 #include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/robustness.hpp"
-#include "fdebench/reports/page/chart_number.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
@@ -24,10 +23,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int few_digits = 3;
 constexpr double is_typical = 0.95;  // of the scenes
 
-json few(double value) { return rounded_for_chart(value, few_digits); }
+json few(double value) { return chart_number(value, few_digits); }
 
 // Texts by their places, so that cells name them by numbers.
 class Places {
