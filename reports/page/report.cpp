@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
+#include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/assets.hpp"
 #include "fdebench/reports/page/packed.hpp"
 #include "fdebench/reports/page/page_data.hpp"
@@ -20,19 +21,6 @@ namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string replaced(std::string_view text, const std::map<char, std::string_view>& replacements) {
-  std::string result;
-  for (const char c : text) {
-    const auto found = replacements.find(c);
-    if (found == replacements.end()) {
-      result += c;
-    } else {
-      result += found->second;
-    }
-  }
-  return result;
-}
 
 std::string as_html(std::string_view text) {
   return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
