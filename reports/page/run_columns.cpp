@@ -51,14 +51,9 @@ json run_columns(const PageInput& page, const std::vector<const Record*>& runs) 
     if (std::ranges::any_of(column, [](const json& value) { return !value.is_null(); }))
       columns[name] = column;
   };
-  std::vector<std::string> lines;
-  add("line", [&](const Record& run) {
-    const auto found = std::ranges::find(lines, page.label(run.key));
-    if (found != lines.end()) return json(found - lines.begin());
-    lines.push_back(page.label(run.key));
-    return json(lines.size() - 1);
-  });
-  columns["lines"] = lines;
+  Places lines;
+  add("line", [&](const Record& run) { return json(lines(page.label(run.key))); });
+  columns["lines"] = lines.texts();
   add("steps", [](const Record& run) { return json(run.steps); });
   if (const auto end = common_end(runs)) {
     columns["end"] = chart_number(end, 10);

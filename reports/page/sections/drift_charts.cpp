@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -36,30 +35,23 @@ json courses_of(const PageInput& page, const ConstrainedScene& scene) {
   return courses;
 }
 
-// Index of a name in a list; appends the name if it is new.
-std::size_t place_in(std::vector<std::string>& names, const std::string& name) {
-  const auto found = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-  if (found == names.size()) names.push_back(name);
-  return found;
-}
-
 // Columns of equal length with one entry per run.
 json points_of(const PageInput& page, const ConstrainedScene& scene) {
-  std::vector<std::string> formulations, lines;
+  Places formulations, lines;
   json points;
   for (const auto& of : scene.formulations) {
     for (const Record& run : of.runs) {
       const double drift = effective_drift(run);
       if (!(drift > 0.0) || !std::isfinite(drift)) continue;
-      points["formulation"].push_back(place_in(formulations, of.formulation));
-      points["line"].push_back(place_in(lines, page.label(run.key)));
+      points["formulation"].push_back(formulations(of.formulation));
+      points["line"].push_back(lines(page.label(run.key)));
       points["steps"].push_back(run.steps);
       points["h"].push_back(chart_number(run.h()));
       points["drift"].push_back(chart_number(drift, few_digits));
     }
   }
-  points["formulations"] = formulations;
-  points["lines"] = lines;
+  points["formulations"] = formulations.texts();
+  points["lines"] = lines.texts();
   return points;
 }
 

@@ -27,21 +27,6 @@ constexpr double is_typical = 0.95;  // of the scenes
 
 json few(double value) { return chart_number(value, few_digits); }
 
-// Texts by their places, so that cells name them by numbers.
-class Places {
- public:
-  std::size_t operator()(const std::string& text) {
-    const auto [found, is_new] = places_.try_emplace(text, texts_.size());
-    if (is_new) texts_.push_back(text);
-    return found->second;
-  }
-  [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
-
- private:
-  std::map<std::string, std::size_t> places_{};
-  std::vector<std::string> texts_{};
-};
-
 // A family and what its cells share.
 struct Plane {
   const PageInput& page;
