@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 
 #include "fdebench/benchmarks/equation_files/toml_text.hpp"
 #include "fdebench/benchmarks/mechanics/mechanical_system.hpp"

@@ -8,7 +8,6 @@
 #include <ostream>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"

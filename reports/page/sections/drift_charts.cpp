@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "fdebench/reports/analysis/formulations.hpp"
 #include "fdebench/reports/page/facts.hpp"

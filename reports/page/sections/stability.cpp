@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/trial_result.hpp"
