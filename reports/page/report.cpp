@@ -22,10 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string as_html(std::string_view text) {
-  return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
-}
-
 // Replaces each {{name}} of the template by its part, in one pass: placeholders inside a part are not
 // replaced.
 std::string fill(std::string_view page, const std::map<std::string_view, std::string_view>& parts) {
@@ -54,7 +50,7 @@ fs::path write_report(ReadRuns read, const fs::path& directory, const std::optio
         fmt::format("{}: cannot be written: {}", directory.string(), problem.message()));
   }
   const std::string data = packed(page_data(std::move(read), before).dump()), vega = packed(assets::vega()),
-                    licences = as_html(assets::licences());
+                    licences = replaced(assets::licences(), {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
   fs::path path = directory / "index.html";
   AtomicFile file(path);
   file.write(fill(assets::page(), {{"style", assets::style()},
