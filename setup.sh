@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 packages=(git pkg-config cmake ninja-build g++ ccache libeigen3-dev libboost-dev libmpfr-dev libmpc-dev libgmp-dev
-  libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libsqlite3-dev libssl-dev libtomlplusplus-dev zlib1g-dev)
+  libhwy-dev libfmt-dev nlohmann-json3-dev libsqlite3-dev libssl-dev libtomlplusplus-dev zlib1g-dev)
 # Machine code of equation files; on other processors they are interpreted.
 [ "$(dpkg --print-architecture)" != amd64 ] || packages+=(libasmjit-dev)
 # Of figures as PDF: librsvg, and the letters of papers.

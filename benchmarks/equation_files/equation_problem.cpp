@@ -5,10 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 

@@ -32,35 +32,30 @@
 namespace fde::bench {
 namespace {
 
+// Formulas of the columns, and of t if `time`.
+Program program_of(const std::vector<FormulaText>& texts, const std::vector<SystemColumn>& columns,
+                   FileFormulas& formulas, bool time = true) {
+  std::vector<Expression> values;
+  for (const auto& text : texts) values.push_back(formulas.read(text, variables_of(columns, formulas, time)));
+  return {formulas.pool(), values, std::ssize(columns)};
+}
+
 Energy energy_of(const EnergyText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
-  auto& pool = formulas.pool();
-  const auto size = std::ssize(columns);
-  const auto value = formulas.read(text.value, variables_of(columns, formulas, false));
-  Energy energy{.value = [program = Program(pool, {value}, size)](In c) { return program(0.0, c); }};
-  if (text.power) {
-    const auto power = formulas.read(*text.power, variables_of(columns, formulas, true));
-    energy.power = Program(pool, {power}, size);
-  }
+  Energy energy{.value = [program = program_of({text.value}, columns, formulas, false)](In c) {
+    return program(0.0, c);
+  }};
+  if (text.power) energy.power = program_of({*text.power}, columns, formulas);
   return energy;
 }
 
-Constraint constraint_of(const std::vector<FormulaText>& texts, const std::vector<SystemColumn>& columns,
-                         FileFormulas& formulas) {
-  std::vector<Expression> values;
-  for (const auto& text : texts) values.push_back(formulas.read(text, variables_of(columns, formulas, true)));
-  return {.size = std::ssize(values), .value = Program(formulas.pool(), values, std::ssize(columns))};
-}
-
 SceneEvent event_of(const EventText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
-  const auto value = formulas.read(text.zero, variables_of(columns, formulas, true));
-  return {text.name, Program(formulas.pool(), {value}, std::ssize(columns)), text.crossing, text.terminal};
+  return {text.name, program_of({text.zero}, columns, formulas), text.crossing, text.terminal};
 }
 
 // The domain in the columns of both forms of a problem.
 void set_domain(Scene& scene, const DomainText& text, const std::vector<SystemColumn>& columns,
                 FileFormulas& formulas) {
-  const auto margin = formulas.read(text.positive, variables_of(columns, formulas, true));
-  const Program program(formulas.pool(), {margin}, std::ssize(columns));
+  const auto program = program_of({text.positive}, columns, formulas);
   const auto restrict_to = [&](Domain& domain, const Outputs& outputs) {
     domain.edge = domain.edge.empty() ? text.edge : text.edge + ", or " + domain.edge;
     domain.margin = [program, outputs](double t, In y) { return program(t, columns_at(outputs, t, y)); };
@@ -81,16 +76,15 @@ void exclude_unshown_rows(Smoothness& smoothness, const std::vector<SystemColumn
 }
 
 // The path of a point in the plane or in space, from the columns.
-Outputs path_of(const std::vector<NamedFormula>& texts, const std::vector<SystemColumn>& columns,
+Outputs path_of(const std::vector<NamedFormula>& coordinates, const std::vector<SystemColumn>& columns,
                 FileFormulas& formulas) {
-  Outputs path;
-  std::vector<Expression> values;
-  for (const auto& text : texts) {
-    path.names.push_back(text.name);
-    values.push_back(formulas.read(text.formula, variables_of(columns, formulas, true)));
+  std::vector<std::string> names;
+  std::vector<FormulaText> texts;
+  for (const auto& coordinate : coordinates) {
+    names.push_back(coordinate.name);
+    texts.push_back(coordinate.formula);
   }
-  path.evaluate = Program(formulas.pool(), values, std::ssize(columns));
-  return path;
+  return {names, program_of(texts, columns, formulas)};
 }
 
 Scene mechanical_scene_of(const EquationText& text, const Parameters& parameters,
@@ -137,7 +131,8 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
     scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
   for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
-  if (!text.constraints.empty()) scene.constraint = constraint_of(text.constraints, columns, formulas);
+  if (const auto& f = text.constraints; !f.empty())
+    scene.constraint = {.size = std::ssize(f), .value = program_of(f, columns, formulas)};
   if (!text.path.empty()) scene.display_path = path_of(text.path, columns, formulas);
   scene.discontinuities = file_discontinuities(system, formulas);
   return scene;

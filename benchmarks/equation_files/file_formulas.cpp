@@ -8,7 +8,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <variant>
 
 #include "fdebench/benchmarks/expressions/formula.hpp"
 #include "fdebench/benchmarks/expressions/formula_text.hpp"

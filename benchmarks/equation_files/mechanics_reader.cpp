@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 
 #include "fdebench/benchmarks/equation_files/toml_text.hpp"
 #include "fdebench/benchmarks/mechanics/mechanical_system.hpp"
@@ -33,7 +32,8 @@ class MechanicsReader : TomlReader {
              fmt::format("there are {} constraints: must be fewer than the {} coordinates",
                          mechanics.constraints.size(), coordinates.size()));
     }
-    if (const auto* principle = of.get("principle")) mechanics.is_vakonomic = is_vakonomic(*principle);
+    if (const auto* principle = of.get("principle"))
+      mechanics.is_vakonomic = word(*principle, "principle", {"dalembert", "vakonomic"}) == "vakonomic";
     if (const auto* multipliers = of.get("multipliers"))
       mechanics.multipliers = formulas(*multipliers, "multipliers");
     if (const auto* formulation = of.get("formulation"))
@@ -69,10 +69,6 @@ class MechanicsReader : TomlReader {
              fmt::format("{} = {}: must be one of {}", name, *text, fmt::join(allowed, ", ")));
     }
     return *text;
-  }
-
-  [[nodiscard]] bool is_vakonomic(const toml::node& node) const {
-    return word(node, "principle", {"dalembert", "vakonomic"}) == "vakonomic";
   }
 
   [[nodiscard]] std::string formulation_of(const toml::node& node, const MechanicsText& mechanics) const {

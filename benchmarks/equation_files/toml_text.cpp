@@ -21,11 +21,6 @@ namespace fde::bench {
 
 namespace {
 
-// The position of a TOML key, such as a.b.c, with more than max_key_parts parts, outside strings and
-// comments; nullopt if there is none. Parts are nested tables: a recursive parser would exhaust the stack.
-inline constexpr int max_key_parts = 16;
-std::optional<TextPosition> find_deep_key(std::string_view toml);
-
 // Index after the string that begins at `begin`, in one quote or three; the end of the line if a single quote
 // is not closed.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
@@ -51,6 +46,9 @@ TextPosition position_of(std::string_view text, std::size_t byte) {
   return {1 + static_cast<int>(std::ranges::count(before, '\n')), 1 + static_cast<int>(byte - begin)};
 }
 
+// The position of a TOML key, such as a.b.c, with more than max_key_parts parts, outside strings and
+// comments; nullopt if there is none. Parts are nested tables: a recursive parser would exhaust the stack.
+constexpr int max_key_parts = 16;
 std::optional<TextPosition> find_deep_key(std::string_view toml) {
   constexpr std::string_view separators = "=,\n[]{}";
   int points = 0;

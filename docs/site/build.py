@@ -107,6 +107,15 @@ with fdebench {session["version"]} on {session["machine"]}. Times are those of t
 """
 
 
+def command_page(program):
+    """The help of each subcommand, as the program prints it."""
+    def printed(*words):
+        return subprocess.run([program, *words], stdout=subprocess.PIPE, text=True, check=True).stdout
+    offered = (line.partition("\t")[0] for line in printed("__complete", "").splitlines())
+    helps = (f"## {name}\n\n```text\n{printed('help', name)}```\n" for name in offered if not name.startswith("-"))
+    return "\n".join(["# The command\n", f"```text\n{printed('help')}```\n", *helps])
+
+
 def copy(name, pages):
     target = pages / name
     target.parent.mkdir(parents=True, exist_ok=True)
@@ -172,6 +181,7 @@ def main(build, site, headers, results, *options):
         run_notebooks(pages, work, build)
     (pages / "api").mkdir()
     api.write(pages / "api", Path(headers).read_text().split(), work / "doxygen", build / "python")
+    (pages / "api/command.md").write_text(command_page(build / "fdebench"))
     (pages / "map.md").write_text(map_page(Path(results)))
     subprocess.run([build / "fdebench", "report", results, "--out", pages / "map"], check=True, stdout=subprocess.DEVNULL)
     shutil.copyfile(HERE / "site.css", pages / "site.css")

@@ -30,20 +30,9 @@ namespace py = pybind11;
 namespace fde::bench::python {
 namespace {
 
-// Selects a scene: SCENE with its settings NAME=VALUE, or a problem defined in Python (if not nullptr).
-struct SceneSelection {
-  std::string name;
-  std::vector<std::string> settings;
-  const Scene* problem;
-};
-
 // Equation files are read at every call, as they may have changed.
 SceneRegistry named_scenes(NoteReceiver on_note = {}) {
   return with_equation_files(built_in_scenes(), std::move(on_note));
-}
-
-SceneVariant variant_of(const SceneSelection& named, const SceneRegistry& known) {
-  return read_variant(named.name, named.settings, known);
 }
 
 std::string command(const std::vector<std::string>& arguments, const Scene* problem) {
@@ -58,11 +47,11 @@ int program(const std::vector<std::string>& arguments) {
 }
 
 // Tuple of id, column names, orders, end time, and what the scene changes of its file ("" if nothing).
-py::tuple facts(const SceneSelection& named) {
+py::tuple facts(const std::string& name, const std::vector<std::string>& settings) {
   std::string changes;
   const auto [id, scene] = without_gil([&]() -> std::pair<std::string, Scene> {
     const SceneRegistry all = named_scenes([&](const std::string& note) { changes = note; });
-    const auto variant = variant_of(named, all);
+    const auto variant = read_variant(name, settings, all);
     Scene known = make_scene_unchecked(*variant.maker, variant.values);
     known.problem.end = variant.until.value_or(known.problem.end);
     return {variant.maker->id, std::move(known)};
@@ -72,12 +61,17 @@ py::tuple facts(const SceneSelection& named) {
   return py::make_tuple(id, scene.outputs.names, orders, scene.problem.end, changes);
 }
 
-// Tuple of names, times, values (one row a time), warning, cost as JSON, and the names of events or None.
-py::tuple solve(const SceneSelection& named, const Given& given) {
+// Tuple of names, times, values (one row a time), warning, cost as JSON, and the names of events or None. Of
+// a scene with its settings NAME=VALUE, or of a problem defined in Python (if not nullptr).
+py::tuple solve(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
+                const std::string& scheme, const std::map<std::string, std::string>& texts, bool check,
+                bool events) {
+  auto given = given_to_solve(scheme, texts);
+  if (check) given.set("--check", {"yes"});
+  if (events) given.set("--events", {"yes"});
   const SolvedTable table = without_gil([&] {
     const SceneRegistry all = named_scenes();
-    return solved_table(named.problem == nullptr ? make_scene(variant_of(named, all)) : *named.problem,
-                        given);
+    return solved_table(problem == nullptr ? make_scene(read_variant(name, settings, all)) : *problem, given);
   });
   const py::array_t<double> times(std::ssize(table.times), table.times.data());
   const py::array_t<double> values({table.values.cols(), table.values.rows()}, table.values.data());
@@ -138,27 +132,12 @@ void translate(
 
 PYBIND11_MODULE(_core, module) {
   using namespace fde::bench::python;
-  using fde::bench::Scene;
   py::register_exception_translator(translate);
-  py::class_<Scene>(module, "Problem")
-      .def(py::init([](const std::vector<double>& orders, const std::vector<std::vector<double>>& initial,
-                       const py::object& rhs, double end, const py::object& jacobian,
-                       const std::vector<std::string>& names, const std::vector<double>& jumps) {
-        return python_scene({orders, initial, end, names, jumps}, rhs, jacobian);
-      }));
+  py::class_<fde::bench::Scene>(module, "Problem").def(py::init(&python_scene));
   module.def("command", command);
   module.def("program", program);
-  module.def("facts", [](const std::string& name, const std::vector<std::string>& settings) {
-    return facts({name, settings, nullptr});
-  });
-  module.def("solve", [](const std::string& name, const std::vector<std::string>& settings,
-                         const Scene* problem, const std::string& scheme,
-                         const std::map<std::string, std::string>& texts, bool check, bool events) {
-    auto given = fde::bench::given_to_solve(scheme, texts);
-    if (check) given.set("--check", {"yes"});
-    if (events) given.set("--events", {"yes"});
-    return solve({name, settings, problem}, given);
-  });
+  module.def("facts", facts);
+  module.def("solve", solve);
   module.def("mittag_leffler", mittag_leffler_of);
   module.def("mittag_leffler_in_digits", mittag_leffler_in_digits);
 }

@@ -98,15 +98,17 @@ DenseJacobian jacobian_of(const py::object& function) {
 
 }  // namespace
 
-Scene python_scene(const ProblemData& facts, const py::object& rhs, const py::object& jacobian) {
+Scene python_scene(const std::vector<double>& orders, const std::vector<std::vector<double>>& initial,
+                   const py::object& rhs, double end, const py::object& jacobian,
+                   const std::vector<std::string>& names, const std::vector<double>& jumps) {
   Problem problem;
-  for (std::size_t i = 0; i < facts.orders.size(); ++i)
-    problem.components.push_back({.order = facts.orders[i], .initial = facts.initial[i]});
+  for (std::size_t i = 0; i < orders.size(); ++i)
+    problem.components.push_back({.order = orders[i], .initial = initial[i]});
   problem.rhs = rhs_of(rhs);
   if (!jacobian.is_none()) problem.derivatives = jacobian_of(jacobian);
-  problem.end = facts.end;
-  problem.jump_times = facts.jumps;
-  return own_scene(problem, facts.names);
+  problem.end = end;
+  problem.jump_times = jumps;
+  return own_scene(problem, names);
 }
 
 }  // namespace fde::bench::python

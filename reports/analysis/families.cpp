@@ -39,26 +39,9 @@ std::map<Kin, Scenes> related(const std::set<SceneSettings>& scenes, const Runs&
   return found;
 }
 
-std::set<SceneSettings> scenes_of(const Runs& runs) {
-  std::set<SceneSettings> scenes;
-  for (const auto* some : {&runs.finished, &runs.failed}) {
-    for (const RunSpan scene : by_scene(*some)) scenes.insert(scene.front().key.scene);
-  }
-  return scenes;
-}
-
 bool differs(const Scenes& scenes, const std::string& name) {
   return std::ranges::any_of(
       scenes, [&](const auto& of) { return of.second.at(name) != scenes.begin()->second.at(name); });
-}
-
-// The scene without the parameters, which need not be among its settings.
-SceneSettings without(SceneSettings scene, const std::vector<std::string>& parameters) {
-  for (const auto& name : parameters) {
-    scene.values.erase(name);
-    if (name == end_name) scene.until.reset();
-  }
-  return scene;
 }
 
 }  // namespace
@@ -86,11 +69,12 @@ std::vector<Family> families(const Runs& taken, const Runs& described) {
   for (const RunSpan scene : by_scene(taken.finished)) finished.emplace(scene.front().key.scene, scene);
   std::vector<Family> found;
   for (const auto& [kin, scenes] : related(scenes_of(taken), described)) {
-    Family family;
+    Family family{.scene = scenes.begin()->first};
     for (const auto& name : kin.names) {
-      if (differs(scenes, name)) family.parameters.push_back(name);
+      if (!differs(scenes, name)) continue;
+      family.parameters.push_back(name);
+      family.scene = without(std::move(family.scene), name);
     }
-    family.scene = without(scenes.begin()->first, family.parameters);
     for (const auto& [scene, numbers] : scenes) {
       FamilyMember member{.scene = scene, .runs = finished[scene]};
       for (const auto& name : family.parameters) member.values.push_back(numbers.at(name));

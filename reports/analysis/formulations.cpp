@@ -5,20 +5,17 @@
 #include <limits>
 #include <utility>
 
+#include "fdebench/reports/analysis/scene_numbers.hpp"
+
 namespace fde::bench {
 namespace {
 
-constexpr std::string_view choice_of_form = "formulation";
-
-SceneSettings without_formulation(SceneSettings scene) {
-  scene.values.erase(std::string(choice_of_form));
-  return scene;
-}
+constexpr auto choice_of_form = "formulation";
 
 // The formulation in the settings of a scene, or the default; empty if the scene has one formulation only or
 // is not described.
 std::string formulation_of(const Runs& runs, const SceneSettings& scene) {
-  const auto said = scene.values.find(std::string(choice_of_form));
+  const auto said = scene.values.find(choice_of_form);
   if (said != scene.values.end()) {
     const auto* word = std::get_if<std::string>(&said->second);
     return word == nullptr ? "" : *word;
@@ -71,7 +68,7 @@ std::vector<ConstrainedScene> constrained_scenes(const Runs& runs) {
     for (const Record& run : *some) {
       if (!run["drift_internal"]) continue;
       const SceneSettings& scene = run.key.scene;
-      auto& of = named(scenes, &ConstrainedScene::scene, without_formulation(scene)).formulations;
+      auto& of = named(scenes, &ConstrainedScene::scene, without(scene, choice_of_form)).formulations;
       named(of, &FormulationRuns::formulation, formulation_of(runs, scene)).runs.push_back(run);
     }
   }

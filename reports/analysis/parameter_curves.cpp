@@ -14,15 +14,6 @@
 namespace fde::bench {
 namespace {
 
-SceneSettings without(SceneSettings scene, const std::string& name) {
-  if (name == end_name) {
-    scene.until.reset();
-  } else {
-    scene.values.erase(name);
-  }
-  return scene;
-}
-
 // Runs of scenes that differ in one parameter, by its value.
 using ScenesByValue = std::map<double, RunSpan>;
 

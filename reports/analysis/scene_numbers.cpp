@@ -13,6 +13,19 @@ SceneSettings with_defaults(const Runs& runs, SceneSettings scene) {
   return scene;
 }
 
+SceneSettings without(SceneSettings scene, const std::string& parameter) {
+  scene.values.erase(parameter);
+  if (parameter == end_name) scene.until.reset();
+  return scene;
+}
+
+std::set<SceneSettings> scenes_of(const Runs& runs) {
+  std::set<SceneSettings> scenes;
+  for (const auto* some : {&runs.finished, &runs.failed})
+    for (const Record& run : *some) scenes.insert(run.key.scene);
+  return scenes;
+}
+
 std::map<std::string, double> numbers_of(const SceneSettings& scene) {
   std::map<std::string, double> numbers;
   for (const auto& [name, value] : scene.values) {

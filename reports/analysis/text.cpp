@@ -54,6 +54,15 @@ std::string rough_count_text(double count) {
   return count_text(std::round(count / unit) * unit);
 }
 
+std::string replaced(std::string_view text, const std::map<char, std::string_view>& replacements) {
+  std::string result;
+  for (const char c : text) {
+    const auto found = replacements.find(c);
+    result += found == replacements.end() ? std::string_view(&c, 1) : found->second;
+  }
+  return result;
+}
+
 // A letter like µ has two bytes.
 std::string aligned(const std::vector<TableRow>& rows, std::size_t gap) {
   const auto width_of = [](std::string_view text) {

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace fde::bench {
 
-// Number formats of what commands print; the page has its own in reports/page/numbers.js.
+// Formats of what commands print; the page has its own of numbers in reports/page/numbers.js.
 
 // 1.2e-7; 0 for 0.
 std::string error_text(double error);
@@ -24,6 +25,9 @@ std::string count_text(double count);
 
 // The number rounded to two significant digits: 35 000 for 34567.
 std::string rough_count_text(double count);
+
+// The text with other texts in place of some characters.
+std::string replaced(std::string_view text, const std::map<char, std::string_view>& replacements);
 
 // The rows with cells padded to the widest of their column, with `gap` blanks between them.
 using TableRow = std::vector<std::string>;

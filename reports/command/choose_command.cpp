@@ -8,7 +8,6 @@
 #include <ostream>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
@@ -182,11 +181,7 @@ Command choose_command() {
         until_argument(),
         {"[--max-time SECONDS]", "time for the search", Range{.low = 0.0, .high = 1e6, .open_low = true},
          "60"},
-        {"[--results FILE]",
-         "take the runs of a results file; nothing is measured",
-         {},
-         "",
-         Completion::results},
+        {"[--results FILE]", "take the runs of a results file; nothing is measured", Completion::results},
         {"[--verbose]", "print all grids, why the first is the quickest, and the schemes that refuse"},
         {"[--json]", "print one JSON object"}},
        {{"fdebench choose pendulum --error 1e-6", "recommends a scheme for the pendulum up to t = 20."},

@@ -51,11 +51,13 @@ std::string printable(std::string_view message) {
 }
 
 std::vector<Command> commands() {
-  return {solve_command(),     choose_command(),         run_command(),       report_command(),
-          study_command(),     judge_command(),          compare_command(),   merge_command(),
-          export_command(),    plot_command(),           scenes_command(),    schemes_command(),
-          exact_command(),     mittag_leffler_command(), stability_command(), geometry_command(),
-          reference_command(), help_command(),           completion_command()};
+  std::vector<Command> all{
+      solve_command(),    choose_command(),    run_command(),   report_command(),         study_command(),
+      judge_command(),    compare_command(),   merge_command(), export_command(),         plot_command(),
+      scenes_command(),   schemes_command(),   exact_command(), mittag_leffler_command(), stability_command(),
+      geometry_command(), reference_command(), help_command(),  completion_command()};
+  for (auto& command : all) set_choices(command.text.arguments);
+  return all;
 }
 
 int complain(const Streams& streams, int code, std::string_view message) {

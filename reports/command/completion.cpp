@@ -75,7 +75,8 @@ void add_values(const ProgramText& program, const ArgumentText& argument,
                 const std::vector<std::string>& words, const SceneRegistry& known, Candidates& found) {
   if (const auto* choices = std::get_if<Words>(&argument.allowed))
     for (const auto& word : *choices) found.add(word, argument.name);
-  switch (argument.completion) {
+  const auto* offered = std::get_if<Completion>(&argument.allowed);
+  switch (offered == nullptr ? Completion::nothing : *offered) {
     case Completion::nothing:
       break;
     case Completion::scene:

@@ -91,17 +91,16 @@ const Scheme& scheme_named(std::string_view id) {
 }
 
 ArgumentText scene_argument(const std::string& what) {
-  return {"SCENE", what + " or an equation file, or ID:NAME=VALUE,...", {}, "", Completion::scene};
+  return {"SCENE", what + " or an equation file, or ID:NAME=VALUE,...", Completion::scene};
 }
 
 ArgumentText set_argument() {
-  return {
-      "[--set NAME=VALUE]...", "a parameter of the scene, or its end: until=T", {}, "", Completion::setting};
+  return {"[--set NAME=VALUE]...", "a parameter of the scene, or its end: until=T", Completion::setting};
 }
 
 std::vector<ArgumentText> run_settings_arguments(const std::string& budget) {
   return {{"[--grid GRID]", "where the times of the steps are; graded:auto takes R from the orders",
-           "uniform or graded:R with R in [1, 100], or graded:auto", uniform_grid, Completion::grid},
+           Completion::grid, uniform_grid},
           {"[--history KIND]", "how the sums over earlier steps are computed",
            Words{std::string(name(HistoryKind::automatic)), std::string(name(HistoryKind::direct)),
                  std::string(name(HistoryKind::exponentials))},

@@ -59,7 +59,7 @@ Command help_command() {
   return {{"help",
            "Help",
            "Explain a command or a topic, or list them",
-           {{"[TOPIC]", "a command, or a topic that help lists", {}, "", Completion::topic},
+           {{"[TOPIC]", "a command, or a topic that help lists", Completion::topic},
             {"[--man]", "print the manual page, of the program or of a command, as troff"}},
            {{"fdebench help accuracy", "explains norms and scales of errors."},
             {"fdebench help --man solve > fdebench-solve.1", "writes a manual page."}},

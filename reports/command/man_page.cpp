@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/command/help_text.hpp"
 
 namespace fde::bench {
@@ -13,22 +14,8 @@ namespace {
 
 // Text in which troff finds no escapes and no requests.
 std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '\\') {
-      result += "\\e";
-    } else if (c == '-') {
-      result += "\\-";
-    } else if (c == '^') {
-      result += "\\(ha";
-    } else if (c == '~') {
-      result += "\\(ti";
-    } else if (c == '\'') {
-      result += "\\(aq";
-    } else {
-      result += c;
-    }
-  }
+  const auto result =
+      replaced(text, {{'\\', "\\e"}, {'-', "\\-"}, {'^', "\\(ha"}, {'~', "\\(ti"}, {'\'', "\\(aq"}});
   return result.starts_with('.') ? "\\&" + result : result;
 }
 

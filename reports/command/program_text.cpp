@@ -36,11 +36,10 @@ std::string part_of(const ArgumentText& argument) {
 }  // namespace
 
 ArgumentText::ArgumentText(std::string_view form, std::string what_for, Allowed values,
-                           std::string by_default, Completion offered)
+                           std::string by_default)
     : what(std::move(what_for)),
       allowed(std::move(values)),
       usual(std::move(by_default)),
-      completion(offered),
       required(!form.starts_with('[')),
       repeated(form.ends_with("...") && !form.ends_with(",...")) {
   if (repeated) form.remove_suffix(3);
@@ -57,15 +56,7 @@ ArgumentText::ArgumentText(std::string_view form, std::string what_for, Allowed 
   value = std::exchange(name, lower_case(name));
 }
 
-SubcommandText::SubcommandText(std::string its_name, std::string its_group, std::string purpose,
-                               std::vector<ArgumentText> takes, Examples of_use,
-                               std::vector<std::string> related)
-    : name(std::move(its_name)),
-      group(std::move(its_group)),
-      what(std::move(purpose)),
-      arguments(std::move(takes)),
-      examples(std::move(of_use)),
-      see_also(std::move(related)) {
+void set_choices(std::vector<ArgumentText>& arguments) {
   int last = 0, open = 0;
   bool is_required = false;
   for (auto& argument : arguments) {
@@ -104,8 +95,8 @@ std::string allowed_text(const Allowed& allowed) {
   if (const auto* words = std::get_if<Words>(&allowed)) return choice_text(*words);
   if (const auto* numbers = std::get_if<Range>(&allowed)) return numbers->text();
   if (const auto* counts = std::get_if<CountRange>(&allowed)) return counts->text();
-  if (const auto* text = std::get_if<std::string>(&allowed)) return *text;
-  return {};
+  const bool is_grid = std::get<Completion>(allowed) == Completion::grid;
+  return is_grid ? "uniform or graded:R with R in [1, 100], or graded:auto" : "";
 }
 
 std::string display_name(const ArgumentText& flag) {

@@ -14,43 +14,35 @@ namespace fde::bench {
 
 // What a program takes: its parser, its help, its manual pages and its completions follow from these texts.
 
-// The values of an argument: anything, a number, a whole number, one of some words, or what a text says.
+// The values of an argument: those of a kind that a shell offers, a number, a whole number, or one of some
+// words. `setting` is NAME=, a parameter of the scene; `results` are results files.
+enum class Completion { nothing, scene, scheme, setting, grid, results, file, folder, topic };
 using Words = std::vector<std::string>;
-using Allowed = std::variant<std::monostate, Range, CountRange, Words, std::string>;
+using Allowed = std::variant<Completion, Range, CountRange, Words>;
 std::string allowed_text(const Allowed& allowed);  // as refusals say it; "" for anything
 std::string choice_text(const Words& words);       // "a, b or c"
-
-// What a shell offers for the value of an argument, besides words that are allowed. `setting` is NAME=, a
-// parameter of the scene; `results` are results files.
-enum class Completion { nothing, scene, scheme, setting, grid, results, file, folder, topic };
 
 // `form` is the argument as a synopsis has it: "--gamma G", "[--until T]", "[--json]", "[--scheme ID]...",
 // "SCENE"; of arguments that exclude each other "[--at T1,T2,... |", "--every K |", "--points K]". A
 // positional argument is named by its value in small letters, or in front of it: "files:FILE...".
 struct ArgumentText {
-  ArgumentText(std::string_view form, std::string what_for, Allowed values = {}, std::string by_default = {},
-               Completion offered = Completion::nothing);
+  ArgumentText(std::string_view form, std::string what_for, Allowed values = {}, std::string by_default = {});
 
   std::string name, value;  // "--steps" and what stands for its value, "N"; empty: a flag
   std::string what;         // what it is for
   Allowed allowed;
   std::string usual;  // the default
-  Completion completion;
   bool required, repeated, begins_choice, ends_choice;
-  int choice = 0;  // arguments with the same number exclude each other; 0: none
+  int choice = 0;  // set_choices(): arguments with the same number exclude each other; 0: none
 
   [[nodiscard]] bool is_positional() const { return !name.starts_with('-'); }
 };
 
 struct SubcommandText {
-  using Examples = std::vector<std::pair<std::string, std::string>>;  // a command, and what it does
-  SubcommandText(std::string its_name, std::string its_group, std::string purpose,
-                 std::vector<ArgumentText> takes, Examples of_use, std::vector<std::string> related);
-
   std::string name, group, what;
   std::vector<ArgumentText> arguments;
-  Examples examples;
-  std::vector<std::string> see_also;  // subcommands and topics
+  std::vector<std::pair<std::string, std::string>> examples;  // a command, and what it does
+  std::vector<std::string> see_also;                          // subcommands and topics
 
   [[nodiscard]] const ArgumentText* find(std::string_view argument) const;  // nullptr: none
 };
@@ -62,6 +54,9 @@ struct ProgramText {
   [[nodiscard]] const SubcommandText* find(std::string_view subcommand) const;  // nullptr: none
   [[nodiscard]] std::vector<std::string_view> names() const;                    // of the subcommands
 };
+
+// Numbers the choices of a subcommand's arguments, which are required as the first of them is.
+void set_choices(std::vector<ArgumentText>& arguments);
 
 // The names of a flag as they are shown: "-q, --quiet".
 std::string display_name(const ArgumentText& flag);

@@ -10,21 +10,10 @@
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/reports/analysis/scene_numbers.hpp"
 
 namespace fde::bench {
 namespace {
-
-SceneSettings without(const std::string& parameter, SceneSettings scene) {
-  scene.values.erase(parameter);
-  return scene;
-}
-
-std::set<SceneSettings> scenes_of(const Runs& runs, const std::string& any) {
-  std::set<SceneSettings> scenes;
-  for (const auto* some : {&runs.finished, &runs.failed})
-    for (const auto& run : *some) scenes.insert(without(any, run.key.scene));
-  return scenes;
-}
 
 bool same_name(SceneSettings scene, const SceneSettings& requested) {
   scene.checksum = requested.checksum;
@@ -53,10 +42,11 @@ std::optional<SceneSettings> known_scene(const std::set<SceneSettings>& scenes, 
 SceneSettings recorded_scene(const Runs& runs, const std::string& results, const std::string& text,
                              const std::vector<std::string>& settings, const SceneRegistry& known,
                              const std::string& any) {
-  const auto scenes = scenes_of(runs, any);
-  const auto unread = without(any, read_settings(text, settings));
+  std::set<SceneSettings> scenes;
+  for (const auto& scene : scenes_of(runs)) scenes.insert(without(scene, any));
+  const auto unread = without(read_settings(text, settings), any);
   const auto found_scene = known_scene(scenes, text, settings, unread, known);
-  const SceneSettings requested = found_scene ? without(any, *found_scene) : unread;
+  const SceneSettings requested = found_scene ? without(*found_scene, any) : unread;
   std::vector<SceneSettings> found;
   const SceneSettings* other = nullptr;
   for (const auto& scene : scenes) {

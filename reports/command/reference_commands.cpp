@@ -98,14 +98,6 @@ std::string rows_in_digits(const Scene& scene, const std::vector<double>& times,
   return rows;
 }
 
-// The times of --at, sorted, without repetitions: "2,1,2" gives 1, 2.
-std::vector<double> sorted_times(const Given& given) {
-  auto times = given.numbers("--at");
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
-}
-
 // The number of --digits; nullopt for double.
 std::optional<int> parse_digits(const Given& given, const Scene& scene, std::string_view id) {
   const auto digits = given.find_count("--digits");
@@ -117,7 +109,7 @@ std::optional<int> parse_digits(const Given& given, const Scene& scene, std::str
 void exact(const Given& given, const Streams& streams, const SceneRegistry& known) {
   const auto variant = read_variant(given, known);
   Scene scene = make_scene_unchecked(*variant.maker, variant.values);
-  const auto times = sorted_times(given);
+  const auto times = increasing(given.numbers("--at"));
   const double last = times.back();
   const auto budget = given.find_number("--budget");
   const bool two_ends = is_two_sided(scene.problem), each_bound = given.has("--bounds");

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -68,9 +67,7 @@ std::vector<double> parse_times(const Given& given, const Resolution& resolution
     if (t > end * (1 + rounding)) reject("--at", t, fmt::format("in [0, {}], the times of the run", end));
     times.push_back(grid != nullptr ? time_at(*grid, t) : t);
   }
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  return increasing(std::move(times));
 }
 
 // The grid times of --every K (every K-th and the last) or --points K (K times from 0 to the end, equally
@@ -90,8 +87,7 @@ std::vector<double> spread_times(const Given& given, const Grid& grid) {
   std::vector<double> times;
   for (int i = 0; i < count; ++i)
     times.push_back(grid.time(std::min(grid.steps, static_cast<int>(std::lround(i * stride)))));
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  return increasing(std::move(times));
 }
 
 // `count` equally spaced times from 0 to the end.

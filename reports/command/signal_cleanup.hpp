@@ -3,7 +3,6 @@
 
 #include <array>
 #include <csignal>
-#include <cstddef>
 #include <string>
 
 namespace fde::bench {

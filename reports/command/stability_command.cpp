@@ -65,7 +65,7 @@ Command stability_command() {
            "Look up",
            "Print the regions of linear stability of schemes for D^G y = lambda y, in z = lambda h^G",
            {{"--gamma G", "the order of the equation", order_below_two},
-            {"[--scheme ID]...", "id of a scheme", {}, "all that take the order", Completion::scheme},
+            {"[--scheme ID]...", "id of a scheme", Completion::scheme, "all that take the order"},
             {"[--boundary K]",
              "in place of the table print the z with a mode at exp(i theta), theta = pi/K, ..., pi",
              CountRange{1, 100'000}}},

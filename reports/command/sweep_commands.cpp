@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -148,17 +146,11 @@ Command run_command() {
       {"run",
        "Measure",
        "Measure schemes on scenes; a file that exists is continued",
-       joined({{{"[--scene SCENE]...",
-                 "id of a scene or an equation file, or ID:NAME=VALUE,...",
-                 {},
-                 "all",
-                 Completion::scene},
-                {"[--set NAME=VALUE]...",
-                 "a parameter of all these scenes, a value or FIRST:LAST:STEP",
-                 {},
-                 "",
+       joined({{{"[--scene SCENE]...", "id of a scene or an equation file, or ID:NAME=VALUE,...",
+                 Completion::scene, "all"},
+                {"[--set NAME=VALUE]...", "a parameter of all these scenes, a value or FIRST:LAST:STEP",
                  Completion::setting},
-                {"[--scheme ID]...", "id of a scheme", {}, "all", Completion::scheme},
+                {"[--scheme ID]...", "id of a scheme", Completion::scheme, "all"},
                 {"[--external NAME=COMMAND]...",
                  "another program to measure; then of the schemes here only those of --scheme"},
                 {"[--steps N1,N2,...]", "numbers of steps; without them the cheapest runs are searched",
@@ -168,16 +160,13 @@ Command run_command() {
                run_settings_arguments(budget_of_sweeps_text()),
                {{"[--thorough]", "all numbers of steps, all tolerances and all trials"},
                 {"[--trials]", "only the stiff and extreme trials of the report"},
-                {"[--study FILE]",
-                 "study file: its scenes, schemes and settings; without the options above",
-                 {},
-                 "",
+                {"[--study FILE]", "study file: its scenes, schemes and settings; without the options above",
                  Completion::file},
                 {"[--shard I/N]", "every N-th scene, from the I-th on"},
                 {"[--examine]", "everything but the times, which the same command without it adds"},
                 {"[--undisturbed]", "repeat the times that other work disturbed, also those of the file"},
                 {"[--dry-run]", "list the runs and how long they take, and do nothing"},
-                {"[--out FILE]", "results file; needed without --dry-run", {}, "", Completion::results}}}),
+                {"[--out FILE]", "results file; needed without --dry-run", Completion::results}}}),
        {{"fdebench run --out results.jsonl", "measures all schemes on all scenes; this takes minutes."},
         {"fdebench run --scene pendulum --scheme l1 --scheme bdf4 --steps 64,256,1024 --out few.jsonl",
          "measures six runs."},
@@ -190,13 +179,9 @@ Command report_command() {
   return {{"report",
            "Measure",
            "Write the report page of a results file, or of what changed in a second",
-           {{"FILE", "results file", {}, "", Completion::results},
-            {"[SECOND]",
-             "results file, now: the page is of it, set against the first",
-             {},
-             "",
-             Completion::results},
-            {"--out DIR", "folder of the page", {}, "", Completion::folder},
+           {{"FILE", "results file", Completion::results},
+            {"[SECOND]", "results file, now: the page is of it, set against the first", Completion::results},
+            {"--out DIR", "folder of the page", Completion::folder},
             runs_argument()},
            {{"fdebench report results.jsonl --out page", "writes page/index.html."},
             {"fdebench report old.jsonl new.jsonl --out page",

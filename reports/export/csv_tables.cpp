@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "fdebench/benchmarks/files/unfinished.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/export/tables.hpp"
 
 namespace fde::bench {
@@ -44,10 +46,13 @@ class CsvTables : public TableWriter {
     std::error_code problem;
     std::filesystem::create_directory(folder, problem);
     if (problem) cannot_write(name_, problem);
-    for (const SqlTable& table : tables()) {
+    for (const SqlTable& table : exported_tables) {
       auto& file = files_.emplace_back(folder / fmt::format("{}.csv", table.name), std::ios::binary);
       std::string_view separator;
-      for (const auto& column : table.columns) file << std::exchange(separator, ",") << column.name;
+      for (const auto& column : split_list(table.columns)) {
+        const auto declared = trimmed(column);
+        file << std::exchange(separator, ",") << declared.substr(0, declared.find(' '));
+      }
       file << line_end;
       check(file);
     }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include <cerrno>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -34,16 +33,10 @@ CREATE VIEW measurements AS
   FROM results JOIN runs USING (run_id) JOIN scenes USING (scene_id) JOIN sessions ON sessions.session_id = results.session_id;
 COMMIT)";
 
-std::string creation(const SqlTable& table) {
-  std::string columns;
-  for (const auto& [name, type] : table.columns)
-    columns += fmt::format("{}{} {}", columns.empty() ? "" : ", ", name, type);
-  return fmt::format("CREATE TABLE {} ({})", table.name, columns);
-}
-
 std::string insertion(const SqlTable& table) {
   std::string places = "?";
-  for (std::size_t i = 1; i < table.columns.size(); ++i) places += ", ?";
+  for (const char c : table.columns)
+    if (c == ',') places += ", ?";
   return fmt::format("INSERT INTO {} VALUES ({})", table.name, places);
 }
 
@@ -66,8 +59,8 @@ class SqliteTables : public TableWriter {
     database_.reset(opened);
     check(code);
     run(settings);
-    for (const SqlTable& table : tables()) {
-      run(creation(table));
+    for (const SqlTable& table : exported_tables) {
+      run(fmt::format("CREATE TABLE {} ({})", table.name, table.columns));
       sqlite3_stmt* insert = nullptr;
       check(sqlite3_prepare_v2(opened, insertion(table).c_str(), -1, &insert, nullptr));
       inserts_.emplace_back(insert);

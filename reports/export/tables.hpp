@@ -13,17 +13,37 @@
 
 namespace fde::bench {
 
-// The tables of exported results, with the columns and types of SQL. docs/results.md says what they mean.
-struct SqlColumn {
-  std::string_view name, type;
-};
+// The tables of exported results, with the columns that SQL creates. docs/results.md says what they mean.
 struct SqlTable {
-  std::string_view name;
-  std::span<const SqlColumn> columns;
+  std::string_view name, columns;
 };
 enum class TableId : std::size_t { sessions, scenes, parameters, runs, results, courses };
-constexpr std::size_t table_count = 6;
-const std::array<SqlTable, table_count>& tables();
+inline constexpr std::array exported_tables{
+    SqlTable{
+        "sessions",
+        "session_id INTEGER PRIMARY KEY, date TEXT NOT NULL, machine TEXT NOT NULL, cores INTEGER NOT "
+        "NULL, system TEXT NOT NULL, compiler TEXT NOT NULL, flags TEXT NOT NULL, revision TEXT NOT NULL, "
+        "version TEXT NOT NULL, node TEXT, build_id INTEGER NOT NULL"},
+    SqlTable{
+        "scenes",
+        "scene_id INTEGER PRIMARY KEY, scene TEXT NOT NULL, checksum TEXT, until REAL, title TEXT, source "
+        "TEXT, evidence TEXT, reference_seconds REAL, description TEXT"},
+    SqlTable{"parameters",
+             "scene_id INTEGER NOT NULL REFERENCES scenes, parameter TEXT NOT NULL, number REAL, word TEXT, "
+             "given INTEGER NOT NULL"},
+    SqlTable{
+        "runs",
+        "run_id INTEGER PRIMARY KEY, session_id INTEGER NOT NULL REFERENCES sessions, scene_id INTEGER "
+        "NOT NULL REFERENCES scenes, scheme TEXT NOT NULL, external INTEGER NOT NULL, code TEXT, "
+        "code_version TEXT, language TEXT, steps INTEGER NOT NULL, h REAL NOT NULL, accuracy_relative "
+        "REAL, accuracy_absolute REAL, grading REAL NOT NULL, history TEXT, tolerance REAL, budget REAL, "
+        "ending TEXT, detail TEXT, ended_at REAL, latest INTEGER NOT NULL"},
+    SqlTable{"results",
+             "result_id INTEGER PRIMARY KEY, run_id INTEGER NOT NULL REFERENCES runs, session_id INTEGER NOT "
+             "NULL REFERENCES sessions, quantity TEXT NOT NULL, value REAL NOT NULL, unit TEXT NOT NULL, "
+             "wall_clock INTEGER NOT NULL"},
+    SqlTable{"courses",
+             "result_id INTEGER NOT NULL REFERENCES results, t REAL NOT NULL, value REAL NOT NULL"}};
 
 // A value of a column; std::monostate is NULL. A text is valid during the call that passes it.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string_view>;

@@ -1,39 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The numbers behind a chart: a table for readers, comma-separated values for programs.
 
-const columnsOfCharts = {
-  line: { title: "scheme" },
-  steps: { title: "N", text: String },
-  requested: { title: "requested", text: fewDigits },
-  h: { title: "h", text: (value) => value.toPrecision(3) },
-  time_minimum: { title: "run time in s", text: (value) => value.toPrecision(3) },
-  history_bytes: { title: "memory of the history in bytes", text: String },
-  error: { text: fewDigits },
-  ratio: { title: "ratio", text: fewDigits },
-  energy_residual: { title: "energy residual", text: fewDigits },
-  formulation: { title: "formulation", text: String },
-  drift: { title: "drift", text: fewDigits },
-  order: { title: "γ", text: String },
-  re: { title: "Re z", text: String },
-  im: { title: "Im z", text: String },
-  parameter: { title: "parameter", text: String },
-  value: { title: "value", text: String },
-  column: { title: "column", text: String },
-  t: { title: "t", text: String },
-  x: { title: "x", text: String },
-  y: { title: "y", text: String },
-  z: { title: "z", text: String },
-  share: { title: "share", text: (value) => numberFormats.percent(value) },
-  state: { title: "state", text: (value) => statesOfCells[value] },
-  seconds: { title: "run time in s", text: (value) => value.toPrecision(3) },
-  second: { title: "second", text: String },
-  times: { title: "its time to the least", text: (value) => numberFormats.three(value) },
+// Where a column is not headed by its field, and where its values are not written as they are.
+const headingsOfCharts = {
+  line: "scheme", steps: "N", time_minimum: "run time in s", history_bytes: "memory of the history in bytes", energy_residual: "energy residual", order: "γ",
+  re: "Re z", im: "Im z", seconds: "run time in s", times: "its time to the least",
+};
+const textsOfCharts = {
+  requested: fewDigits, h: (value) => value.toPrecision(3), time_minimum: (value) => value.toPrecision(3), error: fewDigits, ratio: fewDigits,
+  energy_residual: fewDigits, drift: fewDigits, share: numberFormats.percent, state: (value) => statesOfCells[value], seconds: (value) => value.toPrecision(3),
+  times: numberFormats.three,
 };
 
 // Those that a point of the chart has, each { field, title, text }.
 function columnsOf({ points, columns }, titles) {
   return columns.filter((field) => points.some((point) => point[field] !== undefined))
-    .map((field) => ({ field, ...columnsOfCharts[field], ...(titles[field] && { title: titles[field] }) }));
+    .map((field) => ({ field, title: titles[field] || (headingsOfCharts[field] ?? field), text: textsOfCharts[field] ?? String }));
 }
 
 // opens: called with a point whose row is chosen, where the chart shows more of its points.

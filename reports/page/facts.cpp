@@ -6,14 +6,14 @@
 #include <string>
 #include <variant>
 
-#include "fdebench/reports/page/chart_number.hpp"
+#include "fdebench/benchmarks/text/rounded_number.hpp"
 
 namespace fde::bench {
 namespace {
 
 using nlohmann::json;
 
-constexpr int digits = 8;
+constexpr int digits_of_facts = 8;
 constexpr double largest_exact = 9e15;  // every whole number up to it is a double
 
 bool is_missing(const json& value) {
@@ -27,7 +27,11 @@ json fact(const std::optional<double>& value) {
   if (!value || !std::isfinite(*value)) return {};
   if (*value == std::trunc(*value) && std::abs(*value) < largest_exact)
     return static_cast<std::int64_t>(*value);
-  return rounded_for_chart(*value, digits);
+  return rounded(*value, digits_of_facts);
+}
+
+json chart_number(const std::optional<double>& value, int digits) {
+  return value ? json(rounded(*value, digits)) : json();
 }
 
 json compact(json value) {

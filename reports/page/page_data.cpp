@@ -31,8 +31,8 @@ json kinds() {
 // The labels of all lines: sorted by the cells of the map that they win, then in the order of the list of
 // schemes. The order determines the colours: only the first few lines have a unique one.
 std::vector<std::string> line_labels(const PageInput& page) {
-  std::vector<std::string> labels = page.labels(page.runs.finished);
-  for (auto& label : page.labels(page.families.finished))
+  std::vector<std::string> labels = page.labels({page.runs.finished});
+  for (auto& label : page.labels({page.families.finished}))
     if (std::ranges::find(labels, label) == labels.end()) labels.push_back(std::move(label));
   auto won = cells_won(page, {});
   std::ranges::stable_sort(labels, std::greater{}, [&](const std::string& label) { return won[label]; });
@@ -80,18 +80,19 @@ json regions_section() { return {{"id", "regions"}, {"regions", json::parse(asse
 
 }  // namespace
 
-std::vector<std::string> PageInput::labels(RunSpan of) const {
+std::vector<std::string> PageInput::labels(std::initializer_list<RunSpan> of) const {
   std::vector<std::string> found;
-  const auto add = [&](const Record& run) {
-    auto name = label(run.key);
-    if (std::ranges::find(found, name) == found.end()) found.push_back(std::move(name));
-  };
-  for (const Scheme& scheme : schemes()) {
-    for (const Record& run : of) {
-      if (run.key.scheme == scheme.id) add(run);
+  const auto add = [&](const auto& is_next) {
+    for (const RunSpan some : of) {
+      for (const Record& run : some) {
+        if (!is_next(run)) continue;
+        auto name = label(run.key);
+        if (std::ranges::find(found, name) == found.end()) found.push_back(std::move(name));
+      }
     }
-  }
-  std::ranges::for_each(of, add);
+  };
+  for (const Scheme& scheme : schemes()) add([&](const Record& run) { return run.key.scheme == scheme.id; });
+  add([](const Record&) { return true; });
   return found;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -37,7 +38,7 @@ struct PageInput {
   [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.setup); }
   // The labels of the lines of these runs, without repetitions, in the order of the list of schemes; those of
   // schemes that this build does not have last.
-  [[nodiscard]] std::vector<std::string> labels(RunSpan of) const;
+  [[nodiscard]] std::vector<std::string> labels(std::initializer_list<RunSpan> of) const;
   // The line's grid if its name omits it; otherwise empty.
   [[nodiscard]] std::string grid(const RunSettings& setup) const { return names.grid(setup); }
 };

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
+#include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/page/assets.hpp"
 #include "fdebench/reports/page/packed.hpp"
 #include "fdebench/reports/page/page_data.hpp"
@@ -20,23 +21,6 @@ namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string replaced(std::string_view text, const std::map<char, std::string_view>& replacements) {
-  std::string result;
-  for (const char c : text) {
-    const auto found = replacements.find(c);
-    if (found == replacements.end()) {
-      result += c;
-    } else {
-      result += found->second;
-    }
-  }
-  return result;
-}
-
-std::string as_html(std::string_view text) {
-  return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
-}
 
 // Replaces each {{name}} of the template by its part, in one pass: placeholders inside a part are not
 // replaced.
@@ -66,7 +50,7 @@ fs::path write_report(ReadRuns read, const fs::path& directory, const std::optio
         fmt::format("{}: cannot be written: {}", directory.string(), problem.message()));
   }
   const std::string data = packed(page_data(std::move(read), before).dump()), vega = packed(assets::vega()),
-                    licences = as_html(assets::licences());
+                    licences = replaced(assets::licences(), {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
   fs::path path = directory / "index.html";
   AtomicFile file(path);
   file.write(fill(assets::page(), {{"style", assets::style()},

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <variant>
 
-#include "fdebench/reports/page/chart_number.hpp"
+#include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
 namespace {
@@ -24,9 +24,6 @@ constexpr std::array<std::string_view, 5> drawn{"time_minimum", "time_median", "
 constexpr std::array<std::string_view, 6> cost_names{"rhs_calls",      "newton_iterations",
                                                      "rejected_steps", "history_bytes",
                                                      "rounding",       "reference_bound_maximum"};
-constexpr int few_digits = 3;
-
-json number(const std::optional<double>& value) { return value ? json(rounded_for_chart(*value)) : json(); }
 
 // h * steps if it is equal for all runs; otherwise nullopt.
 std::optional<double> common_end(const std::vector<const Record*>& runs) {
@@ -37,10 +34,6 @@ std::optional<double> common_end(const std::vector<const Record*>& runs) {
     if (std::abs(end_of_run - *end) > 1e-9 * *end) return std::nullopt;
   }
   return end;
-}
-
-json few(const std::optional<double>& value) {
-  return value ? json(rounded_for_chart(*value, few_digits)) : json();
 }
 
 json requested_tolerance(const Record& run) {
@@ -58,28 +51,24 @@ json run_columns(const PageInput& page, const std::vector<const Record*>& runs) 
     if (std::ranges::any_of(column, [](const json& value) { return !value.is_null(); }))
       columns[name] = column;
   };
-  std::vector<std::string> lines;
-  add("line", [&](const Record& run) {
-    const auto found = std::ranges::find(lines, page.label(run.key));
-    if (found != lines.end()) return json(found - lines.begin());
-    lines.push_back(page.label(run.key));
-    return json(lines.size() - 1);
-  });
-  columns["lines"] = lines;
+  Places lines;
+  add("line", [&](const Record& run) { return json(lines(page.label(run.key))); });
+  columns["lines"] = lines.texts();
   add("steps", [](const Record& run) { return json(run.steps); });
   if (const auto end = common_end(runs)) {
-    columns["end"] = rounded_for_chart(*end, 10);
+    columns["end"] = chart_number(end, 10);
   } else {
-    add("h", [](const Record& run) { return json(rounded_for_chart(run.h())); });
+    add("h", [](const Record& run) { return chart_number(run.h()); });
   }
   add("requested", requested_tolerance);
   for (const ErrorKind& kind : error_kinds) {
     const auto name = error_measure(kind);
-    add(std::string(name), [&](const Record& run) { return number(run[name]); });
+    add(std::string(name), [&](const Record& run) { return chart_number(run[name]); });
   }
-  for (const auto name : drawn) add(std::string(name), [&](const Record& run) { return number(run[name]); });
+  for (const auto name : drawn)
+    add(std::string(name), [&](const Record& run) { return chart_number(run[name]); });
   for (const auto name : cost_names)
-    add(std::string(name), [&](const Record& run) { return few(run[name]); });
+    add(std::string(name), [&](const Record& run) { return chart_number(run[name], few_digits); });
   add("grading",
       [](const Record& run) { return run.key.setup.grading == 1.0 ? json() : json(run.key.setup.grading); });
   add("wall_clock", [](const Record& run) { return run.timing.wall_clock ? json(true) : json(); });

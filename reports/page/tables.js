@@ -8,6 +8,12 @@ function element(name, attributes = {}, ...children) {
   return made;
 }
 
+function buttonFor(action, attributes, ...children) {
+  const button = element("button", { type: "button", ...attributes }, ...children);
+  button.addEventListener("click", action);
+  return button;
+}
+
 // Ids may break behind their underscores, labels behind each setting.
 const breakable = (text) => text.split(/(?<=[_,:])/).flatMap((part, i) => (i ? [element("wbr"), part] : [part]));
 
@@ -28,15 +34,13 @@ function mapContent(cell, { opened }, to, lines) {
   const parts = [...(sign ? [element("b", {}, sign)] : []), ...(sign && detail ? [" "] : []), ...(detail ? [element("small", {}, ...unbroken(detail))] : [])];
   if (!opened.of.some((name) => name in cell.facts)) return parts;
   const label = [...new Set([[sign, detail].filter(Boolean).join(" "), cell.text].filter(Boolean))].join(": ");
-  const button = element("button", { type: "button", "aria-haspopup": "dialog", "aria-label": label }, ...parts);
-  button.addEventListener("click", () => openCell(cell, opened, to, lines));
-  return [button];
+  return [buttonFor(() => openCell(cell, opened, to, lines), { "aria-haspopup": "dialog", "aria-label": label }, ...parts)];
 }
 
 // A command line, and a button that copies it.
 function commandLine(text) {
-  const [code, button] = [element("code", {}, text), element("button", { type: "button", "aria-label": `Copy: ${text}` }, "Copy")];
-  button.addEventListener("click", async () => {
+  const code = element("code", {}, text);
+  const button = buttonFor(async () => {
     try {
       await navigator.clipboard.writeText(text);
     } catch { // no clipboard for pages of files
@@ -45,19 +49,13 @@ function commandLine(text) {
     }
     button.textContent = "Copied";
     setTimeout(() => { button.textContent = "Copy"; }, 1500);
-  });
+  }, { "aria-label": `Copy: ${text}` }, "Copy");
   return element("span", { class: "command" }, code, button);
-}
-
-function opener(opens, text) {
-  const button = element("button", { type: "button", "aria-haspopup": "dialog" }, ...text);
-  button.addEventListener("click", opens);
-  return button;
 }
 
 function cellContent(cell, lines, to) {
   const text = cell.marked ? [element("mark", {}, cell.text)] : breakable(cell.text);
-  const parts = to && cell.text ? [element("a", { href: `#${to}` }, ...text)] : cell.opens ? [opener(cell.opens, text)] : text;
+  const parts = to && cell.text ? [element("a", { href: `#${to}` }, ...text)] : cell.opens ? [buttonFor(cell.opens, { "aria-haspopup": "dialog" }, ...text)] : text;
   if (cell.line) parts.unshift(swatch(lines, cell.line));
   if (cell.detail) parts.push(element("small", {}, ...unbroken(cell.detail)));
   if (cell.command) parts.push(commandLine(cell.command));

@@ -62,9 +62,7 @@ function showEverything() {
 
 // A sentence on what the view leaves, with the way back.
 function leftSaid(text) {
-  const button = element("button", { type: "button" }, "Show everything");
-  button.addEventListener("click", showEverything);
-  return [text, " ", button];
+  return [text, " ", buttonFor(showEverything, {}, "Show everything")];
 }
 
 // Beside the controls, where the view leaves something out: how much is left.
@@ -79,16 +77,13 @@ function sayWhatIsShown(view, sections) {
 }
 
 function offerSchemes(lines) {
-  const all = element("button", { type: "button" }, "all"), none = element("button", { type: "button" }, "none");
   const set = (checked) => () => {
     for (const box of schemeBoxes()) box.checked = checked;
     schemeBoxes()[0]?.dispatchEvent(new Event("change", { bubbles: true }));
   };
-  all.addEventListener("click", set(true));
-  none.addEventListener("click", set(false));
   const boxes = [...new Set(lines.map(schemeOf))].map((scheme) =>
     element("label", {}, element("input", { type: "checkbox", value: scheme, checked: "" }), ` ${scheme}`));
-  document.querySelector("#schemes div").append(...boxes, all, none);
+  document.querySelector("#schemes div").append(...boxes, buttonFor(set(true), {}, "all"), buttonFor(set(false), {}, "none"));
 }
 
 // Results of one machine have no choice of it.

@@ -119,16 +119,13 @@ function winnerMap(section, lines, kind, view, chosen, wants) {
     };
   });
   const drawn = points.map(({ scenes, winners, ...point }) => ({ ...point, line: point.line ?? "" }));
-  const shown = lines.filter((line) => points.some((point) => point.line === line));
   const side = Math.min(620 / across.places.length, 330 / up.places.length), size = regions ? Math.max(9, Math.min(60, (side * side) / 5)) : 40;
   const axis = ({ title, isLog, places, bounds }, field) => ({
     field, title, type: "quantitative",
     scale: { type: isLog ? "log" : "linear", nice: false, ...(!isLog && { zero: false }), domain: regions ? [bounds[0], bounds.at(-1)] : [places[0], places.at(-1)], ...(!regions && { padding: 14 }) },
     axis: { labelOverlap: true, labelFlush: false, grid: false, ...(isLog ? { labelExpr: labels.number, values: ticks(places) } : regions && { values: places }) },
   });
-  const scale = (of) => ({ domain: shown, range: shown.map((line) => of(lines, line)) });
-  const { colour: { color: { legend } } } = lineChannels(lines, points);
-  const color = { field: "line", type: "nominal", scale: scale(colourOf), legend }, shape = { field: "line", type: "nominal", scale: scale(shapeOf), legend };
+  const { colour: { color }, shape: { shape } } = lineChannels(lines, points);
   const opacity = (clear, tie) => ({ condition: [{ test: "datum.faint", value: 0.08 }, { test: "datum.state === 'tie'", value: tie }], ...clear });
   const tooltip = { expr: "datum.words" }, xy = { x: axis(across, "atX"), y: axis(up, "atY") };
   const [won, none] = [{ filter: "datum.state !== 'none'" }, { filter: "datum.state === 'none'" }];

@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <map>
+#include <span>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include "certificate/point_check.hpp"
@@ -20,12 +23,53 @@
 namespace fde::reference::certificate {
 namespace {
 
+constexpr auto usage =
+    "fde_certificate: judges mittag_leffler by rigorous enclosures at 10,000 points; exit code 1 on any "
+    "fault\n"
+    "  --every K      judge each K-th point\n"
+    "  --region NAME  only that region\n"
+    "  --worst N      print that many of the worst points\n"
+    "  --slowest N    print that many of the slowest points of the library\n"
+    "  --digits D     digits of the second face; 0 leaves it out\n"
+    "  --threads T    threads\n"
+    "  --out FILE     write the certified values to that CSV file\n"
+    "  --prabhakar N  that many points of derivatives and Prabhakar's function instead\n";
+
 struct Options {
   int every = 1, worst = 10, slowest = 0, digits = 50;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   int prabhakar = 0;
-  std::string region, out;
+  std::string region{}, out{};
 };
+
+int count_of(const std::string& name, const std::string& text) {
+  int count = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (problem == std::errc() && end == text.data() + text.size()) return count;
+  throw std::invalid_argument(fmt::format("{} {}: must be a whole number", name, text));
+}
+
+// The words after the program's name: options, each with a value.
+Options parse_options(std::span<char* const> words) {
+  Options options;
+  const std::map<std::string, int*> counts{
+      {"--every", &options.every},   {"--worst", &options.worst},     {"--slowest", &options.slowest},
+      {"--digits", &options.digits}, {"--threads", &options.threads}, {"--prabhakar", &options.prabhakar}};
+  const std::map<std::string, std::string*> texts{{"--region", &options.region}, {"--out", &options.out}};
+  for (std::size_t i = 0; i < words.size(); i += 2) {
+    const std::string name = words[i];
+    if ((!counts.contains(name) && !texts.contains(name)) || i + 1 == words.size())
+      throw std::invalid_argument(fmt::format("{}: must be an option with a value\n{}", name, usage));
+    if (texts.contains(name)) {
+      *texts.at(name) = words[i + 1];
+    } else {
+      *counts.at(name) = count_of(name, words[i + 1]);
+    }
+  }
+  if (std::min(options.every, options.threads) < 1)
+    throw std::invalid_argument("--every and --threads: must be at least 1");
+  return options;
+}
 
 std::vector<int> chosen_points(const Options& options) {
   const auto names = region_names();
@@ -62,7 +106,7 @@ std::vector<PointCheck> check_points(const std::vector<int>& chosen, const Optio
     flint_cleanup();  // each thread has its own tables
   };
   std::vector<std::jthread> threads;
-  for (unsigned i = 0; i < options.threads; ++i) threads.emplace_back(work);
+  for (int i = 0; i < options.threads; ++i) threads.emplace_back(work);
   threads.clear();
   return rows;
 }
@@ -185,19 +229,8 @@ int run(const Options& options) {
 }  // namespace
 }  // namespace fde::reference::certificate
 
-int main(int argc, char** argv) try {
-  fde::reference::certificate::Options options;
-  CLI::App app{"Judges mittag_leffler by rigorous enclosures at 10,000 points; exit code 1 on any fault"};
-  app.add_option("--every", options.every, "judge each K-th point")->check(CLI::PositiveNumber);
-  app.add_option("--region", options.region, "only that region");
-  app.add_option("--worst", options.worst, "print that many of the worst points");
-  app.add_option("--slowest", options.slowest, "print that many of the slowest points of the library");
-  app.add_option("--digits", options.digits, "digits of the second face; 0 leaves it out");
-  app.add_option("--threads", options.threads, "threads")->check(CLI::PositiveNumber);
-  app.add_option("--out", options.out, "write the certified values to that CSV file");
-  app.add_option("--prabhakar", options.prabhakar,
-                 "that many points of derivatives and Prabhakar's function instead");
-  CLI11_PARSE(app, argc, argv);
+int main(int count, char** words) try {
+  const auto options = fde::reference::certificate::parse_options({words + 1, words + count});
   if (options.prabhakar > 0) return fde::reference::certificate::run_prabhakar(options.prabhakar);
   return fde::reference::certificate::run(options);
 } catch (const std::invalid_argument& error) {

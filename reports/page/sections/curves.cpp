@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "fdebench/reports/analysis/parameter_curves.hpp"
 #include "fdebench/reports/page/page_data.hpp"

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "fdebench/reports/analysis/formulations.hpp"
-#include "fdebench/reports/page/chart_number.hpp"
-#include "fdebench/reports/page/page_data.hpp"
+#include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
 namespace {
 
 using nlohmann::json;
-
-constexpr int digits = 3;
 
 // The drift of effective_drift() up to t; empty if the run has none.
 Course course_of(const Record& run) {
@@ -39,30 +33,23 @@ json courses_of(const PageInput& page, const ConstrainedScene& scene) {
   return courses;
 }
 
-// Index of a name in a list; appends the name if it is new.
-std::size_t place_in(std::vector<std::string>& names, const std::string& name) {
-  const auto found = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-  if (found == names.size()) names.push_back(name);
-  return found;
-}
-
 // Columns of equal length with one entry per run.
 json points_of(const PageInput& page, const ConstrainedScene& scene) {
-  std::vector<std::string> formulations, lines;
+  Places formulations, lines;
   json points;
   for (const auto& of : scene.formulations) {
     for (const Record& run : of.runs) {
       const double drift = effective_drift(run);
       if (!(drift > 0.0) || !std::isfinite(drift)) continue;
-      points["formulation"].push_back(place_in(formulations, of.formulation));
-      points["line"].push_back(place_in(lines, page.label(run.key)));
+      points["formulation"].push_back(formulations(of.formulation));
+      points["line"].push_back(lines(page.label(run.key)));
       points["steps"].push_back(run.steps);
-      points["h"].push_back(rounded_for_chart(run.h()));
-      points["drift"].push_back(rounded_for_chart(drift, digits));
+      points["h"].push_back(chart_number(run.h()));
+      points["drift"].push_back(chart_number(drift, few_digits));
     }
   }
-  points["formulations"] = formulations;
-  points["lines"] = lines;
+  points["formulations"] = formulations.texts();
+  points["lines"] = lines.texts();
   return points;
 }
 

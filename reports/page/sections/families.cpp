@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -16,7 +15,6 @@
 
 #include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/robustness.hpp"
-#include "fdebench/reports/page/chart_number.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
@@ -24,25 +22,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int few_digits = 3;
 constexpr double is_typical = 0.95;  // of the scenes
 
-json few(double value) { return rounded_for_chart(value, few_digits); }
-
-// Texts by their places, so that cells name them by numbers.
-class Places {
- public:
-  std::size_t operator()(const std::string& text) {
-    const auto [found, is_new] = places_.try_emplace(text, texts_.size());
-    if (is_new) texts_.push_back(text);
-    return found->second;
-  }
-  [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
-
- private:
-  std::map<std::string, std::size_t> places_{};
-  std::vector<std::string> texts_{};
-};
+json few(double value) { return chart_number(value, few_digits); }
 
 // A family and what its cells share.
 struct Plane {

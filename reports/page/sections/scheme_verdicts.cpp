@@ -11,7 +11,6 @@
 #include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/trial_result.hpp"
 #include "fdebench/reports/page/facts.hpp"
-#include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
 namespace {
@@ -93,24 +92,6 @@ json against(const PageInput& page, const std::string& line) {
   return all;
 }
 
-// The labels of finished runs, failed runs and trials, without repetitions, in the order of the list of
-// schemes; those of schemes that this build does not have last.
-std::vector<std::string> labels_of(const PageInput& page) {
-  std::vector<std::string> labels;
-  const auto add = [&](const auto& is_next) {
-    for (const auto* runs : {&page.runs.finished, &page.runs.failed, &page.trials}) {
-      for (const Record& run : *runs) {
-        if (!is_next(run.key.scheme)) continue;
-        if (auto label = page.label(run.key); std::ranges::count(labels, label) == 0)
-          labels.push_back(std::move(label));
-      }
-    }
-  };
-  for (const auto& scheme : schemes()) add([&](const std::string& id) { return id == scheme.id; });
-  add([](const std::string&) { return true; });
-  return labels;
-}
-
 }  // namespace
 
 std::map<std::string, int> cells_won(const PageInput& page, const ErrorKind& kind) {
@@ -121,7 +102,7 @@ std::map<std::string, int> cells_won(const PageInput& page, const ErrorKind& kin
 
 json scheme_verdicts(const PageInput& page) {
   json all = json::array();
-  for (const auto& line : labels_of(page)) {
+  for (const auto& line : page.labels({page.runs.finished, page.runs.failed, page.trials})) {
     const auto trials =
         std::ranges::count_if(page.trials, [&](const auto& run) { return page.label(run.key) == line; });
     all.push_back(

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/trial_result.hpp"
@@ -65,7 +64,7 @@ json row(const PageInput& page, const SceneDescription& of, const std::vector<st
 }  // namespace
 
 json stability_section(const PageInput& page) {
-  const auto lines = page.labels(page.trials);
+  const auto lines = page.labels({page.trials});
   if (lines.empty()) return {};
   json totals = json::array();
   for (const auto& line : lines) totals.push_back(counts(page, line));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Help, manual pages and completions are made from the texts of the arguments; these agree with what the
-// commands do and with docs/command.md.
+// commands do.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -265,16 +265,6 @@ TEST(Quiet, LeavesOutNotesOnly) {
   }
   EXPECT_THAT(fdebench("-q solve pendulum --scheme l1 --steps 4").err, HasSubstr("warning: "));
   EXPECT_THAT(fdebench("solv -q").err, HasSubstr("no such command"));
-}
-
-// docs/command.md begins with the synopsis of every command.
-TEST(DocsOfTheCommand, HaveTheSynopsesOfTheHelp) {
-  constexpr int columns = 118;
-  const auto program = program_text();
-  std::string block = "```sh\n";
-  for (const auto& subcommand : program.subcommands)
-    block += synopsis(program.name, subcommand, columns) + "\n";
-  EXPECT_THAT(file_text("docs/command.md"), HasSubstr(block + "```\n"));
 }
 
 // Every variable that the sources read is in the topic `environment`.
