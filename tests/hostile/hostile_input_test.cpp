@@ -21,9 +21,8 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 TEST(HostileInput, ControlCharactersDoNotReachTheTerminal) {
-  const auto answer = fdebench({"report", "a\x1b[2J\r\x7f", "--out", "x"});
-  EXPECT_EQ(answer.code, 2);
-  EXPECT_EQ(answer.err, "fdebench: a\\x1b[2J\\x0d\\x7f: cannot be read: No such file or directory\n");
+  EXPECT_THAT(fdebench({"report", "a\x1b[2J\r\x7f", "--out", "x"}),
+              fails_with(2, "fdebench: a\\x1b[2J\\x0d\\x7f: cannot be read: No such file or directory\n"));
 }
 
 TEST(HostileInput, ANameThatIsTooLongIsNamed) {
@@ -84,10 +83,8 @@ TEST(HostileInput, DigitsBeyondAllExponentsAreAFailure) {
   for (const auto& [scene, setting, time] : {std::tuple{"relaxation", "lambda=1", "1e+300"},
                                              {"fractional_constraint_2d", "alpha=1.5", "1e+300"},
                                              {"damped_oscillator", "w2=-1", "1e+100"}}) {
-    const auto answer = fdebench({"exact", scene, "--set", setting, "--at", time, "--digits", "20"});
-    EXPECT_EQ(answer.code, 3);
-    EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, "fdebench: the exact solution " + words + " at t = " + time + "\n");
+    EXPECT_THAT(fdebench({"exact", scene, "--set", setting, "--at", time, "--digits", "20"}),
+                refuses(3, "fdebench: the exact solution " + words + " at t = " + time + "\n"));
   }
 }
 

@@ -73,18 +73,16 @@ class SceneFolder : public testing::Test {
 
 TEST_F(SceneFolder, HasScenesByTheirNames) {
   folder_.write("my_scene.toml", relaxation_file("-x"));
-  const auto solved = fdebench("solve my_scene:until=2 --scheme l1 --steps 8 --at 2");
-  EXPECT_EQ(solved.code, 0) << solved.err;
-  EXPECT_THAT(solved.out, StartsWith("t,x\n2,"));
+  EXPECT_THAT(printed(fdebench("solve my_scene:until=2 --scheme l1 --steps 8 --at 2")),
+              StartsWith("t,x\n2,"));
   EXPECT_THAT(fdebench("solve no_scene --scheme l1 --steps 8").err, HasSubstr("no_scene"));
 }
 
 TEST_F(SceneFolder, MustNotHaveTheNameOfABuiltInScene) {
   folder_.write("pendulum.toml", relaxation_file("-x"));
-  const auto answer = fdebench("scenes");
-  EXPECT_EQ(answer.code, 2);
-  EXPECT_THAT(answer.err,
-              HasSubstr("pendulum.toml: must have another name, the scene pendulum is built in\n"));
+  EXPECT_THAT(
+      fdebench("scenes"),
+      fails_with(2, HasSubstr("pendulum.toml: must have another name, the scene pendulum is built in\n")));
 }
 
 }  // namespace

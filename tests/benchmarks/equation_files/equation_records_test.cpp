@@ -60,11 +60,10 @@ TEST_F(EquationFileCommand, TakesAnEnd) {
 }
 
 TEST_F(EquationFileCommand, IsListed) {
-  const auto answer = fdebench("scenes " + file());
-  EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, StartsWith(file() + ": Decay\n"));
-  EXPECT_THAT(answer.out, HasSubstr("columns: x\nhas: exact, jacobian, linear\n"));
-  EXPECT_THAT(answer.out, HasSubstr("k           1         a finite number"));
+  const auto answer = printed(fdebench("scenes " + file()));
+  EXPECT_THAT(answer, StartsWith(file() + ": Decay\n"));
+  EXPECT_THAT(answer, HasSubstr("columns: x\nhas: exact, jacobian, linear\n"));
+  EXPECT_THAT(answer, HasSubstr("k           1         a finite number"));
 }
 
 TEST_F(EquationFileCommand, PrintsNamesOfDerivativesInQuotes) {
@@ -75,10 +74,9 @@ TEST_F(EquationFileCommand, PrintsNamesOfDerivativesInQuotes) {
 TEST_F(EquationFileCommand, IsJudgedByTheColumnsThatItPrints) {
   const auto solved = fdebench("solve " + example("falling.toml") + " --scheme l1 --steps 64");
   folder_.write("path.csv", solved.out);
-  const auto judged =
-      fdebench("judge " + example("falling.toml") + " " + (folder_.path() / "path.csv").string());
-  EXPECT_EQ(judged.code, 0) << judged.err;
-  EXPECT_THAT(judged.out, HasSubstr("ending finished"));
+  EXPECT_THAT(expect_success(fdebench("judge " + example("falling.toml") + " " +
+                                      (folder_.path() / "path.csv").string())),
+              HasSubstr("ending finished"));
 }
 
 TEST_F(EquationFileCommand, IsMeasuredAndContinued) {
@@ -108,9 +106,8 @@ TEST_F(EquationFileCommand, IsAnotherSceneWhereItSaysSomethingElse) {
 TEST_F(EquationFileCommand, NeedsNotBeAtHandForItsResults) {
   ASSERT_EQ(run(file()).code, 0);
   std::filesystem::remove(folder_.path() / "decay.toml");
-  const auto choice = fdebench("choose " + file() + " --error 0.1 --results " + results());
-  EXPECT_EQ(choice.code, 0) << choice.err;
-  EXPECT_THAT(choice.out, StartsWith("run: fdebench solve " + file() + " "));
+  EXPECT_THAT(printed(fdebench("choose " + file() + " --error 0.1 --results " + results())),
+              StartsWith("run: fdebench solve " + file() + " "));
   EXPECT_EQ(fdebench("choose " + file() + ":k=2 --error 0.1 --results " + results()).code, 2);
   const auto folder = (folder_.path() / "page").string();
   EXPECT_EQ(fdebench("report " + results() + " --out " + folder).code, 0);

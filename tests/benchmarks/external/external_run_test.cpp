@@ -64,8 +64,7 @@ class ExternalRuns : public testing::Test {
   [[nodiscard]] std::string ending(const std::string& script,
                                    const std::vector<std::string>& more = {}) const {
     std::filesystem::remove(results_);
-    const auto answer = run(program(script), more);
-    EXPECT_EQ(answer.code, 0) << answer.err;
+    expect_success(run(program(script), more));
     const auto all = runs();
     if (all.empty()) return "no run";
     EXPECT_EQ(all.front().key.scheme, "mine");
@@ -125,10 +124,9 @@ TEST_F(ExternalRuns, AreNotMadeAgainWhenTheSweepIsContinued) {
 }
 
 TEST_F(ExternalRuns, AreListedByADryRunAndNotStarted) {
-  const auto answer = run(square(), {"--dry-run", "--shard", "1/1"});
-  EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("power:p=2 mine N = 8  "));
-  EXPECT_THAT(answer.out, HasSubstr("1 runs, about "));
+  const auto answer = printed(run(square(), {"--dry-run", "--shard", "1/1"}));
+  EXPECT_THAT(answer, HasSubstr("power:p=2 mine N = 8  "));
+  EXPECT_THAT(answer, HasSubstr("1 runs, about "));
   EXPECT_EQ(starts(), 0U);
   ASSERT_EQ(run(square(), {"--shard", "1/1"}).code, 0);
   EXPECT_THAT(run(square(), {"--dry-run"}).out, HasSubstr("0 runs"));
@@ -275,10 +273,9 @@ TEST_F(ExternalRuns, LeaveTheOtherRunsAlone) {
 // The scheme has a larger error, so the program is the only option; its time is marked as wall time.
 TEST_F(ExternalRuns, AreChosenFromResults) {
   ASSERT_EQ(run(square(), {"--scheme", "grunwald_letnikov"}).code, 0);
-  const auto answer = fdebench({"choose", "power:p=2", "--error", "2e-3", "--results", results_});
-  EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("run: mine with N = 8\ndelivers: error 1.0e-3 "));
-  EXPECT_THAT(answer.out, HasSubstr(" of the wall clock\n"));
+  const auto answer = printed(fdebench({"choose", "power:p=2", "--error", "2e-3", "--results", results_}));
+  EXPECT_THAT(answer, HasSubstr("run: mine with N = 8\ndelivers: error 1.0e-3 "));
+  EXPECT_THAT(answer, HasSubstr(" of the wall clock\n"));
   const auto json = fdebench({"choose", "power:p=2", "--error", "2e-3", "--results", results_, "--json"});
   EXPECT_THAT(json.out, HasSubstr("\"wall_clock\":true"));
 }

@@ -117,9 +117,8 @@ TEST(Studies, HaveTheRunsOfTheirShardsMerged) {
                "[[family]]\nscene = \"relaxation\"\nschemes = \"bdf2\"\ndraws = 5\n"
                "parameters.gamma = {distribution = \"uniform\", from = 0.2, to = 0.9}\n");
   const auto path = [&](const std::string& name) { return (folder.path() / name).string(); };
-  const auto planned = fdebench({"study", "plan", path("s.toml"), "--shards", "3", "--out", path("parts")});
-  EXPECT_EQ(planned.code, 0) << planned.err;
-  EXPECT_THAT(planned.out, HasSubstr("16 runs of 7 scenes\n"));
+  EXPECT_THAT(printed(fdebench({"study", "plan", path("s.toml"), "--shards", "3", "--out", path("parts")})),
+              HasSubstr("16 runs of 7 scenes\n"));
   EXPECT_EQ(fdebench({"run", "--study", path("s.toml"), "--out", path("whole.jsonl")}).code, 0);
   nlohmann::json plan;
   std::ifstream(path("parts/plan.json")) >> plan;
@@ -129,8 +128,7 @@ TEST(Studies, HaveTheRunsOfTheirShardsMerged) {
   for (const auto& shard : plan["shards"]) {
     const auto results = path(shard["file"].get<std::string>() + ".jsonl");
     const auto file = "parts/" + shard["file"].get<std::string>();
-    const auto ran = fdebench({"run", "--study", path(file), "--out", results});
-    EXPECT_EQ(ran.code, 0) << ran.err;
+    expect_success(fdebench({"run", "--study", path(file), "--out", results}));
     merge.push_back(results);
     runs += shard["runs"].get<int>();
   }

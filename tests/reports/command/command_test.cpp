@@ -33,9 +33,7 @@ TEST(Values, ThatAreEmptyAreNotTheDefault) {
 
 TEST(SceneRegistry, AreNamedAlikeByEveryCommand) {
   const auto alike = [](const std::string& label, const std::string& settings) {
-    const auto answer = fdebench(label);
-    EXPECT_EQ(answer.code, 0) << answer.err;
-    EXPECT_EQ(answer.out, fdebench(settings).out);
+    EXPECT_EQ(printed(fdebench(label)), fdebench(settings).out);
   };
   alike("solve pendulum:alpha=1.25,beta=0.75,until=5 --scheme l1 --steps 8",
         "solve pendulum:alpha=1.25 --set beta=0.75 --until 5 --scheme l1 --steps 8");
@@ -51,11 +49,7 @@ struct Mistake {
 class Mistakes : public testing::TestWithParam<Mistake> {};
 
 TEST_P(Mistakes, AreOneLineAndExitCodeTwo) {
-  const auto answer = fdebench(GetParam().words);
-  EXPECT_EQ(answer.code, 2);
-  EXPECT_EQ(answer.out, "");
-  EXPECT_THAT(answer.err, HasSubstr(GetParam().message));
-  EXPECT_EQ(std::ranges::count(answer.err, '\n'), 1);
+  EXPECT_THAT(fdebench(GetParam().words), refuses(2, HasSubstr(GetParam().message)));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -214,8 +208,7 @@ TEST(Run, ThenReportThenChoose) {
   EXPECT_EQ(fdebench(sweep).code, 0);
   EXPECT_EQ(std::filesystem::file_size(file), size) << "a second run has nothing left to do";
 
-  const auto report = fdebench("report " + file + " --out " + page);
-  EXPECT_EQ(report.code, 0) << report.err;
+  expect_success(fdebench("report " + file + " --out " + page));
   EXPECT_GT(std::filesystem::file_size(page + "/index.html"), 300'000U);
 
   const auto choice = fdebench("choose relaxation --norm end --error 1e-4 --results " + file);
@@ -252,9 +245,8 @@ TEST(Run, TakesRangesOfParameters) {
 TEST(Run, TakesVariantsOfScenes) {
   const auto file =
       (std::filesystem::temp_directory_path() / ("fdebench_variant_" + std::to_string(getpid()))).string();
-  const auto answer = fdebench(
-      "run --scene pendulum:beta=0.1,alpha=1.9 --scheme commensurate_adams_pc --steps 16 --out " + file);
-  EXPECT_EQ(answer.code, 0) << answer.err;
+  expect_success(fdebench(
+      "run --scene pendulum:beta=0.1,alpha=1.9 --scheme commensurate_adams_pc --steps 16 --out " + file));
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
   EXPECT_THAT(text.str(), HasSubstr(R"("scene":"pendulum")"));

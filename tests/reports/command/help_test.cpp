@@ -129,9 +129,8 @@ TEST(HelpTexts, SayTheDefaults) {
     const auto& arguments = program.find("solve")->arguments;
     const auto& usual = std::ranges::find(arguments, name, &ArgumentText::name)->usual;
     const auto command = command_with("solve", name);
-    const auto answer = fdebench(fmt::format("{} {} {}", command, name, usual));
-    EXPECT_EQ(answer.code, 0) << answer.err;
-    EXPECT_EQ(answer.out, fdebench(command).out) << name;
+    EXPECT_EQ(printed(fdebench(fmt::format("{} {} {}", command, name, usual))), fdebench(command).out)
+        << name;
   }
 }
 
@@ -149,16 +148,14 @@ TEST(HelpTexts, HaveAGroupExamplesAndRelatedCommands) {
 TEST(Help, OfACommandAndAnOptionAreTheSame) {
   const auto program = program_text();
   for (const auto& subcommand : program.subcommands) {
-    const auto text = fdebench("help " + subcommand.name);
-    EXPECT_EQ(text.code, 0);
-    EXPECT_EQ(text.out, fdebench(subcommand.name + " --help").out);
-    EXPECT_EQ(text.out, fdebench(subcommand.name + " -h").out);
-    EXPECT_THAT(text.out,
-                AllOf(StartsWith("Usage:\n  fdebench " + subcommand.name), HasSubstr("\nExamples:\n"),
-                      HasSubstr("\nExit codes: "), HasSubstr("\nSee also: ")));
+    const auto text = printed(fdebench("help " + subcommand.name));
+    EXPECT_EQ(text, fdebench(subcommand.name + " --help").out);
+    EXPECT_EQ(text, fdebench(subcommand.name + " -h").out);
+    EXPECT_THAT(text, AllOf(StartsWith("Usage:\n  fdebench " + subcommand.name), HasSubstr("\nExamples:\n"),
+                            HasSubstr("\nExit codes: "), HasSubstr("\nSee also: ")));
     for (const auto& argument : subcommand.arguments)
-      EXPECT_THAT(text.out, HasSubstr("\n  " + (argument.is_positional() ? argument.value : argument.name)));
-    for (const auto& line : lines_in(text.out)) {
+      EXPECT_THAT(text, HasSubstr("\n  " + (argument.is_positional() ? argument.value : argument.name)));
+    for (const auto& line : lines_in(text)) {
       const bool is_command = line.starts_with("  fdebench ") || line.starts_with("  source ");
       EXPECT_LE(is_command ? 0 : line.size(), 80U) << line;
     }
@@ -223,10 +220,7 @@ struct Misuse {
 class Misuses : public testing::TestWithParam<Misuse> {};
 
 TEST_P(Misuses, AreExplainedInOneLine) {
-  const auto answer = fdebench(GetParam().words);
-  EXPECT_EQ(answer.code, 2);
-  EXPECT_EQ(answer.out, "");
-  EXPECT_EQ(answer.err, std::string("fdebench: ") + GetParam().message + "\n");
+  EXPECT_THAT(fdebench(GetParam().words), refuses(2, std::string("fdebench: ") + GetParam().message + "\n"));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -165,10 +165,9 @@ TEST_F(Judging, NamesTheEndOfAShorterTrajectory) {
 
 TEST_F(Judging, EndsWhereAValueIsNotFinite) {
   for (const auto* value : {"nan", "NaN", "inf", "-Inf"}) {
-    const auto answer =
-        judge(fmt::format("t,y\n0,0\n0.5,{}\n1,1\n", value), {"--seconds", "1", "--out", results_});
-    EXPECT_EQ(answer.code, 0) << answer.err;
-    EXPECT_EQ(answer.out, "scene power:p=2\nrows 3\nending not finite at t = 0.5\n");
+    EXPECT_EQ(expect_success(judge(fmt::format("t,y\n0,0\n0.5,{}\n1,1\n", value),
+                                   {"--seconds", "1", "--out", results_})),
+              "scene power:p=2\nrows 3\nending not finite at t = 0.5\n");
   }
   const auto run = read_results(results_).records.back();
   EXPECT_EQ(run.ending.kind, SolveStatus::non_finite);
@@ -177,10 +176,9 @@ TEST_F(Judging, EndsWhereAValueIsNotFinite) {
 
 TEST_F(Judging, AddsToResultsUnderItsName) {
   EXPECT_EQ(fdebench("run --scene power:p=2 --scheme l1 --steps 16 --repeat 1 --out " + results_).code, 0);
-  const auto answer =
-      judge("t,y\n0,0\n1,1.001\n", {"--name", "my solver", "--seconds", "0.5,0.25,0.75", "--out", results_});
-  EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("\ntime_minimum 0.25 s\ntime_median 0.5 s\n"));
+  EXPECT_THAT(printed(judge("t,y\n0,0\n1,1.001\n",
+                            {"--name", "my solver", "--seconds", "0.5,0.25,0.75", "--out", results_})),
+              HasSubstr("\ntime_minimum 0.25 s\ntime_median 0.5 s\n"));
   const auto run = read_results(results_).records.back();
   EXPECT_TRUE(run.key.external);
   EXPECT_EQ(run.key.scheme, "my solver");
@@ -193,9 +191,7 @@ TEST_F(Judging, AddsToResultsUnderItsName) {
 TEST_F(Judging, RefusesNamesThatWouldMislead) {
   for (const std::string name :
        {"l1", "a\nb", "\x1b[2J", "\xff", "\xc3", "\xed\xa0\x80", "\xc2\x85", "\x7f"}) {
-    const auto answer = judge("t,y\n0,0\n1,1\n", {"--name", name});
-    EXPECT_EQ(answer.code, 2) << name;
-    EXPECT_THAT(answer.err, HasSubstr("--name = ")) << name;
+    EXPECT_THAT(judge("t,y\n0,0\n1,1\n", {"--name", name}), fails_with(2, HasSubstr("--name = "))) << name;
   }
   EXPECT_EQ(judge("t,y\n0,0\n1,1\n", {"--name", "Größe Δt"}).code, 0);
   EXPECT_EQ(judge("t,y\n0,0\n1,1\n", {"--name", std::string(101, 'x')}).code, 2);

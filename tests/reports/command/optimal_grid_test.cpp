@@ -29,11 +29,10 @@ TEST(OptimalGrid, SolveIsThatOfTheGradingAndNamesIt) {
 TEST(OptimalGrid, ResultsNameTheGradingOfEachScheme) {
   const auto file = std::filesystem::path(testing::TempDir()) / "optimal_grid.jsonl";
   std::filesystem::remove(file);
-  const auto answer = fdebench(
-      "run --scene relaxation --scheme l1 --scheme product_trapezoidal --scheme "
-      "grunwald_letnikov --steps 64 --repeat 1 --grid graded:auto --out " +
-      file.string());
-  EXPECT_EQ(answer.code, 0) << answer.err;
+  expect_success(
+      fdebench("run --scene relaxation --scheme l1 --scheme product_trapezoidal --scheme "
+               "grunwald_letnikov --steps 64 --repeat 1 --grid graded:auto --out " +
+               file.string()));
   std::set<double> gradings;
   for (const Record& run : read_results(file).records) {
     EXPECT_EQ(run.ending.kind, SolveStatus::finished);

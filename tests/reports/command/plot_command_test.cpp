@@ -28,10 +28,8 @@ class Plots : public testing::Test {
 };
 
 TEST_F(Plots, NameTheColumnsThatThereAre) {
-  const auto drawn =
-      fdebench("plot relaxation_pair --kind solution --columns lambda1 --out " + path("figure.svg"));
-  EXPECT_EQ(drawn.code, 2);
-  EXPECT_THAT(drawn.err, HasSubstr("fdebench: --columns = lambda1: must be of x, y"));
+  EXPECT_THAT(fdebench("plot relaxation_pair --kind solution --columns lambda1 --out " + path("figure.svg")),
+              fails_with(2, HasSubstr("fdebench: --columns = lambda1: must be of x, y")));
 }
 
 TEST_F(Plots, NameTheProgramThatIsNotInstalled) {
@@ -46,8 +44,7 @@ TEST_F(Plots, NameTheProgramThatIsNotInstalled) {
 TEST_F(Plots, TakeAScaleWhereErrorsAreDrawn) {
   EXPECT_EQ(fdebench("run --scene relaxation --scheme l1 --steps 16,32 --out " + path("few.jsonl")).code, 0);
   const auto results = " --results " + path("few.jsonl"), out = " --out " + path("figure.vl.json");
-  const auto drawn = fdebench("plot relaxation --kind rate --scale peak" + results + out);
-  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  expect_success(fdebench("plot relaxation --kind rate --scale peak" + results + out));
   EXPECT_THAT(drawn_text(), HasSubstr("peak maximum error"));
   EXPECT_THAT(fdebench("plot relaxation --kind solution --scale peak" + out).err,
               HasSubstr("--scale = peak: --kind solution draws no errors"));
@@ -61,9 +58,8 @@ TEST_F(Plots, OfDriftsHaveAllFormulations) {
   ASSERT_EQ(fdebench(run).code, 0);
   for (const auto* scene :
        {"fractional_knife_edge:until=1", "fractional_knife_edge:until=1,formulation=multiplier"}) {
-    const auto drawn = fdebench(std::string("plot ") + scene + " --kind drift --results " +
-                                path("drift.jsonl") + " --out " + path("figure.vl.json"));
-    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    expect_success(fdebench(std::string("plot ") + scene + " --kind drift --results " + path("drift.jsonl") +
+                            " --out " + path("figure.vl.json")));
     for (const auto* form : {"acceleration", "multiplier"})
       EXPECT_THAT(drawn_text(), HasSubstr(form)) << scene;
   }

@@ -110,9 +110,8 @@ TEST_F(Comparisons, EndWithOneWhereMoreIsAskedOfTimesAndRuns) {
   EXPECT_EQ(fdebench({"compare", before, half}).code, 0);
   for (const auto& [file, missing] :
        {std::pair{half, "1 runs and 0 times"}, {untimed, "0 runs and 1 times"}}) {
-    const auto answer = fdebench({"compare", before, file, "--require-all"});
-    EXPECT_EQ(answer.code, 1);
-    EXPECT_EQ(answer.err, fmt::format("fdebench: {}: {} of the first are missing\n", file, missing));
+    EXPECT_THAT(fdebench({"compare", before, file, "--require-all"}),
+                fails_with(1, fmt::format("fdebench: {}: {} of the first are missing\n", file, missing)));
   }
   EXPECT_EQ(fdebench({"compare", before, before, "--require-all", "--max-slowdown", "1"}).code, 0);
   EXPECT_EQ(fdebench({"compare", before, before, "--max-slowdown", "0.5"}).code, 2);
@@ -179,12 +178,10 @@ TEST_F(Comparisons, PutTheWorstFirst) {
 }
 
 TEST_F(Comparisons, CountWhatOnlyOneHas) {
-  const auto answer = compare({{}, {.steps = 8}}, {{}, {.steps = 16}, {.steps = 32}});
-  EXPECT_EQ(answer.code, 0);
-  EXPECT_THAT(answer.out, HasSubstr("1 runs in both, 1 only in the first, 2 only in the second\n"));
-  const auto other = fdebench({"compare", write("a", {{.steps = 1}}), write("b", {{.steps = 2}})});
-  EXPECT_EQ(other.code, 2);
-  EXPECT_THAT(other.err, HasSubstr("have no run in common\n"));
+  EXPECT_THAT(printed(compare({{}, {.steps = 8}}, {{}, {.steps = 16}, {.steps = 32}})),
+              HasSubstr("1 runs in both, 1 only in the first, 2 only in the second\n"));
+  EXPECT_THAT(fdebench({"compare", write("a", {{.steps = 1}}), write("b", {{.steps = 2}})}),
+              fails_with(2, HasSubstr("have no run in common\n")));
 }
 
 TEST_F(Comparisons, SayWhereTheMachinesDiffer) {
@@ -198,13 +195,10 @@ TEST_F(Comparisons, PagesAndComparisonsNeedARun) {
   const auto empty = (folder_.path() / "empty").string(), session = write("session", {});
   for (const auto& file : {empty, session}) {
     const std::string line = "fdebench: " + file + ": holds no run\n";
-    const auto page = fdebench({"report", file, "--out", (folder_.path() / "page").string()});
-    EXPECT_EQ(page.code, 2);
-    EXPECT_EQ(page.err, line);
+    EXPECT_THAT(fdebench({"report", file, "--out", (folder_.path() / "page").string()}), fails_with(2, line));
     EXPECT_EQ(fdebench({"compare", file, write("full", {{}})}).err, line);
-    const auto choice = fdebench({"choose", "power", "--error", "1e-3", "--results", file});
-    EXPECT_EQ(choice.code, 2);
-    EXPECT_THAT(choice.err, HasSubstr("no run"));
+    EXPECT_THAT(fdebench({"choose", "power", "--error", "1e-3", "--results", file}),
+                fails_with(2, HasSubstr("no run")));
   }
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "page"));
 }
@@ -212,9 +206,8 @@ TEST_F(Comparisons, PagesAndComparisonsNeedARun) {
 TEST_F(Comparisons, AreOfMergedFilesToo) {
   const auto one = write("one", {{}}, "a"), other = write("other", {{.steps = 8}}, "b");
   const auto all = (folder_.path() / "all").string();
-  const auto merged = fdebench({"merge", one, other, "--out", all});
-  EXPECT_EQ(merged.code, 0) << merged.err;
-  EXPECT_EQ(merged.out, all + "\n2 sessions, 2 rows, 0 repeated rows left out\n");
+  EXPECT_EQ(printed(fdebench({"merge", one, other, "--out", all})),
+            all + "\n2 sessions, 2 rows, 0 repeated rows left out\n");
   EXPECT_THAT(fdebench({"compare", one, all}).out, HasSubstr("1 runs in both, 0 only in the first, 1 only"));
   EXPECT_EQ(fdebench({"merge", one, "--out", all}).err,
             "fdebench: " + all + ": exists, it must be a new file\n");
