@@ -70,12 +70,8 @@ TEST_P(Conformance, AConstantRightHandSideGivesItsFractionalIntegral) {
 
 Problem mixed_problem() {
   return {.components = {{0.5, {1.0}}, {1.0, {-0.5}}, {1.5, {0.25, 0.1}}},
-          .rhs =
-              [](double t, In y, Out f) {
-                f[0] = -y[0] + std::sin(y[1]);
-                f[1] = -y[1] * y[2] + t;
-                f[2] = -2.0 * y[2] + y[0] * y[0];
-              },
+          .rhs = [](double t, In y,
+                    Out f) { f << -y[0] + std::sin(y[1]), -y[1] * y[2] + t, -2.0 * y[2] + y[0] * y[0]; },
           .end = 2.0};
 }
 
@@ -85,10 +81,8 @@ Problem mixed_problem_with_algebraic_row() {
   return {.components = {{0.5, {1.0}}, {1.0, {-0.5}}, {0.0, {std::sin(-0.5) + 0.25}}, {1.5, {0.25, 0.1}}},
           .rhs =
               [](double t, In y, Out f) {
-                f[0] = -y[0] + std::sin(y[1]);
-                f[1] = -y[1] * y[3] + t;
-                f[2] = y[2] - std::sin(y[1]) - y[3] * y[0];
-                f[3] = -2.0 * y[3] + y[2] * y[2];
+                f << -y[0] + std::sin(y[1]), -y[1] * y[3] + t, y[2] - std::sin(y[1]) - y[3] * y[0],
+                    -2.0 * y[3] + y[2] * y[2];
               },
           .end = 2.0};
 }
@@ -143,10 +137,7 @@ TEST_P(Conformance, UncoupledSystemsEqualTheirScalarRuns) {
     return Problem{.components = {component(order, 1.0)}, .rhs = [=](double, In y, Out f) { f = rate * y; }};
   };
   const Problem both{.components = {component(0.5, 1.0), component(other, 1.0)},
-                     .rhs = [](double, In y, Out f) {
-                       f[0] = -y[0];
-                       f[1] = -3.0 * y[1];
-                     }};
+                     .rhs = [](double, In y, Out f) { f << -y[0], -3.0 * y[1]; }};
   const auto together = run(both, 128);
   const auto first = run(scalar(0.5, -1.0), 128), second = run(scalar(other, -3.0), 128);
   EXPECT_LT((together.y.row(0) - first.y.row(0)).cwiseAbs().maxCoeff(),

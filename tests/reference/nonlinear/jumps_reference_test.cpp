@@ -60,11 +60,7 @@ TEST(JumpsReference, TurnsANonlinearEquation) {
 // y = 2 (sqrt(t) - sqrt(t - 1)) / sqrt(pi).
 TEST(JumpsReference, TakesAlgebraicRowsThatJump) {
   const Problem problem{.components = {{0.5, {0.0}}, {0.0, {1.0}}},
-                        .rhs =
-                            [](double t, In y, Out f) {
-                              f[0] = y[1];
-                              f[1] = y[1] - before(1.0, t);
-                            },
+                        .rhs = [](double t, In y, Out f) { f << y[1], y[1] - before(1.0, t); },
                         .end = 2.0,
                         .jump_times = {1.0}};
   const Reference reference = reference_solution(problem);

@@ -164,11 +164,7 @@ TEST_P(Events, EndARunAfterTheRequestedTimes) {
 // A falling body, y'' = -1 from y = 1/2: at the ground at t = 1, with the velocity -1.
 TEST_P(Events, EndAFallAtTheGround) {
   const Problem problem{.components = {{1.0, {0.5}}, {1.0, {0.0}}},
-                        .rhs =
-                            [](double, In y, Out f) {
-                              f[0] = y[1];
-                              f[1] = -1.0;
-                            },
+                        .rhs = [](double, In y, Out f) { f << y[1], -1.0; },
                         .end = 5.0};
   Event ground = reaches(0.0);
   ground.crossing = Crossing::falling;

@@ -130,10 +130,8 @@ TEST_P(AccuracyScheme, HasDenseOutput) {
 
 // y' = z and 0 = y + z: y = e^-t. The error estimate is for y; z between the points of a step is a parabola.
 TEST_P(AccuracyScheme, HasDenseOutputOfAlgebraicRows) {
-  const Problem problem{.components = {{1.0, {1.0}}, {0.0, {-1.0}}}, .rhs = [](double, In y, Out f) {
-                          f[0] = y[1];
-                          f[1] = y[0] + y[1];
-                        }};
+  const Problem problem{.components = {{1.0, {1.0}}, {0.0, {-1.0}}},
+                        .rhs = [](double, In y, Out f) { f << y[1], y[0] + y[1]; }};
   if (unsupported_reason(*GetParam(), problem, Tolerance{1e-6, 1e-6}))
     GTEST_SKIP() << "takes no algebraic rows";
   const auto path = run(problem, 1e-6);
@@ -202,11 +200,7 @@ TEST_P(AccuracyScheme, LocatesWhereTheStateMakesTheRightHandSideJump) {
 Problem dry_friction(double end) {
   const auto sign = [](double v) { return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : 0.0; };
   return {.components = {{1.0, {1.0}}, {1.0, {0.0}}},
-          .rhs =
-              [=](double, In y, Out f) {
-                f[0] = y[1];
-                f[1] = -y[0] - 0.1 * sign(y[1]);
-              },
+          .rhs = [=](double, In y, Out f) { f << y[1], -y[0] - 0.1 * sign(y[1]); },
           .end = end,
           .switching_functions = {[](double, In y) { return y[1]; }}};
 }

@@ -39,11 +39,7 @@ void expect_no_extra_steps(const Problem& whole, const std::function<Trajectory(
 // D^0.6 w = 0.7 y + 0.1 y - 0.8 y.
 TEST_P(RowAtRest, IsASumThatCancels) {
   const Problem problem{.components = {{0.8, {1.0}}, {0.6, {0.0}}},
-                        .rhs =
-                            [](double, In y, Out f) {
-                              f[0] = -y[0];
-                              f[1] = 0.7 * y[0] + 0.1 * y[0] - 0.8 * y[0];
-                            },
+                        .rhs = [](double, In y, Out f) { f << -y[0], 0.7 * y[0] + 0.1 * y[0] - 0.8 * y[0]; },
                         .derivatives = DenseJacobian{[](double, In, OutMatrix slopes) {
                           slopes.setZero();
                           slopes(0, 0) = -1.0;

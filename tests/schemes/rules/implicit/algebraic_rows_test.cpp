@@ -80,10 +80,8 @@ TEST_P(AlgebraicRows, LeaveTheRateAsItIs) {
 
 TEST_P(AlgebraicRows, AnImpossibleOneIsAnOutcome) {
   for (const double slope : {0.0, 1.0}) {  // 0 = 1, 0 = 1 + z^2
-    const Problem problem{.components = {{0.5, {1.0}}, {0.0, {0.5}}}, .rhs = [=](double, In y, Out f) {
-                            f[0] = -y[0];
-                            f[1] = 1.0 + slope * y[1] * y[1];
-                          }};
+    const Problem problem{.components = {{0.5, {1.0}}, {0.0, {0.5}}},
+                          .rhs = [=](double, In y, Out f) { f << -y[0], 1.0 + slope * y[1] * y[1]; }};
     const auto path = run(problem, {1.0, 8});
     EXPECT_NE(path.status, SolveStatus::finished);
     EXPECT_EQ(path.last_time, 0.0);

@@ -128,9 +128,7 @@ Problem robertson(double unit, bool jacobian) {
                       [=](double, In y, Out f) {
                         const double slow = 0.04 * y[0], back = 1e4 * (y[1] / unit) * y[2],
                                      fast = 3e7 * (y[1] / unit) * y[1];
-                        f[0] = -slow + back;
-                        f[1] = slow - back - fast;
-                        f[2] = fast;
+                        f << -slow + back, slow - back - fast, fast;
                       },
                   .end = 40.0};
   if (jacobian) {

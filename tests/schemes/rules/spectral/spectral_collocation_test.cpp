@@ -172,10 +172,8 @@ TEST(SpectralSwitch, EndsWhereTheSolutionSlides) {
 // D^g y = lambda and y = t: lambda = t^(1-g) / Gamma(2-g), Abel's equation.
 TEST(SpectralAlgebraic, RowsSolveAbelsEquation) {
   for (const double order : {0.2, 0.5, 0.9, 1.0}) {
-    const Problem problem{.components = {{order, {0.0}}, {0.0, {0.0}}}, .rhs = [](double t, In y, Out f) {
-                            f[0] = y[1];
-                            f[1] = y[0] - t;
-                          }};
+    const Problem problem{.components = {{order, {0.0}}, {0.0, {0.0}}},
+                          .rhs = [](double t, In y, Out f) { f << y[1], y[0] - t; }};
     const auto path = run(problem, 1e-9);
     ASSERT_EQ(path.status, SolveStatus::finished) << order;
     for (const double t : {0.01, 0.3, 1.0}) {
@@ -187,10 +185,8 @@ TEST(SpectralAlgebraic, RowsSolveAbelsEquation) {
 
 // D^0.5 y = -z and y = z^3, compared with D^0.5 y = -y^(1/3), whose slope at y = 0 is infinite.
 TEST(SpectralAlgebraic, RowsDetermineTheirOwnUnknown) {
-  const Problem with_row{.components = {{0.5, {1.0}}, {0.0, {1.0}}}, .rhs = [](double, In y, Out f) {
-                           f[0] = -y[1];
-                           f[1] = y[0] - std::pow(y[1], 3.0);
-                         }};
+  const Problem with_row{.components = {{0.5, {1.0}}, {0.0, {1.0}}},
+                         .rhs = [](double, In y, Out f) { f << -y[1], y[0] - std::pow(y[1], 3.0); }};
   const Problem without{.components = {{0.5, {1.0}}},
                         .rhs = [](double, In y, Out f) { f[0] = -std::cbrt(y[0]); }};
   const double y = run(without, 1e-11, {.output_times = {0.3}}).y(0, 0);
@@ -202,11 +198,7 @@ TEST(SpectralAlgebraic, RowsDetermineTheirOwnUnknown) {
 // y' + lambda = 0 with y = t up to 1 and y = 1 after it: lambda jumps from -1 to 0.
 TEST(SpectralAlgebraic, RowsMayJump) {
   const Problem problem{.components = {{1.0, {0.0}}, {0.0, {0.0}}},
-                        .rhs =
-                            [](double t, In y, Out f) {
-                              f[0] = -y[1];
-                              f[1] = y[0] - std::min(t, 1.0);
-                            },
+                        .rhs = [](double t, In y, Out f) { f << -y[1], y[0] - std::min(t, 1.0); },
                         .end = 2.0,
                         .jump_times = {1.0}};
   const auto path = run(problem, 1e-10, {.output_times = {0.5, 1.5, 2.0}});

@@ -175,10 +175,7 @@ TEST_P(TwoSided, CallsAreCountedAndStepsObservedInOrder) {
 // y = known + kappa (1e6 + y^2) has no real solution.
 TEST_P(TwoSided, AnImpossibleProblemIsAnOutcome) {
   const Problem problem{.components = {{0.5, {0.0}}, {0.5, {0.25}, Side::right}},
-                        .rhs = [](double, In y, Out f) {
-                          f[0] = 1e6 + y[0] * y[0];
-                          f[1] = y[0];
-                        }};
+                        .rhs = [](double, In y, Out f) { f << 1e6 + y[0] * y[0], y[0]; }};
   const auto path = GetParam()->solve(problem, Grid{1.0, 16}, {});
   EXPECT_EQ(path.status, SolveStatus::not_converged);
   EXPECT_EQ(path.last_time, 0.0);
