@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pendulums over 15000 swings, T = 1e5.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"

@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"

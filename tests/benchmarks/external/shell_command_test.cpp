@@ -4,7 +4,6 @@
 #include "fdebench/benchmarks/external/shell_command.hpp"
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>

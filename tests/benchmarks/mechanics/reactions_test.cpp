@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/observers/reaction_path.hpp"

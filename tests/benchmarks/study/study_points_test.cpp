@@ -3,12 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
-#include <vector>
 
 #include "benchmarks/study/study_testing.hpp"
 #include "fdebench/benchmarks/study/exact_numbers.hpp"
-#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reports/page/report.hpp"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
