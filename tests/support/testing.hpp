@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <exception>
 #include <string>
 #include <string_view>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/schemes/rules/start_weights/start_weights.hpp"
+#include "support/message_of.hpp"  // IWYU pragma: export
 
 namespace fde::bench {
 
@@ -69,17 +67,6 @@ inline std::vector<const Scheme*> schemes_with_symbol() {
   auto some = all_schemes();
   std::erase_if(some, [](const Scheme* scheme) { return !scheme->symbol; });
   return some;
-}
-
-// Expects that the call throws with this text in its message.
-template <class Call>
-void expect_message(const Call& call, const std::string& part) {
-  try {
-    call();
-    FAIL() << part;
-  } catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
 }
 
 }  // namespace fde::bench

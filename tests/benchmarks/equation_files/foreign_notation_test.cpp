@@ -84,12 +84,7 @@ std::string message_of(const std::string& text) {
   ExpressionPool pool(NumberStorage::values);
   auto names = names_of_t_x_y(pool);
   names.derivative = [&](std::string_view, Expression, bool) { return pool.variable(1); };
-  try {
-    read_formula(text, names, pool);
-  } catch (const FormulaError& fault) {
-    return fault.what();
-  }
-  return "";
+  return message_of<FormulaError>([&] { read_formula(text, names, pool); });
 }
 
 struct ForeignFormula {

@@ -190,12 +190,7 @@ TEST(CanonicalEnsemble, WithEqualFrictionsIsTheIsokineticOne) {
 }
 
 std::string complaint(std::string_view scene, const ParameterValues& values) {
-  try {
-    scene_of(scene, values);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return message_of<std::invalid_argument>([&] { scene_of(scene, values); });
 }
 
 TEST(MechanicsParameters, AreRefusedWithWhatIsAllowed) {

@@ -84,12 +84,9 @@ INSTANTIATE_TEST_SUITE_P(
                     SearchCase{"fractional_extremum", {Norm::maximum, Scale::mixed}, 1e-3}));
 
 std::string refusal(const Scene& scene, double accuracy, double seconds) {
-  try {
+  return message_of<std::runtime_error>([&] {
     estimated_reference(scene, {{}, accuracy, all_columns(scene)}, "it is taken away", seconds, silence);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "none";
+  });
 }
 
 // An error e N^-p changes by e (2^p - 1) N^-p from N/2 to N.

@@ -19,6 +19,7 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "reports/page/page_section.hpp"
 #include "reports/synthetic_results.hpp"
+#include "support/message_of.hpp"
 #include "support/unpacked_page.hpp"
 
 namespace fde::bench {
@@ -324,12 +325,9 @@ TEST(Report, NamesThePathThatCannotBeWritten) {
   const fs::path folder = fresh_folder(), file = folder / "a_file";
   fs::create_directories(folder);
   std::ofstream(file) << "x";
-  try {
-    write_report(read_runs(two_lines()), file / "below");
-    FAIL() << "a folder below a file";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), HasSubstr((file / "below").string()));
-  }
+  EXPECT_THAT(
+      message_of<std::invalid_argument>([&] { write_report(read_runs(two_lines()), file / "below"); }),
+      HasSubstr((file / "below").string()));
 }
 
 }  // namespace
