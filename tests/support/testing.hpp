@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,13 @@ inline double rounding_allowance(const Scheme& scheme, double plain) {
 inline constexpr auto id_of_param = [](const auto& test) { return std::string(test.param->id); };
 inline constexpr auto name_of_param = [](const auto& test) { return std::string(test.param.name); };
 inline constexpr auto text_of_param = [](const auto& test) { return std::string(test.param); };
+
+// A text with _ in place of what no name of a test has.
+inline std::string as_identifier(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return text;
+}
 
 inline std::vector<const Scheme*> all_schemes() {
   std::vector<const Scheme*> all;

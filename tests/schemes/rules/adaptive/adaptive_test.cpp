@@ -3,47 +3,27 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/schemes/rules/adaptive/step_control.hpp"
+#include "support/adaptive_schemes.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
 namespace {
 
-struct RequestedRun {
-  std::string scheme, scene;
-  ParameterValues values{};
-};
-
-// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-void PrintTo(const RequestedRun& asked, std::ostream* out) {
-  *out << asked.scheme << ' ' << SceneVariant{&scene_maker(asked.scene), asked.values}.label();
-}
+constexpr std::array step_rules{"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"};
 
 class Adaptive : public testing::TestWithParam<RequestedRun> {};
-
-// The largest error relative to 1 + |y|, at about sixty of the run's own times.
-double largest_error(const Scene& scene, const Trajectory& path) {
-  const auto reference = reference_of(scene);
-  double largest = 0.0;
-  for (std::size_t i = 1; i < path.times.size(); i += 1 + path.times.size() / 60) {
-    const auto exact = reference.at(path.times[i]);
-    const Vec columns = columns_at(scene.outputs, path.times[i], path.y.col(static_cast<Eigen::Index>(i)));
-    for (Eigen::Index c = 0; c < columns.size(); ++c) {
-      const double error = std::abs(columns[c] - exact.value[c]) - exact.bound[c];
-      largest = std::max(largest, error / (1.0 + std::abs(exact.value[c])));
-    }
-  }
-  return largest;
-}
 
 // The error is estimated for each step; the global error stays within three times the tolerance here.
 TEST_P(Adaptive, DeliversTheAccuracy) {
   const auto& [scheme, id, values] = GetParam();
   const Scene scene = scene_of(id, values);
+  const auto reference = reference_of(scene);
   const bool third_order = scheme == "radau_exponentials";
   for (const double accuracy : {1e-3, third_order ? 1e-7 : 1e-5}) {
     const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{accuracy, accuracy}, {});
@@ -51,13 +31,13 @@ TEST_P(Adaptive, DeliversTheAccuracy) {
     EXPECT_EQ(path.last_time, scene.problem.end);
     EXPECT_EQ(path.steps, std::ssize(path.times) - 1);
     EXPECT_TRUE(path.cost.rejected_steps);
-    EXPECT_LT(largest_error(scene, path), 3.0 * accuracy) << accuracy;
+    EXPECT_LT(largest_error(scene, reference, path), 3.0 * accuracy) << accuracy;
   }
 }
 
 std::vector<RequestedRun> smooth_and_singular() {
   std::vector<RequestedRun> all;
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+  for (const auto* scheme : step_rules) {
     for (const auto* scene : {"relaxation", "diethelm", "linear_system", "fractional_oscillator", "pendulum",
                               "bagley_torvik", "damped_oscillator"})
       all.push_back({scheme, scene});
@@ -88,13 +68,6 @@ std::vector<RequestedRun> hard() {
           multiplier("fractional_constraint_2d"),
           multiplier("fractional_constraint_nonlinear")};
 }
-
-constexpr auto name_of_run = [](const auto& test) {
-  auto name = testing::PrintToString(test.param);
-  std::ranges::replace_if(
-      name, [](char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-};
 
 INSTANTIATE_TEST_SUITE_P(SceneRegistry, Adaptive, testing::ValuesIn(smooth_and_singular()), name_of_run);
 INSTANTIATE_TEST_SUITE_P(HardScenes, Adaptive, testing::ValuesIn(hard()), name_of_run);
@@ -156,7 +129,7 @@ TEST(AdaptiveStiff, KeepsTheDigitsOfWhatIsLeft) {
 TEST(AdaptiveEnd, IsLocatedWhereTheDomainEnds) {
   Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In, Out f) { f[0] = -1.0; }, .end = 3.0};
   problem.domain = {"y = 0", [](double, In y) { return y[0]; }};
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+  for (const auto* scheme : step_rules) {
     const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-3, 1e-3}, {});
     EXPECT_EQ(path.status, SolveStatus::left_domain) << scheme;
     EXPECT_NEAR(path.last_time, 1.0, 1e-14) << scheme;
@@ -169,32 +142,29 @@ TEST(AdaptiveEnd, IsWhereARunSlidesAlongASwitch) {
                         .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? -1.0 : 1.0; },
                         .end = 2.0,
                         .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+  for (const auto* scheme : step_rules) {
     const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
     EXPECT_EQ(path.status, SolveStatus::sliding) << scheme;
     EXPECT_NEAR(path.last_time, M_PI / 4.0, 1e-3) << scheme;
   }
 }
 
-// D^g y = y^2, y(0) = 1: for order 1, y = 1 / (1 - t); for order 0.8 it grows like (t_b - t)^-0.8, t_b =
-// 0.629.
+// For order 0.8 the solution grows like (t_b - t)^-0.8, t_b = 0.629.
 TEST(AdaptiveEnd, IsNamedWhereTheSolutionBlowsUp) {
   const auto expect = [](const char* scheme, double order, double time) {
-    const Problem problem{
-        .components = {{order, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.cwiseAbs2(); }, .end = 2.0};
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{0.1, 0.1}, {.output_times = {0.5}});
+    const auto path =
+        find_scheme(scheme)->solve(blow_up_problem(order), Tolerance{0.1, 0.1}, {.output_times = {0.5}});
     EXPECT_EQ(path.status, SolveStatus::blow_up) << scheme << ' ' << order;
     EXPECT_NEAR(path.failure_time.value(), time, 1e-2) << scheme << ' ' << order;
   };
   expect("radau_exponentials", 1.0, 1.0);
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"})
-    expect(scheme, 0.8, 0.6288);
+  for (const auto* scheme : step_rules) expect(scheme, 0.8, 0.6288);
 }
 
 // y' = 300 y, y(0) = 1: y(1) = 1e130.
 TEST(AdaptiveEnd, IsNoneWhereTheSolutionGrowsExponentially) {
   const Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = 300.0 * y; }};
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+  for (const auto* scheme : step_rules) {
     const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-2, 1e-2}, {});
     EXPECT_EQ(path.status, SolveStatus::finished) << scheme;
   }
@@ -219,25 +189,17 @@ TEST(AdaptiveStart, MayBeShorterThanTheRootOfTheSmallestDouble) {
     const auto path =
         find_scheme(scheme)->solve(scene.problem, Tolerance{3e-6, 3e-6}, {.output_times = {0.5, 1.0}});
     ASSERT_EQ(path.status, SolveStatus::finished) << scheme;
-    EXPECT_LT(largest_error(scene, path), 3e-5) << scheme;
+    EXPECT_LT(largest_error(scene, reference_of(scene), path), 3e-5) << scheme;
   }
 }
 
-// D^0.5 y = 1 up to t = 1 and -1 after it, not listed in Problem::jump_times: y = (2 sqrt t - 4 sqrt(t - 1))
-// / sqrt pi.
 TEST(AdaptiveJumps, AreDetectedWhereTheyAreNotListed) {
-  const Problem problem{.components = {{0.5, {0.0}}},
-                        .rhs = [](double t, In, Out f) { f[0] = t <= 1.0 ? 1.0 : -1.0; },
-                        .end = 3.0};
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
-    const auto path =
-        find_scheme(scheme)->solve(problem, Tolerance{1e-5, 1e-5}, {.output_times = {0.5, 1.25, 3.0}});
+  for (const auto* scheme : step_rules) {
+    const auto path = find_scheme(scheme)->solve(jumping_problem({}), Tolerance{1e-5, 1e-5},
+                                                 {.output_times = {0.5, 1.25, 3.0}});
     ASSERT_EQ(path.status, SolveStatus::finished) << scheme;
-    for (std::size_t i = 0; i < path.times.size(); ++i) {
-      const double t = path.times[i];
-      const double exact = (2.0 * std::sqrt(t) - 4.0 * std::sqrt(std::max(0.0, t - 1.0))) / std::sqrt(M_PI);
-      EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), exact, 1e-5) << scheme << " at " << t;
-    }
+    SCOPED_TRACE(scheme);
+    expect_row(path, 0, solution_of_jumping_problem, 1e-5);
   }
 }
 
@@ -266,11 +228,11 @@ TEST(AdaptiveStart, IsShortEnoughForRowsOfLowOrder) {
   const Scene system = scene_of(
       "linear_system",
       {{"gamma1", 0.04521}, {"gamma2", 0.962}, {"x0", 0.0}, {"y0", 0.0}, {"c1", -1.742}, {"c2", 0.7194}});
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+  for (const auto* scheme : step_rules) {
     for (const Scene* scene : {&pendulum, &system}) {
       const auto path = find_scheme(scheme)->solve(scene->problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
       ASSERT_EQ(path.status, SolveStatus::finished) << scheme << ' ' << path.last_time;
-      EXPECT_LT(largest_error(*scene, path), 1e-3) << scheme;
+      EXPECT_LT(largest_error(*scene, reference_of(*scene), path), 1e-3) << scheme;
     }
   }
 }
@@ -299,7 +261,7 @@ TEST(AdaptiveTrapezoidal, AddsUpErrorsOfEachOrderByItself) {
                                                  {"c1", -1.348},
                                                  {"c2", -1.827}});
   const auto path = find_scheme("adaptive_trapezoidal")->solve(scene.problem, Tolerance{1e-8, 1e-8}, {});
-  EXPECT_LT(largest_error(scene, path), 3e-8);
+  EXPECT_LT(largest_error(scene, reference_of(scene), path), 3e-8);
 }
 
 TEST(PiController, AcceptsErrorsUpToTheTolerance) {
