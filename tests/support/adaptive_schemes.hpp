@@ -25,12 +25,12 @@ inline std::vector<const Scheme*> adaptive_schemes() {
 }
 
 // A scheme and a scene; prints as its scheme and label.
-struct RequestedRun {
+struct AccuracyRun {
   std::string scheme, scene;
   ParameterValues values{};
 };
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-inline void PrintTo(const RequestedRun& asked, std::ostream* out) {
+inline void PrintTo(const AccuracyRun& asked, std::ostream* out) {
   *out << asked.scheme << ' ' << SceneVariant{&scene_maker(asked.scene), asked.values}.label();
 }
 inline constexpr auto name_of_run = [](const auto& test) {

@@ -90,9 +90,8 @@ TEST_F(ReferenceFolderTest, AChangeThatLeavesTheNumbersRightIsToldByItsChecksum)
   for (const auto* name : {"convergence/power.json", "index.json"}) {
     replace_folder(data_, example_files());
     change(data_ / name, R"("commit": ")", R"("commit": "my)");
-    const auto answer = check(data_);
-    EXPECT_EQ(answer.code, 2);
-    EXPECT_EQ(answer.err, fmt::format("fdebench: {}: all rows hold, but its checksum differs\n", name));
+    EXPECT_THAT(check(data_),
+                fails_with(2, fmt::format("fdebench: {}: all rows hold, but its checksum differs\n", name)));
   }
 }
 

@@ -84,11 +84,9 @@ TEST_F(CheckpointOfSolve, IsOfOneRunOnly) {
       {"solve pendulum --scheme product_trapezoidal --steps 20000 --at 20",
        "times = --points 5, not --at 20"}};
   for (const auto& [command, difference] : others) {
-    const auto [code, out, err] = solve_with_checkpoint(command);
-    EXPECT_EQ(code, 2) << command;
-    EXPECT_EQ(out, "") << command;
-    EXPECT_THAT(err, testing::StartsWith("fdebench: " + file() + ": is of another run: " + difference));
-    EXPECT_EQ(std::ranges::count(err, '\n'), 1) << err;
+    EXPECT_THAT(solve_with_checkpoint(command),
+                refuses(2, testing::StartsWith("fdebench: " + file() + ": is of another run: " + difference)))
+        << command;
   }
   EXPECT_EQ(content(), kept);
 }
@@ -115,9 +113,8 @@ TEST_F(CheckpointOfSolve, IsRefusedWhereItIsDamaged) {
 TEST_F(CheckpointOfSolve, ReplacesNoFileOfAnotherKind) {
   for (const auto& text : std::vector<std::string>{"", "{", "t,y\n0,1\n"}) {
     replace(text);
-    const auto [code, out, err] = solve_with_checkpoint(plain);
-    EXPECT_EQ(code, 2);
-    EXPECT_EQ(err, "fdebench: " + file() + ": is no checkpoint, and is not replaced by one\n");
+    EXPECT_THAT(solve_with_checkpoint(plain),
+                fails_with(2, "fdebench: " + file() + ": is no checkpoint, and is not replaced by one\n"));
     EXPECT_EQ(content(), text);
   }
   fs::remove(file());
@@ -140,10 +137,8 @@ TEST_F(CheckpointOfSolve, IsRefusedForSchemesThatKeepNone) {
   for (const auto* scheme : all_schemes()) {
     if (scheme->capabilities.checkpoints) continue;
     const auto* const resolution = !scheme->capabilities.is_adaptive() ? " --steps 8" : " --accuracy 1e-3";
-    const auto [code, out, err] =
-        solve_with_checkpoint("solve relaxation --scheme " + std::string(scheme->id) + resolution);
-    EXPECT_EQ(code, 2);
-    EXPECT_THAT(err, HasSubstr(std::string(scheme->id) + " keeps no checkpoints"));
+    EXPECT_THAT(solve_with_checkpoint("solve relaxation --scheme " + std::string(scheme->id) + resolution),
+                fails_with(2, HasSubstr(std::string(scheme->id) + " keeps no checkpoints")));
   }
   EXPECT_THAT(solve_with_checkpoint("solve two_sided_constraint --scheme grunwald_letnikov --steps 8").err,
               HasSubstr("keeps no checkpoints of a problem that it solves at all times at once"));

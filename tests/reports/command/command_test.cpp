@@ -26,9 +26,7 @@ using testing::StartsWith;
 TEST(Values, ThatAreEmptyAreNotTheDefault) {
   const std::vector<std::string> solve{"solve",   "relaxation", "--scheme", "l1",
                                        "--steps", "8",          "--until",  ""};
-  const auto [code, out, err] = fde::bench::fdebench(solve);
-  EXPECT_EQ(code, 2);
-  EXPECT_EQ(err, "fdebench: argument 8 is empty\n");
+  EXPECT_THAT(fde::bench::fdebench(solve), fails_with(2, "fdebench: argument 8 is empty\n"));
 }
 
 TEST(SceneRegistry, AreNamedAlikeByEveryCommand) {

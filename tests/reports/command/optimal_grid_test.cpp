@@ -66,12 +66,11 @@ TEST(OptimalGrid, OfASweepIsBesideTheUniformOne) {
 TEST(OptimalGrid, BadGridsAreOneLine) {
   for (const auto* grid :
        {"graded:best", "graded:", "graded:0.5", "graded:101", "graded:nan", "graded:autox"}) {
-    const auto solve = fdebench(std::string("solve relaxation --scheme l1 --steps 8 --grid ") + grid);
-    EXPECT_EQ(solve.code, 2);
-    EXPECT_EQ(solve.err,
-              fmt::format("fdebench: --grid = {}: must be uniform or graded:R with R in [1, 100], or "
-                          "graded:auto\n",
-                          grid));
+    EXPECT_THAT(
+        fdebench(std::string("solve relaxation --scheme l1 --steps 8 --grid ") + grid),
+        fails_with(2, fmt::format("fdebench: --grid = {}: must be uniform or graded:R with R in [1, 100], or "
+                                  "graded:auto\n",
+                                  grid)));
   }
   const auto beside = fdebench("run --scene relaxation --external a=b --steps 8 --grid graded:auto --out x");
   EXPECT_EQ(beside.code, 2);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array step_rules{"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"};
 
-class Adaptive : public testing::TestWithParam<RequestedRun> {};
+class Adaptive : public testing::TestWithParam<AccuracyRun> {};
 
 // The error is estimated for each step; the global error stays within three times the tolerance here.
 TEST_P(Adaptive, DeliversTheAccuracy) {
@@ -35,8 +35,8 @@ TEST_P(Adaptive, DeliversTheAccuracy) {
   }
 }
 
-std::vector<RequestedRun> smooth_and_singular() {
-  std::vector<RequestedRun> all;
+std::vector<AccuracyRun> smooth_and_singular() {
+  std::vector<AccuracyRun> all;
   for (const auto* scheme : step_rules) {
     for (const auto* scene : {"relaxation", "diethelm", "linear_system", "fractional_oscillator", "pendulum",
                               "bagley_torvik", "damped_oscillator"})
@@ -49,9 +49,9 @@ std::vector<RequestedRun> smooth_and_singular() {
 }
 
 // Stiff, with constraints, and with sparse derivatives.
-std::vector<RequestedRun> hard() {
+std::vector<AccuracyRun> hard() {
   const auto multiplier = [](const char* scene) {
-    return RequestedRun{"radau_exponentials", scene, {{"formulation", "multiplier"}}};
+    return AccuracyRun{"radau_exponentials", scene, {{"formulation", "multiplier"}}};
   };
   return {{"adaptive_trapezoidal", "stiff_relaxation"},
           {"radau_exponentials", "stiff_relaxation", {{"lambda", -1e8}}},

@@ -22,18 +22,18 @@ Trajectory run(const Problem& problem, double accuracy, const Options& options =
   return scheme().solve(problem, Tolerance{accuracy, accuracy}, options);
 }
 
-RequestedRun spectral_run(const std::string& scene, const ParameterValues& values = {}) {
+AccuracyRun spectral_run(const std::string& scene, const ParameterValues& values = {}) {
   return {"spectral_collocation", scene, values};
 }
 
 // With the constraint as an algebraic row; alpha is the order of the scene's memory term, if it has one.
-RequestedRun multiplier(const std::string& scene, std::optional<double> alpha = {}) {
-  RequestedRun asked = spectral_run(scene, {{"formulation", "multiplier"}});
+AccuracyRun multiplier(const std::string& scene, std::optional<double> alpha = {}) {
+  AccuracyRun asked = spectral_run(scene, {{"formulation", "multiplier"}});
   if (alpha) asked.values["alpha"] = *alpha;
   return asked;
 }
 
-class Spectral : public testing::TestWithParam<RequestedRun> {};
+class Spectral : public testing::TestWithParam<AccuracyRun> {};
 
 // At the run's own times, the first of which are close to a singular start.
 TEST_P(Spectral, DeliversTheAccuracy) {
