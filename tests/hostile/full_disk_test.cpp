@@ -33,7 +33,7 @@ TEST_F(FullDisks, LeaveTheOldReport) {
   EXPECT_THAT(fdebench({"report", file_.string(), "--out", (folder_.path() / "report").string()}),
               fails_with(2, testing::MatchesRegex(
                                 "fdebench: .*/report/index.html.*: cannot be written: File too large\n")));
-  EXPECT_THAT(names(), testing::ElementsAre("report", "report/index.html", "results.jsonl"));
+  EXPECT_THAT(names(), ElementsAre("report", "report/index.html", "results.jsonl"));
   EXPECT_EQ(fs::file_size(folder_.path() / "report" / "index.html"), 3U);
 }
 
@@ -46,7 +46,7 @@ TEST_F(FullDisks, LeaveTheOldReferenceTables) {
         replace_folder(data, {{"a.csv", std::string(5000, '1')}});
       },
       testing::ThrowsMessage<std::invalid_argument>(data.string() + ": cannot be written: File too large"));
-  EXPECT_THAT(names(), testing::ElementsAre("data", "data/a.csv"));
+  EXPECT_THAT(names(), ElementsAre("data", "data/a.csv"));
 }
 
 // A reference does not depend on whether it can be cached.
@@ -58,7 +58,7 @@ TEST_F(FullDisks, AreNoHarmToWhatACacheFinds) {
   const FullDisk full(100);
   const auto found = cached_reference("r", problem, ReferenceCache(folder_.path() / "cache")).at(1.0);
   EXPECT_EQ(found.value, known.value);
-  EXPECT_THAT(names(), testing::ElementsAre("cache"));
+  EXPECT_THAT(names(), ElementsAre("cache"));
 }
 
 TEST_F(FullDisks, MayBeTheStandardOutput) {

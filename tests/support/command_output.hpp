@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fdebench/reports/command/command.hpp"
+#include "support/matchers.hpp"  // IWYU pragma: export
 
 namespace fde::bench {
 
@@ -42,16 +43,15 @@ inline std::ostream& operator<<(std::ostream& stream, const CommandOutput& answe
 
 // A command that ends with this exit code and such a message.
 inline testing::Matcher<const CommandOutput&> fails_with(int code, const TextMatcher& message) {
-  return testing::AllOf(testing::Field("code", &CommandOutput::code, code),
-                        testing::Field("err", &CommandOutput::err, message));
+  return AllOf(testing::Field("code", &CommandOutput::code, code),
+               testing::Field("err", &CommandOutput::err, message));
 }
 
 // One that prints nothing but its message, in one line.
 inline testing::Matcher<const CommandOutput&> refuses(int code, const TextMatcher& message) {
   const auto is_one_line =
       testing::ResultOf([](const std::string& text) { return std::ranges::count(text, '\n'); }, 1);
-  return testing::AllOf(fails_with(code, testing::AllOf(is_one_line, message)),
-                        testing::Field("out", &CommandOutput::out, ""));
+  return AllOf(fails_with(code, AllOf(is_one_line, message)), testing::Field("out", &CommandOutput::out, ""));
 }
 
 }  // namespace fde::bench

@@ -9,6 +9,7 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/schemes/rules/start_weights/start_weights.hpp"
+#include "support/matchers.hpp"    // IWYU pragma: export
 #include "support/message_of.hpp"  // IWYU pragma: export
 
 namespace fde::bench {

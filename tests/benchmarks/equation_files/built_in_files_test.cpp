@@ -19,9 +19,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 std::vector<const SceneFactory*> built_in_files() {
   std::vector<const SceneFactory*> makers;
   for (const SceneFactory& maker : built_in_scenes())

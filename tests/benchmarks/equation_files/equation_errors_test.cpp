@@ -14,10 +14,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::StartsWith;
-
 struct InvalidFile {
   std::string text, place, what;
 };
@@ -29,9 +25,8 @@ TEST_P(WrongEquationFile, IsRefusedInOneLine) {
   const TemporaryFolder folder;
   folder.write("f.toml", text);
   const std::string file = folder.path() / "f.toml";
-  EXPECT_THAT(
-      fdebench({"solve", file, "--scheme", "l1", "--steps", "4"}),
-      refuses(2, testing::AllOf(StartsWith("fdebench: " + file + ": " + place + ": "), HasSubstr(what))));
+  EXPECT_THAT(fdebench({"solve", file, "--scheme", "l1", "--steps", "4"}),
+              refuses(2, AllOf(StartsWith("fdebench: " + file + ": " + place + ": "), HasSubstr(what))));
 }
 
 const std::string x = "[unknown.x]\norder = 0.5\nrhs = \"-x\"\ninitial = [1]\n";
@@ -252,7 +247,7 @@ TEST(EquationThatBreaksDown, IsANumericalFailure) {
   folder.write("root.toml", relaxation_file("-sqrt(0.5 - t)", "1"));
   for (const std::string file : {"pole.toml", "root.toml"}) {
     EXPECT_THAT(fdebench({"solve", folder.path() / file, "--scheme", "adams_pc", "--steps", "16"}),
-                fails_with(3, testing::AllOf(StartsWith("fdebench: adams_pc: "), HasSubstr("step"))))
+                fails_with(3, AllOf(StartsWith("fdebench: adams_pc: "), HasSubstr("step"))))
         << file;
   }
 }

@@ -14,9 +14,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 const std::string falling = "solve " + example("falling.toml");
 
 // The sphere of docs/examples, with a closed form: halfway it is at 1/2, on the ground at 0.

@@ -16,8 +16,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::StartsWith;
-
 struct KnownDigits {
   std::string file, digits;  // of the first column at t = 1
 };

@@ -19,9 +19,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
-
 // The formula behind "it is", in x and y.
 double value_of_hint(const std::string& name, double x, double y) {
   const std::string hint = function_hint(name), before = "it is ";

@@ -16,7 +16,6 @@ namespace {
 
 using testing::DoubleNear;
 using testing::Pointwise;
-using testing::StartsWith;
 
 // The first column at these times.
 std::vector<double> first_column(const std::string& text, const std::string& times,

@@ -19,8 +19,6 @@ namespace fde::bench {
 namespace {
 
 using testing::DoubleEq;
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 std::vector<double> jumps_of(const std::string& rhs, double end) {
   Scene scene = scene_of_text(relaxation_file(rhs));
@@ -92,9 +90,9 @@ TEST(KnownSolutions, AreNotBelievedAgainstTwoSchemes) {
   const TemporaryFolder folder;
   const std::string file = folder.path() / "false.toml";
   folder.write("false.toml", relaxation_file("-x") + "[exact]\nx = \"1 - t\"\n");
-  EXPECT_THAT(fdebench({"exact", file, "--at", "0.5,1"}),
-              refuses(3, testing::AllOf(HasSubstr("what is known of x at t = "),
-                                        HasSubstr("is not believed: it says "))));
+  EXPECT_THAT(
+      fdebench({"exact", file, "--at", "0.5,1"}),
+      refuses(3, AllOf(HasSubstr("what is known of x at t = "), HasSubstr("is not believed: it says "))));
   EXPECT_EQ(fdebench({"exact", file, "--at", "0.5,1", "--digits", "30"}).code, 3);
 }
 

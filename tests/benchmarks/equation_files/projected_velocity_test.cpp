@@ -12,8 +12,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-
 TEST(ProjectedVelocity, IsOfferedWhereAStartIsRefusedAndSaidOnce) {
   const TemporaryFolder folder;
   folder.write("f.toml",

@@ -20,9 +20,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-
 // Shell code: prints the output times of the task file $1, one a line.
 constexpr auto print_times = R"(sed -n '/"times"/,/]/p' "$1" | tr -d ' ],' | grep '^[0-9]')";
 

@@ -64,8 +64,8 @@ TEST_F(Merges, KeepTheSessionsOfSeveralMachinesApart) {
   EXPECT_EQ(merged.rows, 4U);
   const auto results = read_results(out_);
   ASSERT_EQ(results.sessions.size(), 2U);
-  EXPECT_THAT(steps_of(results, "one"), testing::ElementsAre(8, 16));
-  EXPECT_THAT(steps_of(results, "other"), testing::ElementsAre(16, 32));
+  EXPECT_THAT(steps_of(results, "one"), ElementsAre(8, 16));
+  EXPECT_THAT(steps_of(results, "other"), ElementsAre(16, 32));
 }
 
 TEST_F(Merges, OfOneFileAreThatFile) {
@@ -100,7 +100,7 @@ TEST_F(Merges, TakeWhatStandsInSeveralFilesOnce) {
   EXPECT_EQ(merged.repeated_rows, 2U);
   const auto results = read_results(out_);
   EXPECT_EQ(results.sessions.size(), 1U);
-  EXPECT_THAT(steps_of(results, "one"), testing::ElementsAre(8, 16, 32));
+  EXPECT_THAT(steps_of(results, "one"), ElementsAre(8, 16, 32));
 }
 
 TEST_F(Merges, PassOverTheLastLineOfAKilledSweep) {
@@ -108,7 +108,7 @@ TEST_F(Merges, PassOverTheLastLineOfAKilledSweep) {
   const auto whole = to_text(file);
   folder_.write("cut", whole.substr(0, whole.size() - 20));
   merge_results({folder_.path() / "cut", file_of("b", "other", {32})}, out_);
-  EXPECT_THAT(steps_of(read_results(out_), "one"), testing::ElementsAre(8));
+  EXPECT_THAT(steps_of(read_results(out_), "one"), ElementsAre(8));
 }
 
 // Odd lines and runs without an ending are left out: what was merged is read without a warning.
@@ -122,7 +122,7 @@ TEST_F(Merges, LeaveOutWhatNoReaderAccepts) {
     if (of_two) files.push_back(file_of("b", "one", {64}));
     const auto merged = merge_results(files, out_);
     ASSERT_EQ(merged.warnings.size(), 1U);
-    EXPECT_THAT(merged.warnings[0], testing::HasSubstr("odd: line 2 is not a row of fdebench results"));
+    EXPECT_THAT(merged.warnings[0], HasSubstr("odd: line 2 is not a row of fdebench results"));
     const auto results = read_results(out_);
     EXPECT_EQ(results.warning, "");
     EXPECT_EQ(steps_of(results, "one"), of_two ? (std::vector{8, 16, 64}) : (std::vector{8, 16}));

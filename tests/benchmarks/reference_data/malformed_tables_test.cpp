@@ -7,13 +7,11 @@
 #include <stdexcept>
 
 #include "fdebench/benchmarks/reference_data/reference_check.hpp"
+#include "support/matchers.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace fde::bench {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 void require_well_formed(const TemporaryFolder& folder) {
   check_folder(folder.path(), 1, [](std::size_t, std::size_t, const std::string&) {});

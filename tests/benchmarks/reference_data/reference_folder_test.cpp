@@ -22,11 +22,6 @@ namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::StartsWith;
-using testing::ThrowsMessage;
 
 CommandOutput check(const fs::path& folder) { return fdebench({"reference", "--check", folder.string()}); }
 
@@ -62,7 +57,7 @@ TEST_F(ReferenceFolderTest, PassesItsOwnCheck) {
   EXPECT_EQ(answer.err, "");
   EXPECT_THAT(answer.out,
               AllOf(HasSubstr("trajectories/power.csv: 27 rows, 27 recomputed, 0 wrong\n"),
-                    HasSubstr(recomputed() + "all hold; worst ratio "), testing::Not(HasSubstr("absent"))));
+                    HasSubstr(recomputed() + "all hold; worst ratio "), Not(HasSubstr("absent"))));
 }
 
 // The parameters of a table without a description are a guess; the check only reports that it is not wrong.
@@ -71,7 +66,7 @@ TEST_F(ReferenceFolderTest, ATableWithoutItsJsonIsNotSaidToHold) {
   EXPECT_THAT(printed(check(data_)),
               AllOf(HasSubstr(recomputed() +
                               "none is wrong, but 1 without a JSON does not say what it is; worst ratio "),
-                    testing::Not(HasSubstr("hold"))));
+                    Not(HasSubstr("hold"))));
 }
 
 TEST_F(ReferenceFolderTest, AWrongDigitIsFoundAndItsRowNamed) {

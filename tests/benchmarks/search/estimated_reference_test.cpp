@@ -20,8 +20,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-
 constexpr auto silence = [](const std::string&, double) {};
 
 Scene without_reference(const Scene& scene) {
@@ -104,7 +102,7 @@ TEST(Estimates, TakeMoreForTheErrorTheSlowerItFalls) {
 TEST(Estimates, AreRefusedWhereTwoSchemesDoNotAgree) {
   const std::string begin = "there is no reference (it is taken away), and no estimate: ";
   EXPECT_THAT(refusal(without_reference(scene_of("relaxation")), 1e-14, 600.0),
-              testing::AllOf(HasSubstr(begin), HasSubstr(" differ by "), HasSubstr("of 1.0e-14")));
+              AllOf(HasSubstr(begin), HasSubstr(" differ by "), HasSubstr("of 1.0e-14")));
 }
 
 // y' = y^2 has no solution at t = 1: no run reaches the end time.

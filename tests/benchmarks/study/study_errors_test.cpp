@@ -14,9 +14,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 struct InvalidStudy {
   std::string text, place, what;
 };
@@ -30,9 +27,9 @@ TEST_P(WrongStudy, IsRefusedInOneLine) {
   const std::string file = folder.path() / "s.toml", out = folder.path() / "out";
   for (const auto& command : {std::vector<std::string>{"run", "--study", file, "--out", out},
                               std::vector<std::string>{"study", "plan", file, "--out", out}}) {
-    EXPECT_THAT(fdebench(command),
-                refuses(2, testing::AllOf(StartsWith(fmt::format("fdebench: {}: {}: ", file, place)),
-                                          HasSubstr(what))));
+    EXPECT_THAT(
+        fdebench(command),
+        refuses(2, AllOf(StartsWith(fmt::format("fdebench: {}: {}: ", file, place)), HasSubstr(what))));
     EXPECT_FALSE(std::filesystem::exists(out));
   }
 }

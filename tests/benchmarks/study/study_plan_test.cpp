@@ -24,8 +24,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-
 RunKey run_of(const SceneVariant& scene, int steps) {
   return {.scene = scene.key(), .scheme = "l1", .setup = {.resolution = steps}};
 }

@@ -14,9 +14,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 const std::string extremals =
     "solve fractional_hamilton --set motion=given --set T=3 --scheme product_trapezoidal --steps 256";
 

@@ -20,7 +20,6 @@ namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 
 class CheckpointOfSolve : public testing::Test {
  protected:
@@ -85,7 +84,7 @@ TEST_F(CheckpointOfSolve, IsOfOneRunOnly) {
        "times = --points 5, not --at 20"}};
   for (const auto& [command, difference] : others) {
     EXPECT_THAT(solve_with_checkpoint(command),
-                refuses(2, testing::StartsWith("fdebench: " + file() + ": is of another run: " + difference)))
+                refuses(2, StartsWith("fdebench: " + file() + ": is of another run: " + difference)))
         << command;
   }
   EXPECT_EQ(content(), kept);
@@ -154,7 +153,7 @@ TEST_F(CheckpointOfSolve, MayFindAFullDisk) {
     const auto [code, out, err] =
         solve_with_checkpoint(std::string(plain) + " --checkpoint-every 0 --budget 0.05");
     EXPECT_EQ(code, 3);
-    EXPECT_THAT(err, testing::StartsWith("fdebench: " + file() + ": cannot be written: File too large\n"));
+    EXPECT_THAT(err, StartsWith("fdebench: " + file() + ": cannot be written: File too large\n"));
     EXPECT_EQ(std::ranges::count(err, '\n'), 2) << err;
     EXPECT_EQ(content(), kept);
     EXPECT_EQ(files(), 1);

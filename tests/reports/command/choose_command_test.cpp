@@ -21,8 +21,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-
 TEST(Choose, MakesTheRunThatItNames) {
   const auto json =
       nlohmann::json::parse(printed(fdebench("choose power --set p=1.83 --error 1e-4 --json --max-time 5")));

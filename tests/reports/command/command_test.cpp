@@ -20,9 +20,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 TEST(Values, ThatAreEmptyAreNotTheDefault) {
   const std::vector<std::string> solve{"solve",   "relaxation", "--scheme", "l1",
                                        "--steps", "8",          "--until",  ""};
@@ -231,13 +228,12 @@ TEST(Run, TakesRangesOfParameters) {
   };
   EXPECT_EQ(fdebench("run --scene relaxation:gamma=0.1:0.9:0.1" + how).code, 0);
   EXPECT_THAT(scenes_in(),
-              testing::ElementsAre("relaxation:gamma=0.1", "relaxation:gamma=0.2", "relaxation:gamma=0.3",
-                                   "relaxation:gamma=0.4", "relaxation:gamma=0.5", "relaxation:gamma=0.6",
-                                   "relaxation:gamma=0.7", "relaxation:gamma=0.8", "relaxation:gamma=0.9"));
+              ElementsAre("relaxation:gamma=0.1", "relaxation:gamma=0.2", "relaxation:gamma=0.3",
+                          "relaxation:gamma=0.4", "relaxation:gamma=0.5", "relaxation:gamma=0.6",
+                          "relaxation:gamma=0.7", "relaxation:gamma=0.8", "relaxation:gamma=0.9"));
   EXPECT_EQ(fdebench("run --scene relaxation --set gamma=0.5:0.1:-0.3 --set until=1:2:1" + how).code, 0);
-  EXPECT_THAT(scenes_in(),
-              testing::ElementsAre("relaxation:gamma=0.2,until=1", "relaxation:gamma=0.2,until=2",
-                                   "relaxation:gamma=0.5,until=1", "relaxation:gamma=0.5,until=2"));
+  EXPECT_THAT(scenes_in(), ElementsAre("relaxation:gamma=0.2,until=1", "relaxation:gamma=0.2,until=2",
+                                       "relaxation:gamma=0.5,until=1", "relaxation:gamma=0.5,until=2"));
 }
 
 TEST(Run, TakesVariantsOfScenes) {

@@ -14,10 +14,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
-
 TEST(Exact, PrintsTheColumnsAndABound) {
   const auto answer = fdebench("exact relaxation --at 0,1");
   EXPECT_THAT(answer.out, StartsWith("t,y,bound\n0,1,"));

@@ -18,11 +18,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
-
 std::string file_text(const std::string& name) {
   std::ostringstream text;
   text << std::ifstream(std::string(FDE_SOURCE_DIR) + "/" + name).rdbuf();

@@ -22,8 +22,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-
 class Judging : public testing::Test {
  protected:
   [[nodiscard]] CommandOutput judge(const std::string& csv, std::vector<std::string> more = {},
@@ -66,7 +64,7 @@ TEST_F(Judging, TakesAnyTimes) {
   EXPECT_NEAR(number(answer, "error_maximum"), 0.02, 1e-15);
   EXPECT_NEAR(number(answer, "mescd"), 2.0, 1e-13);
   EXPECT_THAT(answer.out, HasSubstr(" digits\n"));
-  EXPECT_THAT(answer.out, testing::Not(HasSubstr("time_")));
+  EXPECT_THAT(answer.out, Not(HasSubstr("time_")));
 }
 
 TEST_F(Judging, TakesTheFilesThatOtherProgramsWrite) {

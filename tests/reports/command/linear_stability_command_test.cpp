@@ -9,9 +9,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 CommandOutput stability(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "stability");
   return fdebench(arguments);

@@ -22,9 +22,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 TEST(Lists, NameEverySceneAndScheme) {
   const auto all_scenes = nlohmann::json::parse(fdebench("scenes --json").out);
   ASSERT_EQ(all_scenes.size(), built_in_scenes().size());
@@ -147,7 +144,7 @@ TEST(ScenesMadeAtRunTime, NeedNoSmoothness) {
     const auto solved =
         fde::bench::fdebench({"solve", "decay", "--scheme", scheme, "--steps", "8", "--cost"}, mine);
     EXPECT_EQ(solved.code, 0) << solved.err;
-    EXPECT_THAT(solved.err, testing::Not(HasSubstr("expected_rate")));
+    EXPECT_THAT(solved.err, Not(HasSubstr("expected_rate")));
   }
   EXPECT_EQ(fde::bench::fdebench({"choose", "decay", "--error", "1e-2"}, mine).code, 0);
   EXPECT_THAT(fde::bench::fdebench({"solve", "wrong", "--scheme", "l1", "--steps", "8"}, mine),

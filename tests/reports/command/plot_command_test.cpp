@@ -15,8 +15,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-
 class Plots : public testing::Test {
  protected:
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_.path() / name).string(); }

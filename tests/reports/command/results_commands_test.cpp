@@ -21,8 +21,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-
 // A run of l1 on `power` with its measures.
 struct WrittenRun {
   int steps = 64;

@@ -18,9 +18,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 TEST(Solve, PrintsAllGridTimesWithSeventeenDigits) {
   const auto answer = fdebench("solve relaxation --scheme adams_pc --steps 4");
   EXPECT_EQ(answer.code, 0);
@@ -121,7 +118,7 @@ TEST(Solve, SaysWhatSolvesSparseEquations) {
   };
   EXPECT_THAT(cost("fractional_diffusion"), HasSubstr(R"("linear_solver":"tridiagonal")"));
   EXPECT_THAT(cost("fractional_diffusion_2d"), HasSubstr(R"("linear_solver":"fast_sine")"));
-  EXPECT_THAT(cost("relaxation"), testing::Not(HasSubstr("linear_solver")));
+  EXPECT_THAT(cost("relaxation"), Not(HasSubstr("linear_solver")));
 }
 
 TEST(Solve, PrintsTheSameWithAnyNumberOfThreads) {

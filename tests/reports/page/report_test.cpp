@@ -19,6 +19,7 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "reports/page/page_section.hpp"
 #include "reports/synthetic_results.hpp"
+#include "support/matchers.hpp"
 #include "support/message_of.hpp"
 #include "support/unpacked_page.hpp"
 
@@ -26,8 +27,6 @@ namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-using testing::Not;
 
 TEST(Rates, AreThoseOfExactPowers) {
   const auto rows = rates(runs_of(two_lines()));
@@ -125,9 +124,8 @@ TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
         "-O3", "0123abc", "2025-01-02T03:04:05Z"}) {
     EXPECT_THAT(shown, HasSubstr(text));
   }
-  EXPECT_THAT(section_ids(data),
-              testing::ElementsAre("answer", "regions", "scene-pendulum", "scene-brusselator", "rates",
-                                   "cost", "reference", "failures", "schemes"));
+  EXPECT_THAT(section_ids(data), ElementsAre("answer", "regions", "scene-pendulum", "scene-brusselator",
+                                             "rates", "cost", "reference", "failures", "schemes"));
 }
 
 // At the end l1 is within 1e-4 with 256 steps of 1 us, adams_pc with 128 steps of 3 us: 1.5 times as long.

@@ -18,13 +18,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::AllOf;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
-using testing::StartsWith;
-
 // A run that is off by more than a tenth of the value, with the exact value at its end as `fdebench exact`
 // prints it, and what the warning says.
 struct BadRun {

@@ -12,8 +12,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::ElementsAre;
-
 const std::vector<Term> damping{{0.1, 0.5}, {0.2, 1.0}, {0.3, 1.5}};
 
 Problem forced(const Chain& chain, double force) {
