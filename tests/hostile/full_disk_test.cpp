@@ -30,7 +30,7 @@ TEST_F(FullDisks, LeaveTheOldReport) {
   ASSERT_EQ(run_into(file_).code, 0);
   folder_.write("report/index.html", "old");
   const FullDisk full(1000);
-  EXPECT_THAT(fdebench({"report", file_.string(), "--out", (folder_.path() / "report").string()}),
+  EXPECT_THAT(fdebench({"report", file_.string(), "--out", folder_.file("report")}),
               fails_with(2, testing::MatchesRegex(
                                 "fdebench: .*/report/index.html.*: cannot be written: File too large\n")));
   EXPECT_THAT(names(), ElementsAre("report", "report/index.html", "results.jsonl"));

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -30,10 +28,8 @@ class BuiltInFile : public testing::TestWithParam<const SceneFactory*> {};
 
 TEST_P(BuiltInFile, IsPrintedAsItIs) {
   const std::string id = GetParam()->id;
-  std::ifstream file(FDE_SOURCE_DIR "/benchmarks/scenes/" + id + ".toml");
-  std::ostringstream text;
-  text << file.rdbuf();
-  EXPECT_EQ(fdebench("scenes " + id + " --toml").out, text.str());
+  EXPECT_EQ(fdebench("scenes " + id + " --toml").out,
+            content_of(FDE_SOURCE_DIR "/benchmarks/scenes/" + id + ".toml"));
 }
 
 TEST_P(BuiltInFile, IsTheSameSceneWhenItIsSaved) {

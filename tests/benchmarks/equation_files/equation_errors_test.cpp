@@ -24,7 +24,7 @@ TEST_P(WrongEquationFile, IsRefusedInOneLine) {
   const auto& [text, place, what] = GetParam();
   const TemporaryFolder folder;
   folder.write("f.toml", text);
-  const std::string file = folder.path() / "f.toml";
+  const std::string file = folder.file("f.toml");
   EXPECT_THAT(fdebench({"solve", file, "--scheme", "l1", "--steps", "4"}),
               refuses(2, AllOf(StartsWith("fdebench: " + file + ": " + place + ": "), HasSubstr(what))));
 }

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
@@ -16,11 +14,6 @@
 
 namespace fde::bench {
 namespace {
-
-std::string content(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 const std::string decay =
     "title = \"Decay\"\nend = 2\n[parameters]\nk = 1\n[unknown.x]\norder = 0.5\nrhs = \"-k*x\"\ninitial = "
@@ -71,32 +64,31 @@ TEST_F(EquationFileCommand, PrintsNamesOfDerivativesInQuotes) {
 TEST_F(EquationFileCommand, IsJudgedByTheColumnsThatItPrints) {
   const auto solved = fdebench("solve " + example("falling.toml") + " --scheme l1 --steps 64");
   folder_.write("path.csv", solved.out);
-  EXPECT_THAT(expect_success(fdebench("judge " + example("falling.toml") + " " +
-                                      (folder_.path() / "path.csv").string())),
+  EXPECT_THAT(printed(fdebench("judge " + example("falling.toml") + " " + folder_.file("path.csv"))),
               HasSubstr("ending finished"));
 }
 
 TEST_F(EquationFileCommand, IsMeasuredAndContinued) {
   ASSERT_EQ(run(file()).code, 0);
-  const auto once = content(results());
+  const auto once = content_of(results());
   EXPECT_THAT(once, HasSubstr("\"checksum\":\""));
   ASSERT_EQ(run(file()).code, 0);
-  EXPECT_EQ(content(results()), once);
+  EXPECT_EQ(content_of(results()), once);
 }
 
 // Another equation under the same name is measured again.
 TEST_F(EquationFileCommand, IsAnotherSceneWhereItSaysSomethingElse) {
   ASSERT_EQ(run(file()).code, 0);
-  const auto once = content(results());
+  const auto once = content_of(results());
   folder_.write("decay.toml", "# a comment\n" + decay);
   ASSERT_EQ(run(file()).code, 0);
-  EXPECT_EQ(content(results()), once);
+  EXPECT_EQ(content_of(results()), once);
   std::string other = decay;
   other.replace(other.find("-k*x"), 4, "-k*x/2");
   folder_.write("decay.toml", other);
   ASSERT_EQ(run(file()).code, 0);
-  EXPECT_GT(content(results()).size(), once.size());
-  const auto folder = (folder_.path() / "page").string();
+  EXPECT_GT(content_of(results()).size(), once.size());
+  const auto folder = folder_.file("page");
   EXPECT_EQ(fdebench("report " + results() + " --out " + folder).code, 0);
 }
 
@@ -106,9 +98,9 @@ TEST_F(EquationFileCommand, NeedsNotBeAtHandForItsResults) {
   EXPECT_THAT(printed(fdebench("choose " + file() + " --error 0.1 --results " + results())),
               StartsWith("run: fdebench solve " + file() + " "));
   EXPECT_EQ(fdebench("choose " + file() + ":k=2 --error 0.1 --results " + results()).code, 2);
-  const auto folder = (folder_.path() / "page").string();
+  const auto folder = folder_.file("page");
   EXPECT_EQ(fdebench("report " + results() + " --out " + folder).code, 0);
-  EXPECT_THAT(unpacked(content(folder + "/index.html"), "data"), HasSubstr("decay.toml"));
+  EXPECT_THAT(unpacked(content_of(folder + "/index.html"), "data"), HasSubstr("decay.toml"));
   EXPECT_EQ(fdebench("compare " + results() + " " + results()).code, 0);
 }
 
@@ -135,12 +127,11 @@ TEST_F(EquationFileCommand, MakesARangeOfScenes) {
 TEST_F(EquationFileCommand, LosesALineWithAChecksumThatIsNone) {
   ASSERT_EQ(run(file()).code, 0);
   const std::string key = R"("checksum":")";
-  auto text = content(results());
+  auto text = content_of(results());
   const auto at = text.find(key) + key.size();
   text[at] = 'Z';
   folder_.write("changed.jsonl", text);
-  const auto answer = fdebench("report " + (folder_.path() / "changed.jsonl").string() + " --out " +
-                               (folder_.path() / "page").string());
+  const auto answer = fdebench("report " + folder_.file("changed.jsonl") + " --out " + folder_.file("page"));
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.err, HasSubstr("must be a SHA-256 in hexadecimal"));
 }

@@ -88,7 +88,7 @@ TEST(EventsOfAFile, AreRefusedInOneLine) {
   const auto line = [](const std::string& event) {
     const TemporaryFolder folder;
     folder.write("f.toml", relaxation_file("-x") + "[event.low]\n" + event + "\n");
-    const std::string file = folder.path() / "f.toml";
+    const std::string file = folder.file("f.toml");
     const auto answer = fdebench("solve " + file + " --scheme adaptive_pc --accuracy 1e-3");
     EXPECT_EQ(answer.code, 2) << event;
     EXPECT_EQ(answer.out, "");

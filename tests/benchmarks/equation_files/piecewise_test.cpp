@@ -88,7 +88,7 @@ TEST(KnownSolutions, AreNotThoseOfASwitchThatStaysAtItsStart) {
 // D^0.5 x = -x, x(0) = 1 is not solved by 1 - t, which the file claims.
 TEST(KnownSolutions, AreNotBelievedAgainstTwoSchemes) {
   const TemporaryFolder folder;
-  const std::string file = folder.path() / "false.toml";
+  const std::string file = folder.file("false.toml");
   folder.write("false.toml", relaxation_file("-x") + "[exact]\nx = \"1 - t\"\n");
   EXPECT_THAT(
       fdebench({"exact", file, "--at", "0.5,1"}),

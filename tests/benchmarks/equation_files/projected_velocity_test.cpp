@@ -19,7 +19,7 @@ TEST(ProjectedVelocity, IsOfferedWhereAStartIsRefusedAndSaidOnce) {
                "-0.166667]\n[mechanics]\n"
                "lagrangian = \"(D(x,1)^2 + 3*D(y,1)^2)/2 - x^2\"\nconstraints = [\"D(x,1) + 2*D(y,1) + "
                "0.3*D(x,0.4)\"]\n");
-  const std::string file = folder.path() / "f.toml";
+  const std::string file = folder.file("f.toml");
   EXPECT_THAT(fdebench({"solve", file, "--scheme", "l1", "--steps", "4"}),
               fails_with(2, HasSubstr("--set initial_velocity=projected takes it\n")));
   const std::string line =

@@ -8,7 +8,6 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "support/message_of.hpp"

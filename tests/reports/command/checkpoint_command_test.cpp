@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "support/command_line_result.hpp"
@@ -23,11 +22,8 @@ namespace fs = std::filesystem;
 
 class CheckpointOfSolve : public testing::Test {
  protected:
-  [[nodiscard]] std::string file() const { return (folder_.path() / "state").string(); }
-  [[nodiscard]] std::string content() const {
-    std::ifstream stream(file(), std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
+  [[nodiscard]] std::string file() const { return folder_.file("state"); }
+  [[nodiscard]] std::string content() const { return content_of(file()); }
   void replace(const std::string& text) const { folder_.write("state", text); }
   [[nodiscard]] std::ptrdiff_t files() const {
     return std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
@@ -122,7 +118,7 @@ TEST_F(CheckpointOfSolve, ReplacesNoFileOfAnotherKind) {
 }
 
 TEST_F(CheckpointOfSolve, NeedsAFolderAndNumbers) {
-  const auto missing = (folder_.path() / "missing" / "state").string();
+  const auto missing = folder_.file("missing/state");
   EXPECT_EQ(fdebench(std::string(plain) + " --checkpoint " + missing).err,
             "fdebench: " + missing + ": cannot be written: No such file or directory\n");
   EXPECT_THAT(solve_with_checkpoint(std::string(plain) + " --checkpoint-every x").err,

@@ -53,8 +53,7 @@ TEST(Choose, SaysThatAnAccuracyIsCoarseForItsColumn) {
   folder.write("damper.toml",
                "end = 0.05\n[unknown.x]\nterms = [[0.25, 2], [40, 0.6]]\n"
                "rhs = \"200*t*exp(-300*t) - 1e4*x\"\ninitial = [0.0, 0.0]\n");
-  const auto command =
-      "choose " + (folder.path() / "damper.toml").string() + " --columns x --max-time 10 --error 1e-2";
+  const auto command = "choose " + folder.file("damper.toml") + " --columns x --max-time 10 --error 1e-2";
   const auto coarse = fdebench(command);
   EXPECT_THAT(coarse.out, HasSubstr("\ncoarse: the error allowed is in x 1.0e-2, "));
   EXPECT_THAT(coarse.out, HasSubstr(" times its largest value "));
@@ -67,8 +66,7 @@ TEST(Choose, SaysThatAnAccuracyIsCoarseForItsColumn) {
   const auto rows = csv_rows(fdebench(solve.substr(solve.find(' ') + 1)).out);
   std::string times;
   for (std::size_t i = 1; i < rows.size(); ++i) times += fmt::format("{}{}", i > 1 ? "," : "", rows[i][0]);
-  const auto exact =
-      csv_rows(fdebench("exact " + (folder.path() / "damper.toml").string() + " --at " + times).out);
+  const auto exact = csv_rows(fdebench("exact " + folder.file("damper.toml") + " --at " + times).out);
   ASSERT_EQ(exact.size() + 1, rows.size());
   double worst = 0.0;
   for (std::size_t i = 1; i < rows.size(); ++i)

@@ -5,12 +5,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "support/command_line_result.hpp"
@@ -193,9 +190,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return "mistake_" + std::to_string(test.index); });
 
 TEST(Run, ThenReportThenChoose) {
-  const auto folder = std::filesystem::temp_directory_path() / ("fdebench_run_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
-  const auto file = (folder / "r.jsonl").string(), page = (folder / "page").string();
+  const TemporaryFolder folder;
+  const auto file = folder.file("r.jsonl"), page = folder.file("page");
   const std::string sweep =
       "run --scene relaxation --scheme l1 --scheme adams_pc --steps 16,32,64,128 --out " + file;
   EXPECT_EQ(fdebench(sweep).out, file + "\n");
@@ -208,18 +204,15 @@ TEST(Run, ThenReportThenChoose) {
 
   const auto choice = fdebench("choose relaxation --norm end --error 1e-4 --results " + file);
   EXPECT_THAT(choice.out, HasSubstr("--scheme adams_pc --steps "));
-  const auto none = fdebench("choose relaxation --norm end --error 1e-9 --results " + file);
-  EXPECT_EQ(none.code, 3);
-  EXPECT_THAT(
-      none.err,
-      StartsWith("fdebench: no run of relaxation is within 1.0e-9 (at the end, mixed scale): best: "));
-  std::filesystem::remove_all(folder);
+  EXPECT_THAT(fdebench("choose relaxation --norm end --error 1e-9 --results " + file),
+              fails_with(3, StartsWith("fdebench: no run of relaxation is within 1.0e-9 (at the end, mixed "
+                                       "scale): best: ")));
 }
 
 // The values are the decimals 0.1, 0.2, ..., not sums of doubles.
 TEST(Run, TakesRangesOfParameters) {
   const TemporaryFolder folder;
-  const std::string file = (folder.path() / "r.jsonl").string(), how = " --scheme l1 --steps 8 --out " + file;
+  const std::string file = folder.file("r.jsonl"), how = " --scheme l1 --steps 8 --out " + file;
   const auto scenes_in = [&] {
     std::set<std::string> found;
     for (const auto& row : read_results(file).records) found.insert(label_of(row.key.scene));
@@ -237,22 +230,19 @@ TEST(Run, TakesRangesOfParameters) {
 }
 
 TEST(Run, TakesVariantsOfScenes) {
-  const auto file =
-      (std::filesystem::temp_directory_path() / ("fdebench_variant_" + std::to_string(getpid()))).string();
+  const TemporaryFolder folder;
+  const auto file = folder.file("r.jsonl");
   expect_success(fdebench(
       "run --scene pendulum:beta=0.1,alpha=1.9 --scheme commensurate_adams_pc --steps 16 --out " + file));
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  EXPECT_THAT(text.str(), HasSubstr(R"("scene":"pendulum")"));
-  EXPECT_THAT(text.str(), HasSubstr(R"("settings":{"alpha":1.9,"beta":0.1})"));
-  std::filesystem::remove(file);
+  EXPECT_THAT(content_of(file),
+              AllOf(HasSubstr(R"("scene":"pendulum")"), HasSubstr(R"("settings":{"alpha":1.9,"beta":0.1})")));
 }
 
 // Runs with another grid, history or tolerance are different runs: they are measured in addition to the
 // first.
 TEST(Run, WritesTheWholeSetupAndContinuesByIt) {
-  const auto file =
-      (std::filesystem::temp_directory_path() / ("fdebench_setup_" + std::to_string(getpid()))).string();
+  const TemporaryFolder folder;
+  const auto file = folder.file("r.jsonl");
   const std::string sweep = "run --scene relaxation --scheme l1 --steps 16 --out " + file;
   EXPECT_EQ(fdebench(sweep).code, 0);
   const auto size = std::filesystem::file_size(file);
@@ -264,7 +254,6 @@ TEST(Run, WritesTheWholeSetupAndContinuesByIt) {
                                               {16, 2.0, HistoryKind::direct, 1e-8, 60.0}}));
   EXPECT_THAT(fdebench("choose relaxation --error 0.9 --results " + file).out,
               HasSubstr("--scheme l1 --steps 16"));
-  std::filesystem::remove(file);
 }
 
 TEST(Help, IsPrintedOnStandardOutput) {

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include "fdebench/reports/command/command.hpp"
@@ -19,9 +18,7 @@ namespace fde::bench {
 namespace {
 
 std::string file_text(const std::string& name) {
-  std::ostringstream text;
-  text << std::ifstream(std::string(FDE_SOURCE_DIR) + "/" + name).rdbuf();
-  return text.str();
+  return content_of(std::string(FDE_SOURCE_DIR) + "/" + name);
 }
 
 std::vector<std::string> lines_in(const std::string& text) {
@@ -240,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Quiet, LeavesOutNotesOnly) {
   const TemporaryFolder folder;
   folder.write("falling.toml", file_text("docs/examples/falling.toml"));
-  const std::string solve = "solve " + (folder.path() / "falling.toml").string() +
+  const std::string solve = "solve " + folder.file("falling.toml") +
                             " --scheme spectral_collocation --accuracy 1e-6 --points 3 --cost";
   const auto loud = fdebench(solve);
   EXPECT_THAT(loud.err, StartsWith("fdebench: event "));

@@ -120,7 +120,7 @@ SceneFactory decay() {
 // works.
 TEST(ScenesMadeAtRunTime, NeedNoSmoothness) {
   const TemporaryFolder folder;
-  const std::string file = (folder.path() / "r.jsonl").string();
+  const std::string file = folder.file("r.jsonl");
   SceneRegistry mine;
   SceneFactory bare = decay(), wrong = decay();
   bare.make = [](const Parameters& p) {

@@ -39,7 +39,7 @@ class Comparisons : public testing::Test {
     std::string text = line_of(session);
     for (const auto& made : runs) text += text_of(made);
     folder_.write(name, text);
-    return (folder_.path() / name).string();
+    return folder_.file(name);
   }
 
   [[nodiscard]] CommandOutput compare(const std::vector<WrittenRun>& before,
@@ -188,10 +188,10 @@ TEST_F(Comparisons, SayWhereTheMachinesDiffer) {
 // A session alone is no run.
 TEST_F(Comparisons, PagesAndComparisonsNeedARun) {
   folder_.write("empty", "");
-  const auto empty = (folder_.path() / "empty").string(), session = write("session", {});
+  const auto empty = folder_.file("empty"), session = write("session", {});
   for (const auto& file : {empty, session}) {
     const std::string line = "fdebench: " + file + ": holds no run\n";
-    EXPECT_THAT(fdebench({"report", file, "--out", (folder_.path() / "page").string()}), fails_with(2, line));
+    EXPECT_THAT(fdebench({"report", file, "--out", folder_.file("page")}), fails_with(2, line));
     EXPECT_EQ(fdebench({"compare", file, write("full", {{}})}).err, line);
     EXPECT_THAT(fdebench({"choose", "power", "--error", "1e-3", "--results", file}),
                 fails_with(2, HasSubstr("no run")));
@@ -201,7 +201,7 @@ TEST_F(Comparisons, PagesAndComparisonsNeedARun) {
 
 TEST_F(Comparisons, AreOfMergedFilesToo) {
   const auto one = write("one", {{}}, "a"), other = write("other", {{.steps = 8}}, "b");
-  const auto all = (folder_.path() / "all").string();
+  const auto all = folder_.file("all");
   EXPECT_EQ(printed(fdebench({"merge", one, other, "--out", all})),
             all + "\n2 sessions, 2 rows, 0 repeated rows left out\n");
   EXPECT_THAT(fdebench({"compare", one, all}).out, HasSubstr("1 runs in both, 0 only in the first, 1 only"));
@@ -243,7 +243,7 @@ TEST_F(Comparisons, ShardsTogetherAreTheWhole) {
 }
 
 TEST_F(Comparisons, DryRunsListTheRunsThatAreLeft) {
-  const auto file = (folder_.path() / "r").string();
+  const auto file = folder_.file("r");
   const std::string sweep = "run --scene power --scheme l1 --scheme adams_pc --repeat 1 --steps 16,32";
   const auto dry = fdebench(sweep + " --dry-run");
   EXPECT_EQ(dry.code, 0) << dry.err;

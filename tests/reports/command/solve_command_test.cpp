@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -89,14 +87,12 @@ TEST(Solve, DoesNotPrintAnInfiniteEnergy) {
 // The only unknown of a relaxation is its column, so that the field equals the printed rows.
 TEST(Solve, WritesTheFieldAtTheTimesThatItPrints) {
   const TemporaryFolder folder;
-  const auto file = (folder.path() / "field.csv").string();
+  const auto file = folder.file("field.csv");
   for (const std::string means : {"--scheme l1 --steps 8", "--scheme radau_exponentials --accuracy 1e-6"}) {
     const auto solve = "solve relaxation --points 3 " + means;
     auto printed = fdebench(solve).out;
     EXPECT_EQ(fdebench(fmt::format("{} --field {}", solve, file)).out, printed);
-    std::ifstream stream(file);
-    const std::string field(std::istreambuf_iterator<char>(stream), {});
-    EXPECT_EQ(field, printed.replace(0, 3, "t,u1"));
+    EXPECT_EQ(content_of(file), printed.replace(0, 3, "t,u1"));
   }
   EXPECT_EQ(fdebench("solve relaxation --scheme l1 --steps 8 --field f --checkpoint c").code, 2);
 }

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +20,7 @@
 #include "reports/synthetic_results.hpp"
 #include "support/matchers.hpp"
 #include "support/message_of.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/unpacked_page.hpp"
 
 namespace fde::bench {
@@ -58,9 +58,7 @@ fs::path fresh_folder() {
 }
 
 std::string written(const Results& results) {
-  std::ostringstream text;
-  text << std::ifstream(write_report(read_runs(results), fresh_folder())).rdbuf();
-  return text.str();
+  return content_of(write_report(read_runs(results), fresh_folder()));
 }
 
 // The JSON data embedded in a page.
