@@ -66,8 +66,7 @@ TEST(JumpsReference, TakesAlgebraicRowsThatJump) {
   const Reference reference = reference_solution(problem);
   for (const double t : {0.5, 1.5, 2.0}) {
     const double since = t > 1.0 ? std::sqrt(t - 1.0) : 0.0;
-    const Vec exact =
-        (Vec(2) << 2.0 * (std::sqrt(t) - since) / std::sqrt(std::acos(-1.0)), before(1.0, t)).finished();
+    const Vec exact = Vec{{2.0 * (std::sqrt(t) - since) / std::sqrt(std::acos(-1.0)), before(1.0, t)}};
     expect_exact(reference, t, exact, 1e-10);
   }
 }
