@@ -10,19 +10,13 @@
 
 #include "fdebench/schemes/rules/start_weights/start_weights.hpp"
 #include "support/implicit_schemes.hpp"
+#include "support/scheme_test.hpp"
 
 namespace fde::bench {
 namespace {
 
-class Conformance : public testing::TestWithParam<const Scheme*> {
+class Conformance : public SchemeTest {
  protected:
-  // The scheme's own trajectory. Fails the test when it refuses.
-  static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
-    const Grid grid{.end = problem.end, .steps = steps};
-    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
-    return GetParam()->solve(problem, grid, options);
-  }
-
   // They have a common denominator, so that the commensurate expansion is tested too.
   static std::vector<double> orders() {
     std::vector<double> all{0.2, 0.5, 0.8, 1.0, 1.3, 1.7, 2.0};
@@ -211,6 +205,7 @@ TEST_P(ImplicitConformance, AnImpossibleStepIsAnOutcome) {
   EXPECT_EQ(path.status, SolveStatus::not_converged);
   EXPECT_EQ(path.last_time, 0.0);
   EXPECT_EQ(path.failure_time, 0.25);
+  EXPECT_LT(path.cost.newton_iterations, 400);
 }
 
 TEST_P(Conformance, RefusalsNameTheReason) {

@@ -187,12 +187,8 @@ TEST_P(Events, DoNotChangeTheSolution) {
 
 // Events are located after jumps and switches too: y = 2 sqrt(t / pi) up to 1 at pi / 4, then D^0.5 y = 2.
 TEST_P(Events, AreLocatedAfterASwitch) {
-  const Problem problem{.components = {{0.5, {0.0}}},
-                        .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },
-                        .end = 2.0,
-                        .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
-  const double at = 1.1, level = 2.0 * (std::sqrt(at) + std::sqrt(at - M_PI / 4.0)) / std::sqrt(M_PI);
-  const auto path = run(problem, 1e-6, {.events = {reaches(level)}});
+  const double at = 1.1, level = solution_of_switching_problem(at);
+  const auto path = run(switching_problem(), 1e-6, {.events = {reaches(level)}});
   ASSERT_EQ(path.events.size(), 1U);
   EXPECT_NEAR(path.events[0].t, at, 1e-5);
 }

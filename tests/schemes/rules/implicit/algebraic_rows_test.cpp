@@ -8,18 +8,12 @@
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "support/algebraic_problems.hpp"
 #include "support/implicit_schemes.hpp"
+#include "support/scheme_test.hpp"
 
 namespace fde::bench {
 namespace {
 
-class AlgebraicRows : public testing::TestWithParam<const Scheme*> {
- protected:
-  static Trajectory run(const Problem& problem, const Grid& grid, const Options& options = {}) {
-    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
-    return GetParam()->solve(problem, grid, options);
-  }
-};
-
+class AlgebraicRows : public SchemeTest {};
 INSTANTIATE_TEST_SUITE_P(, AlgebraicRows, testing::ValuesIn(implicit_schemes()), id_of_param);
 
 TEST_P(AlgebraicRows, AnUnknownThatCanBeEliminatedChangesNothing) {

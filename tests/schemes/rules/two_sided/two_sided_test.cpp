@@ -8,6 +8,7 @@
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "fdebench/benchmarks/scenes/two_sided/manufactured_problem.hpp"
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
+#include "support/scheme_test.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
@@ -23,12 +24,10 @@ const WeightFamily& family_of(const Scheme& scheme) {
   return scheme.id == "grunwald_letnikov" ? families::grunwald_letnikov : families::trapezoid;
 }
 
-class TwoSided : public testing::TestWithParam<const Scheme*> {
+class TwoSided : public SchemeTest {
  protected:
   static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
-    const Grid grid{.end = problem.end, .steps = steps};
-    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
-    auto path = GetParam()->solve(problem, grid, options);
+    auto path = SchemeTest::run(problem, steps, options);
     EXPECT_EQ(path.status, SolveStatus::finished);
     EXPECT_EQ(path.last_time, problem.end);
     EXPECT_EQ(path.steps, steps);
