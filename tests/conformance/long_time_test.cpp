@@ -34,7 +34,7 @@ Energies energies(const Scene& scene, std::string_view scheme) {
     if (t == 0.0) seen.first = seen.last;
     seen.largest = std::max(seen.largest, seen.last);
   };
-  seen.ending = find_scheme(scheme)->solve(scene.problem, Grid{end, steps}, options).status;
+  seen.ending = solve(scheme, scene.problem, Grid{end, steps}, options).status;
   return seen;
 }
 

@@ -20,9 +20,13 @@ inline Scene scene_of(std::string_view id, const ParameterValues& values = {}) {
   return make_scene(scene_maker(id), values);
 }
 
+inline Trajectory solve(std::string_view scheme, const Problem& problem, const Resolution& resolution,
+                        const Options& options = {}) {
+  return find_scheme(scheme)->solve(problem, resolution, options);
+}
 inline Trajectory solve(std::string_view scheme, const Problem& problem, int steps,
                         const Options& options = {}) {
-  return find_scheme(scheme)->solve(problem, Grid{problem.end, steps}, options);
+  return solve(scheme, problem, Grid{problem.end, steps}, options);
 }
 
 // The difference that rounding may cause between two computations of the same result: starting weights may

@@ -26,7 +26,7 @@ TEST_P(Adaptive, DeliversTheAccuracy) {
   const auto reference = reference_of(scene);
   const bool third_order = scheme == "radau_exponentials";
   for (const double accuracy : {1e-3, third_order ? 1e-7 : 1e-5}) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{accuracy, accuracy}, {});
+    const auto path = solve(scheme, scene.problem, Tolerance{accuracy, accuracy});
     ASSERT_EQ(path.status, SolveStatus::finished) << accuracy;
     EXPECT_EQ(path.last_time, scene.problem.end);
     EXPECT_EQ(path.steps, std::ssize(path.times) - 1);
@@ -77,7 +77,7 @@ TEST(AdaptiveRules, AreExactForTheirPolynomials) {
   const auto error_of = [](const char* scheme, double p) {
     const Problem problem{.components = {{0.5, {0.0}}},
                           .rhs = [=](double t, In, Out f) { f[0] = std::pow(t, p); }};
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-4, 1e-4}, {.output_times = {1.0}});
+    const auto path = solve(scheme, problem, Tolerance{1e-4, 1e-4}, {.output_times = {1.0}});
     return std::abs(path.y(0, 0) - std::tgamma(p + 1.0) / std::tgamma(p + 1.5));
   };
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
@@ -94,8 +94,7 @@ TEST(AdaptiveRules, TakeAsManyStepsAsTheirRateSays) {
       .components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }, .end = 10.0};
   const auto more_steps = [&](const char* scheme) {
     const auto steps = [&](double accuracy) {
-      return static_cast<double>(
-          find_scheme(scheme)->solve(problem, Tolerance{accuracy, accuracy}, {}).steps);
+      return static_cast<double>(solve(scheme, problem, Tolerance{accuracy, accuracy}).steps);
     };
     return steps(1e-8) / steps(1e-6);
   };
@@ -107,7 +106,7 @@ TEST(AdaptiveRules, TakeAsManyStepsAsTheirRateSays) {
 TEST(AdaptiveMemory, DoesNotGrowWithTheSteps) {
   const Scene scene = scene_of("brusselator");
   const auto bytes = [&](const char* scheme, double accuracy) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{accuracy, accuracy}, {});
+    const auto path = solve(scheme, scene.problem, Tolerance{accuracy, accuracy});
     return static_cast<double>(path.cost.history_bytes.value());
   };
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"})
@@ -119,8 +118,7 @@ TEST(AdaptiveStiff, KeepsTheDigitsOfWhatIsLeft) {
   const Scene scene = scene_of("stiff_relaxation");
   const double exact = reference::mittag_leffler(0.5, 1.0, -1e6);
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"}) {
-    const auto path =
-        find_scheme(scheme)->solve(scene.problem, Tolerance{1e-4, 1e-300}, {.output_times = {1.0}});
+    const auto path = solve(scheme, scene.problem, Tolerance{1e-4, 1e-300}, {.output_times = {1.0}});
     EXPECT_NEAR(path.y(0, 0) / exact, 1.0, 1e-4) << scheme;
   }
 }
@@ -130,7 +128,7 @@ TEST(AdaptiveEnd, IsLocatedWhereTheDomainEnds) {
   Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In, Out f) { f[0] = -1.0; }, .end = 3.0};
   problem.domain = {"y = 0", [](double, In y) { return y[0]; }};
   for (const auto* scheme : step_rules) {
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-3, 1e-3}, {});
+    const auto path = solve(scheme, problem, Tolerance{1e-3, 1e-3});
     EXPECT_EQ(path.status, SolveStatus::left_domain) << scheme;
     EXPECT_NEAR(path.last_time, 1.0, 1e-14) << scheme;
   }
@@ -143,7 +141,7 @@ TEST(AdaptiveEnd, IsWhereARunSlidesAlongASwitch) {
                         .end = 2.0,
                         .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
   for (const auto* scheme : step_rules) {
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
+    const auto path = solve(scheme, problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
     EXPECT_EQ(path.status, SolveStatus::sliding) << scheme;
     EXPECT_NEAR(path.last_time, M_PI / 4.0, 1e-3) << scheme;
   }
@@ -152,8 +150,7 @@ TEST(AdaptiveEnd, IsWhereARunSlidesAlongASwitch) {
 // For order 0.8 the solution grows like (t_b - t)^-0.8, t_b = 0.629.
 TEST(AdaptiveEnd, IsNamedWhereTheSolutionBlowsUp) {
   const auto expect = [](const char* scheme, double order, double time) {
-    const auto path =
-        find_scheme(scheme)->solve(blow_up_problem(order), Tolerance{0.1, 0.1}, {.output_times = {0.5}});
+    const auto path = solve(scheme, blow_up_problem(order), Tolerance{0.1, 0.1}, {.output_times = {0.5}});
     EXPECT_EQ(path.status, SolveStatus::blow_up) << scheme << ' ' << order;
     EXPECT_NEAR(path.failure_time.value(), time, 1e-2) << scheme << ' ' << order;
   };
@@ -165,7 +162,7 @@ TEST(AdaptiveEnd, IsNamedWhereTheSolutionBlowsUp) {
 TEST(AdaptiveEnd, IsNoneWhereTheSolutionGrowsExponentially) {
   const Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = 300.0 * y; }};
   for (const auto* scheme : step_rules) {
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-2, 1e-2}, {});
+    const auto path = solve(scheme, problem, Tolerance{1e-2, 1e-2});
     EXPECT_EQ(path.status, SolveStatus::finished) << scheme;
   }
 }
@@ -175,7 +172,7 @@ TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable)
   const Problem problem{
       .components = {{1.0, {0.0}}}, .rhs = [](double t, In, Out f) { f[0] = 1.0 / (1.0 - t); }, .end = 2.0};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{0.3, 0.3}, {.output_times = {0.5}});
+    const auto path = solve(scheme, problem, Tolerance{0.3, 0.3}, {.output_times = {0.5}});
     EXPECT_EQ(path.status, SolveStatus::step_too_small) << scheme;
     EXPECT_NEAR(path.last_time, 1.0, 1e-12) << scheme;
   }
@@ -186,8 +183,7 @@ TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable)
 TEST(AdaptiveStart, MayBeShorterThanTheRootOfTheSmallestDouble) {
   const Scene scene = scene_of("fractional_diffusion", {{"gamma", 0.02}});
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"}) {
-    const auto path =
-        find_scheme(scheme)->solve(scene.problem, Tolerance{3e-6, 3e-6}, {.output_times = {0.5, 1.0}});
+    const auto path = solve(scheme, scene.problem, Tolerance{3e-6, 3e-6}, {.output_times = {0.5, 1.0}});
     ASSERT_EQ(path.status, SolveStatus::finished) << scheme;
     EXPECT_LT(largest_error(scene, reference_of(scene), path), 3e-5) << scheme;
   }
@@ -195,8 +191,8 @@ TEST(AdaptiveStart, MayBeShorterThanTheRootOfTheSmallestDouble) {
 
 TEST(AdaptiveJumps, AreDetectedWhereTheyAreNotListed) {
   for (const auto* scheme : step_rules) {
-    const auto path = find_scheme(scheme)->solve(jumping_problem({}), Tolerance{1e-5, 1e-5},
-                                                 {.output_times = {0.5, 1.25, 3.0}});
+    const auto path =
+        solve(scheme, jumping_problem({}), Tolerance{1e-5, 1e-5}, {.output_times = {0.5, 1.25, 3.0}});
     ASSERT_EQ(path.status, SolveStatus::finished) << scheme;
     SCOPED_TRACE(scheme);
     expect_row(path, 0, solution_of_jumping_problem, 1e-5);
@@ -213,7 +209,7 @@ TEST(AdaptiveJumps, AreFoundOneAfterTheOther) {
   for (double jump = M_PI / 3.0; jump < 5.0; jump += M_PI / 3.0) declared.jump_times.push_back(jump);
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
     const auto y = [&](const Problem& one) {
-      const auto path = find_scheme(scheme)->solve(one, Tolerance{1e-5, 1e-5}, {.output_times = {2.0, 5.0}});
+      const auto path = solve(scheme, one, Tolerance{1e-5, 1e-5}, {.output_times = {2.0, 5.0}});
       EXPECT_EQ(path.status, SolveStatus::finished) << scheme;
       return path.y;
     };
@@ -230,7 +226,7 @@ TEST(AdaptiveStart, IsShortEnoughForRowsOfLowOrder) {
       {{"gamma1", 0.04521}, {"gamma2", 0.962}, {"x0", 0.0}, {"y0", 0.0}, {"c1", -1.742}, {"c2", 0.7194}});
   for (const auto* scheme : step_rules) {
     for (const Scene* scene : {&pendulum, &system}) {
-      const auto path = find_scheme(scheme)->solve(scene->problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
+      const auto path = solve(scheme, scene->problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
       ASSERT_EQ(path.status, SolveStatus::finished) << scheme << ' ' << path.last_time;
       EXPECT_LT(largest_error(*scene, reference_of(*scene), path), 1e-3) << scheme;
     }
@@ -242,7 +238,7 @@ TEST(AdaptiveStart, IsShortEnoughForRowsOfLowOrder) {
 TEST(AdaptiveTrapezoidal, ReturnsNoGrownResultOfDiffusion) {
   const Scene scene = scene_of("fractional_diffusion", {{"start", "step"}});
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{2e-3, 2e-3}, {.budget = 2.0});
+    const auto path = solve(scheme, scene.problem, Tolerance{2e-3, 2e-3}, {.budget = 2.0});
     EXPECT_LE(path.y.cwiseAbs().maxCoeff(), 1.1) << scheme;
   }
 }
@@ -260,7 +256,7 @@ TEST(AdaptiveTrapezoidal, AddsUpErrorsOfEachOrderByItself) {
                                                  {"dy0", 0.6468},
                                                  {"c1", -1.348},
                                                  {"c2", -1.827}});
-  const auto path = find_scheme("adaptive_trapezoidal")->solve(scene.problem, Tolerance{1e-8, 1e-8}, {});
+  const auto path = solve("adaptive_trapezoidal", scene.problem, Tolerance{1e-8, 1e-8});
   EXPECT_LT(largest_error(scene, reference_of(scene), path), 3e-8);
 }
 

@@ -102,7 +102,7 @@ TEST(Conditions, ARegulatorOverALongTime) {
 }
 
 TEST(Conditions, AGradedGridServesLeftRows) {
-  const auto path = find_scheme("product_trapezoidal")->solve(sine(), Grid{pi / 2, 400, 2.0}, {});
+  const auto path = solve("product_trapezoidal", sine(), Grid{pi / 2, 400, 2.0});
   ASSERT_EQ(path.status, SolveStatus::finished);
   for (const int n : {100, 200, 300}) EXPECT_NEAR(path.y(0, n), std::sin(path.time(n)), 1e-5);
 }
