@@ -48,7 +48,7 @@ inline testing::Matcher<const CommandOutput&> fails_with(int code, const TextMat
 }
 
 // One that prints nothing but its message, in one line.
-inline testing::Matcher<const CommandOutput&> refuses(int code, const TextMatcher& message) {
+inline testing::Matcher<const CommandOutput&> is_refused(int code, const TextMatcher& message) {
   const auto is_one_line =
       testing::ResultOf([](const std::string& text) { return std::ranges::count(text, '\n'); }, 1);
   return AllOf(fails_with(code, AllOf(is_one_line, message)), testing::Field("out", &CommandOutput::out, ""));

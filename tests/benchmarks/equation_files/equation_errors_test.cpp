@@ -30,8 +30,8 @@ TEST_P(WrongEquationFile, IsRefusedInOneLine) {
   const std::string file = folder.file("f.toml");
   EXPECT_THAT(
       fdebench({"solve", file, "--scheme", "l1", "--steps", "4"}),
-      refuses(2, AllOf(StartsWith(fmt::format("fdebench: {}: line {}, column {}: ", file, line, column)),
-                       HasSubstr(what))));
+      is_refused(2, AllOf(StartsWith(fmt::format("fdebench: {}: line {}, column {}: ", file, line, column)),
+                          HasSubstr(what))));
 }
 
 const std::string x = "[unknown.x]\norder = 0.5\nrhs = \"-x\"\ninitial = [1]\n";

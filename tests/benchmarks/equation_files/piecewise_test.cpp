@@ -92,7 +92,7 @@ TEST(KnownSolutions, AreNotBelievedAgainstTwoSchemes) {
   folder.write("false.toml", relaxation_file("-x") + "[exact]\nx = \"1 - t\"\n");
   EXPECT_THAT(
       fdebench({"exact", file, "--at", "0.5,1"}),
-      refuses(3, AllOf(HasSubstr("what is known of x at t = "), HasSubstr("is not believed: it says "))));
+      is_refused(3, AllOf(HasSubstr("what is known of x at t = "), HasSubstr("is not believed: it says "))));
   EXPECT_EQ(fdebench({"exact", file, "--at", "0.5,1", "--digits", "30"}).code, 3);
 }
 

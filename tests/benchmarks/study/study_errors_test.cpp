@@ -31,8 +31,8 @@ TEST_P(WrongStudy, IsRefusedInOneLine) {
                               std::vector<std::string>{"study", "plan", file, "--out", out}}) {
     EXPECT_THAT(
         fdebench(command),
-        refuses(2, AllOf(StartsWith(fmt::format("fdebench: {}: line {}, column {}: ", file, line, column)),
-                         HasSubstr(what))));
+        is_refused(2, AllOf(StartsWith(fmt::format("fdebench: {}: line {}, column {}: ", file, line, column)),
+                            HasSubstr(what))));
     EXPECT_FALSE(std::filesystem::exists(out));
   }
 }
@@ -111,7 +111,7 @@ TEST(Studies, ExcludeTheOptionsThatTheyReplace) {
   for (const std::string option : {"--scene", "--set", "--scheme", "--external", "--steps", "--accuracy",
                                    "--repeat", "--grid", "--history", "--tolerance", "--budget"}) {
     EXPECT_THAT(fdebench({"run", "--study", "s.toml", option, "3", "--out", "o.jsonl"}),
-                refuses(2, AllOf(HasSubstr("--study"), HasSubstr(option))));
+                is_refused(2, AllOf(HasSubstr("--study"), HasSubstr(option))));
   }
 }
 

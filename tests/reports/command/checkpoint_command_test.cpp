@@ -80,7 +80,7 @@ TEST_F(CheckpointOfSolve, IsOfOneRunOnly) {
        "times = --points 5, not --at 20"}};
   for (const auto& [command, difference] : others) {
     EXPECT_THAT(solve_with_checkpoint(command),
-                refuses(2, StartsWith("fdebench: " + file() + ": is of another run: " + difference)))
+                is_refused(2, StartsWith("fdebench: " + file() + ": is of another run: " + difference)))
         << command;
   }
   EXPECT_EQ(content(), kept);

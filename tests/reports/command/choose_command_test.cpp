@@ -43,7 +43,7 @@ TEST(Choose, MakesTheRunThatItNames) {
 
 TEST(Choose, SaysWhatWouldBeNeeded) {
   EXPECT_THAT(fdebench("choose fractional_hamilton --error 1e-10 --max-time 2"),
-              refuses(3, HasSubstr("would need about N = ")));
+              is_refused(3, HasSubstr("would need about N = ")));
 }
 
 // The damper answers a pulse of 200 N with a few millimetres: an absolute error of 1e-2 is larger than the

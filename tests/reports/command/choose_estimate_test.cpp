@@ -46,9 +46,10 @@ TEST(ChoiceWithoutReference, IsAnEstimateInJson) {
 // The difference decreases by 2 % with a doubling of the steps, so that the error is fifty times the
 // difference.
 TEST(ChoiceWithoutReference, IsRefusedWhereTheTwoDoNotAgree) {
-  EXPECT_THAT(fdebench(constraint + " --error 1e-4 --max-time 3"),
-              refuses(3, AllOf(HasSubstr("there is no reference (collocation: takes no order below "),
-                               ContainsRegex("and no estimate: product_trapezoidal.* and .* differ by "))));
+  EXPECT_THAT(
+      fdebench(constraint + " --error 1e-4 --max-time 3"),
+      is_refused(3, AllOf(HasSubstr("there is no reference (collocation: takes no order below "),
+                          ContainsRegex("and no estimate: product_trapezoidal.* and .* differ by "))));
 }
 
 // With a reference the output does not mention estimates.

@@ -41,7 +41,7 @@ struct Mistake {
 class Mistakes : public testing::TestWithParam<Mistake> {};
 
 TEST_P(Mistakes, AreOneLineAndExitCodeTwo) {
-  EXPECT_THAT(fdebench(GetParam().words), refuses(2, HasSubstr(GetParam().message)));
+  EXPECT_THAT(fdebench(GetParam().words), is_refused(2, HasSubstr(GetParam().message)));
 }
 
 INSTANTIATE_TEST_SUITE_P(

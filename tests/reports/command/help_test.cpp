@@ -210,7 +210,8 @@ struct Misuse {
 class Misuses : public testing::TestWithParam<Misuse> {};
 
 TEST_P(Misuses, AreExplainedInOneLine) {
-  EXPECT_THAT(fdebench(GetParam().words), refuses(2, std::string("fdebench: ") + GetParam().message + "\n"));
+  EXPECT_THAT(fdebench(GetParam().words),
+              is_refused(2, std::string("fdebench: ") + GetParam().message + "\n"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
