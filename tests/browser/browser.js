@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Pages in a headless browser. Whatever a test does, the page must not complain.
+// Pages in a headless browser, one for all tests of a file. Whatever a test does, the page must not complain.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { after, before } from "node:test";
 import { chromium } from "playwright-core";
 import { repacked, unpackedFrom } from "./packed.js";
 
@@ -10,10 +11,10 @@ const patience = 120_000; // milliseconds; a busy machine draws slowly
 export const { CHROMIUM, PAGE, RESULTS, SCREENSHOTS } = process.env;
 
 let browser;
-export async function start() {
+before(async () => {
   browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-gpu"] });
-}
-export const stop = () => browser.close();
+});
+after(() => browser.close());
 
 function complaintsOf(page) {
   const complaints = [];
@@ -44,16 +45,17 @@ export async function withPage(how, visit) {
   }
 }
 
-// As withPage, for a test that only reads the page of 1280 pixels: it is opened once for all of them, or twice where two run at a time.
-const idle = [];
+// As withPage, for a test that only reads the page of 1280 pixels: it is opened once for all of them of a file.
+let idle;
 export async function withReadPage(address, visit) {
-  const opened = idle.pop() ?? await open({}), { page } = opened;
+  const opened = idle ?? await open({}), { page } = opened;
+  idle = undefined;
   await page.evaluate((place) => { location.hash = place; if (!place) scrollTo(0, 0); }, address);
   const stateOf = () => page.evaluate(() => JSON.stringify([viewNow(), document.querySelector("#answer").innerText]));
-  const before = await stateOf();
+  const state = await stateOf();
   await visited(opened, visit);
-  assert.equal(await stateOf(), before, "the test has changed the page");
-  idle.push(opened);
+  assert.equal(await stateOf(), state, "the test has changed the page");
+  idle = opened;
 }
 
 async function open({ width = 1280, height = 900, dark = false, address = "", changed, changedData, prepare, page: file = PAGE }) {

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""browser_test.py FDEBENCH FOLDER: makes a small page in FOLDER and tries it in Debian's Chromium, where possible the one without a
-window, which takes less time. Exit code 77, for skipped, where Chromium, node or the packages of this folder are missing;
-./setup.sh --tests installs them."""
+"""browser_test.py FDEBENCH FOLDER: makes small pages in FOLDER.
+browser_test.py FDEBENCH FOLDER PART: tries them by PART.test.js in Debian's Chromium, where possible the one without a window, which
+takes less time.
+Exit code 77, for skipped, where Chromium, node or the packages of this folder are missing; ./setup.sh --tests installs them."""
 
 import json
 import os
@@ -12,7 +13,9 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2]).resolve()
+PROGRAM, FOLDER, PART = sys.argv[1], Path(sys.argv[2]).resolve(), sys.argv[3:]
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "chromium-browser"))), None)
+RESULTS, SCREENSHOTS = FOLDER / "results.jsonl", FOLDER / "screenshots"
 SKIPPED = 77
 
 # A second or two: closed forms and small references, of each kind of section one.
@@ -28,12 +31,9 @@ def fdebench(*words):
 
 
 def results():
-    file = FOLDER / "results.jsonl"
-    file.unlink(missing_ok=True)
     for scenes, steps in zip(SWEEPS, [["--steps", "64,128,256,512,1024", "--accuracy", "1e-3,1e-6,1e-9"], ["--steps", "4096"]]):
         named = [word for kind, ids in (("--scene", scenes), ("--scheme", SCHEMES)) for id in ids for word in (kind, id)]
-        fdebench("run", *named, *steps, "--repeat", 1, "--out", file)
-    return file
+        fdebench("run", *named, *steps, "--repeat", 1, "--out", RESULTS)
 
 
 def family():
@@ -45,11 +45,11 @@ def family():
     fdebench("report", file, "--out", FOLDER / "family")
 
 
-def earlier(file):
+def earlier():
     """Results of another machine before those: l1 had half of the error on the pendulum, bdf4 failed on relaxation."""
     before = FOLDER / "before.jsonl"
     with before.open("w") as lines:
-        for line in map(json.loads, file.read_text().splitlines()):
+        for line in map(json.loads, RESULTS.read_text().splitlines()):
             if "session" in line:
                 line["session"]["machine"] = "an older machine"
             elif line["scene"] == "pendulum" and line["scheme"] == "l1" and "values" in line:
@@ -60,23 +60,32 @@ def earlier(file):
     return before
 
 
-chromium = next(filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "chromium-browser"))), None)
+def make_pages():
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    SCREENSHOTS.mkdir(parents=True)
+    results()
+    fdebench("report", RESULTS, "--out", FOLDER)
+    family()
+    before = earlier()
+    fdebench("report", before, RESULTS, "--out", FOLDER / "compared")
+    both = FOLDER / "both.jsonl"
+    fdebench("merge", before, RESULTS, "--out", both)
+    fdebench("report", both, "--out", FOLDER / "machines")
+
+
+def run(part):
+    of_tests = {"PROGRAM": PROGRAM, "CHROMIUM": CHROMIUM, "PAGE": FOLDER / "index.html", "RESULTS": RESULTS, "SCREENSHOTS": SCREENSHOTS}
+    environment = {**os.environ, **{name: str(value) for name, value in of_tests.items()}}
+    os.execvpe("node", ["node", "--test", str(HERE / f"{part}.test.js")], environment)
+
+
 missing = [name for name, there in [
-    ("chromium", chromium), ("node", shutil.which("node")), ("the packages of tests/browser", (HERE / "node_modules" / ".package-lock.json").exists()),
+    ("chromium", CHROMIUM), ("node", shutil.which("node")), ("the packages of tests/browser", (HERE / "node_modules" / ".package-lock.json").exists()),
 ] if not there]  # fmt: skip
 if missing:
     print(f"skipped without {', '.join(missing)}: ./setup.sh --tests installs them")
     sys.exit(SKIPPED)
-shutil.rmtree(FOLDER, ignore_errors=True)
-screenshots = FOLDER / "screenshots"
-screenshots.mkdir(parents=True)
-file = results()
-fdebench("report", file, "--out", FOLDER)
-family()
-before = earlier(file)
-fdebench("report", before, file, "--out", FOLDER / "compared")
-both = FOLDER / "both.jsonl"
-fdebench("merge", before, file, "--out", both)
-fdebench("report", both, "--out", FOLDER / "machines")
-of_tests = {"PROGRAM": PROGRAM, "CHROMIUM": chromium, "PAGE": FOLDER / "index.html", "RESULTS": file, "SCREENSHOTS": screenshots}
-os.execvpe("node", ["node", "--test", str(HERE / "all.test.js")], {**os.environ, **{name: str(value) for name, value in of_tests.items()}})
+if PART:
+    run(*PART)
+else:
+    make_pages()

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "certificate/ball.hpp"
 
 namespace fde::reference::certificate {

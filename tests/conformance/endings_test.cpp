@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
@@ -34,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(, Singularity,
 // Backward Euler damps the free pendulum by 5 % a step, to below the smallest doubles.
 TEST(Underflow, IsNoFailureOfNewtonsMethod) {
   Scene scene = make_scene(maker("pendulum"), {{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}});
-  const auto path = find_scheme("l1")->solve(scene.problem, Grid{4e3, 10000}, {.output_times = {4e3}});
+  const auto path = solve("l1", scene.problem, Grid{4e3, 10000}, {.output_times = {4e3}});
   EXPECT_EQ(path.status, SolveStatus::finished) << describe(scene.problem, path);
   EXPECT_LT(path.y.cwiseAbs().maxCoeff(), 1e-290);
 }
@@ -72,14 +71,12 @@ INSTANTIATE_TEST_SUITE_P(, Budget,
 
 TEST(BudgetOfShortRuns, IsLookedAtToo) {
   const Scene scene = make_scene(maker("relaxation"));
-  EXPECT_EQ(find_scheme("l1")->solve(scene.problem, Grid{1.0, 2}, {.budget = 0.0}).status,
-            SolveStatus::out_of_budget);
+  EXPECT_EQ(solve("l1", scene.problem, Grid{1.0, 2}, {.budget = 0.0}).status, SolveStatus::out_of_budget);
 }
 
 TEST(BudgetOfTwoSided, EndsNewtonsMethod) {
   const Scene scene = make_scene(maker("fractional_hamilton"));
-  const auto path =
-      find_scheme("product_trapezoidal")->solve(scene.problem, Grid{scene.problem.end, 64}, {.budget = 0.0});
+  const auto path = solve("product_trapezoidal", scene.problem, 64, {.budget = 0.0});
   EXPECT_EQ(path.status, SolveStatus::out_of_budget);
 }
 

@@ -9,20 +9,12 @@
 #include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
 #include "fdebench/schemes/problem/chain.hpp"
 #include "support/implicit_schemes.hpp"
+#include "support/scheme_test.hpp"
 
 namespace fde::bench {
 namespace {
 
-class OnEquations : public testing::TestWithParam<const Scheme*> {
- protected:
-  static Trajectory run(const Problem& problem, const Grid& grid, const Options& options = {}) {
-    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
-    return GetParam()->solve(problem, grid, options);
-  }
-  static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
-    return run(problem, {problem.end, steps}, options);
-  }
-};
+class OnEquations : public SchemeTest {};
 INSTANTIATE_TEST_SUITE_P(, OnEquations, testing::ValuesIn(equation_schemes()), id_of_param);
 
 // Two coupled equations of different leading orders; the terms of the first have a factor, and the force of

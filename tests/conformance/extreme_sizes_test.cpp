@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The reference of scenes with huge and tiny values, decay rates and times, and scenes without a reference.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

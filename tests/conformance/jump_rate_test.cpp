@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 #include "support/testing.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pendulums over 15000 swings, T = 1e5.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
@@ -35,7 +34,7 @@ Energies energies(const Scene& scene, std::string_view scheme) {
     if (t == 0.0) seen.first = seen.last;
     seen.largest = std::max(seen.largest, seen.last);
   };
-  seen.ending = find_scheme(scheme)->solve(scene.problem, Grid{end, steps}, options).status;
+  seen.ending = solve(scheme, scene.problem, Grid{end, steps}, options).status;
   return seen;
 }
 

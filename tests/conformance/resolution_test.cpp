@@ -104,8 +104,8 @@ TEST(Times, OfAGridAreFoundAgain) {
 }
 
 TEST(Times, AskedForAreMetUpToRounding) {
-  const auto path = find_scheme("l1")->solve(decay(0.5), Grid{2.0, 20},
-                                             {.output_times = {0.0, 3 * 0.1, 0.35, 7 * 0.1, 2.0}});
+  const auto path =
+      solve("l1", decay(0.5), Grid{2.0, 20}, {.output_times = {0.0, 3 * 0.1, 0.35, 7 * 0.1, 2.0}});
   const Grid grid{2.0, 20};
   EXPECT_EQ(path.times, (std::vector{0.0, grid.time(3), grid.time(7), 2.0}));
   EXPECT_EQ(path.steps, 20);

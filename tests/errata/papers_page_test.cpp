@@ -5,20 +5,17 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <regex>
 #include <set>
 #include <string>
 
+#include "support/temporary_folder.hpp"
+
 namespace fde::bench {
 namespace {
 
-std::string text_of_the_page() {
-  std::ifstream file(FDE_SOURCE_DIR "/docs/papers.md");
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+std::string text_of_the_page() { return content_of(FDE_SOURCE_DIR "/docs/papers.md"); }
 
 // Names in backquotes of the form Suite.Test or Suite.Test/parameter.
 std::set<std::string> tests_on_the_page() {
@@ -63,8 +60,7 @@ TEST(PapersPage, NamesSuitesThatExist) {
   std::string sources;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(FDE_SOURCE_DIR "/tests")) {
     if (entry.path().extension() != ".cpp") continue;
-    std::ifstream file(entry.path());
-    sources.append(std::istreambuf_iterator<char>(file), {});
+    sources += content_of(entry.path());
   }
   const std::string page = text_of_the_page();
   const std::regex name("`([A-Z][A-Za-z0-9]*)\\.\\*`");

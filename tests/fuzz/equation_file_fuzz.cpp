@@ -2,8 +2,6 @@
 // Arbitrary text as an equation file: either a scene with its problem, a few steps and its exact reference,
 // or a one-line error.
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <string>
 #include <string_view>

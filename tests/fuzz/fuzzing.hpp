@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 // A fuzz target takes any bytes and aborts if a promise is broken. libFuzzer fuzzes it, in a program of its

@@ -2,10 +2,7 @@
 // Arbitrary bytes as reference data: table, description, index, checksums, a folder of one table, and a file
 // of the reference cache. Read, or a one-line error; the cache returns only tables that fit the problem.
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
-#include <vector>
 
 #include "fdebench/benchmarks/reference_data/description.hpp"
 #include "fdebench/benchmarks/reference_data/reference_check.hpp"

@@ -21,9 +21,8 @@ using FullDisks = Unwritable;
 
 TEST_F(FullDisks, HoldNoResults) {
   const FullDisk full(100);
-  const auto [code, out, err] = run_into(file_);
-  EXPECT_EQ(code, 2);
-  EXPECT_EQ(err, "fdebench: " + file_.string() + ": cannot be written: File too large\n");
+  EXPECT_THAT(run_into(file_),
+              fails_with(2, "fdebench: " + file_.string() + ": cannot be written: File too large\n"));
   EXPECT_EQ(fs::file_size(file_), 0U);
 }
 
@@ -31,12 +30,10 @@ TEST_F(FullDisks, LeaveTheOldReport) {
   ASSERT_EQ(run_into(file_).code, 0);
   folder_.write("report/index.html", "old");
   const FullDisk full(1000);
-  const auto [code, out, err] =
-      fdebench({"report", file_.string(), "--out", (folder_.path() / "report").string()});
-  EXPECT_EQ(code, 2);
-  EXPECT_THAT(err,
-              testing::MatchesRegex("fdebench: .*/report/index.html.*: cannot be written: File too large\n"));
-  EXPECT_THAT(names(), testing::ElementsAre("report", "report/index.html", "results.jsonl"));
+  EXPECT_THAT(fdebench({"report", file_.string(), "--out", folder_.file("report")}),
+              fails_with(2, testing::MatchesRegex(
+                                "fdebench: .*/report/index.html.*: cannot be written: File too large\n")));
+  EXPECT_THAT(names(), ElementsAre("report", "report/index.html", "results.jsonl"));
   EXPECT_EQ(fs::file_size(folder_.path() / "report" / "index.html"), 3U);
 }
 
@@ -49,7 +46,7 @@ TEST_F(FullDisks, LeaveTheOldReferenceTables) {
         replace_folder(data, {{"a.csv", std::string(5000, '1')}});
       },
       testing::ThrowsMessage<std::invalid_argument>(data.string() + ": cannot be written: File too large"));
-  EXPECT_THAT(names(), testing::ElementsAre("data", "data/a.csv"));
+  EXPECT_THAT(names(), ElementsAre("data", "data/a.csv"));
 }
 
 // A reference does not depend on whether it can be cached.
@@ -61,7 +58,7 @@ TEST_F(FullDisks, AreNoHarmToWhatACacheFinds) {
   const FullDisk full(100);
   const auto found = cached_reference("r", problem, ReferenceCache(folder_.path() / "cache")).at(1.0);
   EXPECT_EQ(found.value, known.value);
-  EXPECT_THAT(names(), testing::ElementsAre("cache"));
+  EXPECT_THAT(names(), ElementsAre("cache"));
 }
 
 TEST_F(FullDisks, MayBeTheStandardOutput) {

@@ -15,7 +15,6 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
@@ -50,12 +49,6 @@ int wait_for(pid_t child) {
   int status = 0;
   waitpid(child, &status, 0);
   return status;
-}
-
-std::string to_text(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
 }
 
 void require(bool holds, const std::string& what) {
@@ -101,7 +94,7 @@ class KillTest {
     constexpr std::array signals{SIGKILL, SIGINT, SIGTERM, SIGKILL, SIGHUP};
     const pid_t child = start(program_, file_);
     std::this_thread::sleep_for(std::chrono::microseconds(delay_(random_)));
-    const std::string before = to_text(file_);
+    const std::string before = content_of(file_);
     kill(child, signals[static_cast<std::size_t>(killed_) % signals.size()]);
     const int status = wait_for(child);
     if (WIFEXITED(status)) {
@@ -109,7 +102,7 @@ class KillTest {
       return false;
     }
     ++killed_;
-    const auto complete = lines_of(before), after = lines_of(fs::exists(file_) ? to_text(file_) : "");
+    const auto complete = lines_of(before), after = lines_of(fs::exists(file_) ? content_of(file_) : "");
     require(std::ranges::includes(after, complete), "complete lines are lost");
     return true;
   }

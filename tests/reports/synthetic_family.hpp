@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <iterator>
 #include <string>
 
 #include "reports/synthetic_results.hpp"

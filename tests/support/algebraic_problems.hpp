@@ -19,11 +19,7 @@ inline Problem decay(double order) {
 // D^order y = -z, 0 = 4 (z - y): the same y.
 inline Problem decay_through(double order) {
   return {.components = {{0.0, {1.0}}, starting_at_one(order)},
-          .rhs =
-              [](double, In y, Out f) {
-                f[0] = 4.0 * (y[0] - y[1]);
-                f[1] = -y[0];
-              },
+          .rhs = [](double, In y, Out f) { f << 4.0 * (y[0] - y[1]), -y[0]; },
           .end = 2.0};
 }
 

@@ -3,7 +3,6 @@
 
 // Reference solutions compared at 40 digits: most of these tests are identities between them.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "fdebench/reference/linear/linear_equation.hpp"

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <exception>
+#include <cctype>
 #include <string>
 #include <string_view>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/schemes/rules/start_weights/start_weights.hpp"
+#include "support/matchers.hpp"    // IWYU pragma: export
+#include "support/message_of.hpp"  // IWYU pragma: export
 
 namespace fde::bench {
 
@@ -20,9 +20,13 @@ inline Scene scene_of(std::string_view id, const ParameterValues& values = {}) {
   return make_scene(scene_maker(id), values);
 }
 
+inline Trajectory solve(std::string_view scheme, const Problem& problem, const Resolution& resolution,
+                        const Options& options = {}) {
+  return find_scheme(scheme)->solve(problem, resolution, options);
+}
 inline Trajectory solve(std::string_view scheme, const Problem& problem, int steps,
                         const Options& options = {}) {
-  return find_scheme(scheme)->solve(problem, Grid{problem.end, steps}, options);
+  return solve(scheme, problem, Grid{problem.end, steps}, options);
 }
 
 // The difference that rounding may cause between two computations of the same result: starting weights may
@@ -36,6 +40,13 @@ inline double rounding_allowance(const Scheme& scheme, double plain) {
 inline constexpr auto id_of_param = [](const auto& test) { return std::string(test.param->id); };
 inline constexpr auto name_of_param = [](const auto& test) { return std::string(test.param.name); };
 inline constexpr auto text_of_param = [](const auto& test) { return std::string(test.param); };
+
+// A text with _ in place of what no name of a test has.
+inline std::string as_identifier(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return text;
+}
 
 inline std::vector<const Scheme*> all_schemes() {
   std::vector<const Scheme*> all;
@@ -69,17 +80,6 @@ inline std::vector<const Scheme*> schemes_with_symbol() {
   auto some = all_schemes();
   std::erase_if(some, [](const Scheme* scheme) { return !scheme->symbol; });
   return some;
-}
-
-// Expects that the call throws with this text in its message.
-template <class Call>
-void expect_message(const Call& call, const std::string& part) {
-  try {
-    call();
-    FAIL() << part;
-  } catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
 }
 
 }  // namespace fde::bench

@@ -5,9 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,9 +17,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 std::vector<const SceneFactory*> built_in_files() {
   std::vector<const SceneFactory*> makers;
   for (const SceneFactory& maker : built_in_scenes())
@@ -34,10 +28,8 @@ class BuiltInFile : public testing::TestWithParam<const SceneFactory*> {};
 
 TEST_P(BuiltInFile, IsPrintedAsItIs) {
   const std::string id = GetParam()->id;
-  std::ifstream file(FDE_SOURCE_DIR "/benchmarks/scenes/" + id + ".toml");
-  std::ostringstream text;
-  text << file.rdbuf();
-  EXPECT_EQ(fdebench("scenes " + id + " --toml").out, text.str());
+  EXPECT_EQ(fdebench("scenes " + id + " --toml").out,
+            content_of(FDE_SOURCE_DIR "/benchmarks/scenes/" + id + ".toml"));
 }
 
 TEST_P(BuiltInFile, IsTheSameSceneWhenItIsSaved) {
@@ -73,18 +65,16 @@ class SceneFolder : public testing::Test {
 
 TEST_F(SceneFolder, HasScenesByTheirNames) {
   folder_.write("my_scene.toml", relaxation_file("-x"));
-  const auto solved = fdebench("solve my_scene:until=2 --scheme l1 --steps 8 --at 2");
-  EXPECT_EQ(solved.code, 0) << solved.err;
-  EXPECT_THAT(solved.out, StartsWith("t,x\n2,"));
+  EXPECT_THAT(printed(fdebench("solve my_scene:until=2 --scheme l1 --steps 8 --at 2")),
+              StartsWith("t,x\n2,"));
   EXPECT_THAT(fdebench("solve no_scene --scheme l1 --steps 8").err, HasSubstr("no_scene"));
 }
 
 TEST_F(SceneFolder, MustNotHaveTheNameOfABuiltInScene) {
   folder_.write("pendulum.toml", relaxation_file("-x"));
-  const auto answer = fdebench("scenes");
-  EXPECT_EQ(answer.code, 2);
-  EXPECT_THAT(answer.err,
-              HasSubstr("pendulum.toml: must have another name, the scene pendulum is built in\n"));
+  EXPECT_THAT(
+      fdebench("scenes"),
+      fails_with(2, HasSubstr("pendulum.toml: must have another name, the scene pendulum is built in\n")));
 }
 
 }  // namespace

@@ -46,16 +46,13 @@ TEST_P(DeclarationError, SaysWhereItIsAndWhatIsAllowed) {
 
 INSTANTIATE_TEST_SUITE_P(
     Kinds, DeclarationError,
-    testing::Values(
-        WrongDeclaration{"k = { value = 3, at_most = 2 }\n",
-                         "15: k = 3: must be a finite number of at most 2"},
-        WrongDeclaration{"k = { value = 1, above = 0, at_least = 0 }\n",
-                         "40: at_least: must not be given with above"},
-        WrongDeclaration{"k = { meaning = \"rate\" }\n",
-                         "1: parameter k: must have one of value, formula and choices"},
-        WrongDeclaration{"k = { value = \"1\" }\n", "15: k: is a text, must be a number"},
-        WrongDeclaration{"k = { choices = [\"one\"] }\n", "17: choices: must be a list of two or more words"},
-        WrongDeclaration{"k = { val = 1 }\n", "7: val: no such key of parameter k, did you mean 'value'?"}));
+    testing::ValuesIn<WrongDeclaration>(
+        {{"k = { value = 3, at_most = 2 }\n", "15: k = 3: must be a finite number of at most 2"},
+         {"k = { value = 1, above = 0, at_least = 0 }\n", "40: at_least: must not be given with above"},
+         {"k = { meaning = \"rate\" }\n", "1: parameter k: must have one of value, formula and choices"},
+         {"k = { value = \"1\" }\n", "15: k: is a text, must be a number"},
+         {"k = { choices = [\"one\"] }\n", "17: choices: must be a list of two or more words"},
+         {"k = { val = 1 }\n", "7: val: no such key of parameter k, did you mean 'value'?"}}));
 
 // df/dx of D^0.5 x = -k x.
 double linear_part_of(const Problem& problem) {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <regex>
 #include <set>
 #include <string>
@@ -119,7 +118,7 @@ TEST_P(DeclaredEquations, AreThoseOfTheProblem) {
   const Tolerance accuracy{error, error};
   const Options options{.output_times = {code.problem.end / 4, code.problem.end}};
   const auto a = scheme->solve(written.problem, accuracy, options),
-             b = find_scheme("spectral_collocation")->solve(code.problem, Tolerance{1e-10, 1e-10}, options);
+             b = solve("spectral_collocation", code.problem, Tolerance{1e-10, 1e-10}, options);
   ASSERT_EQ(a.status, b.status);
   const auto theirs = columns_of(written.outputs, a), ours = columns_of(code.outputs, b);
   for (const auto& equation : maker.equations) {

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
@@ -16,14 +14,6 @@
 
 namespace fde::bench {
 namespace {
-
-using testing::HasSubstr;
-using testing::StartsWith;
-
-std::string content(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 const std::string decay =
     "title = \"Decay\"\nend = 2\n[parameters]\nk = 1\n[unknown.x]\norder = 0.5\nrhs = \"-k*x\"\ninitial = "
@@ -60,11 +50,10 @@ TEST_F(EquationFileCommand, TakesAnEnd) {
 }
 
 TEST_F(EquationFileCommand, IsListed) {
-  const auto answer = fdebench("scenes " + file());
-  EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, StartsWith(file() + ": Decay\n"));
-  EXPECT_THAT(answer.out, HasSubstr("columns: x\nhas: exact, jacobian, linear\n"));
-  EXPECT_THAT(answer.out, HasSubstr("k           1         a finite number"));
+  const auto answer = printed(fdebench("scenes " + file()));
+  EXPECT_THAT(answer, StartsWith(file() + ": Decay\n"));
+  EXPECT_THAT(answer, HasSubstr("columns: x\nhas: exact, jacobian, linear\n"));
+  EXPECT_THAT(answer, HasSubstr("k           1         a finite number"));
 }
 
 TEST_F(EquationFileCommand, PrintsNamesOfDerivativesInQuotes) {
@@ -75,46 +64,43 @@ TEST_F(EquationFileCommand, PrintsNamesOfDerivativesInQuotes) {
 TEST_F(EquationFileCommand, IsJudgedByTheColumnsThatItPrints) {
   const auto solved = fdebench("solve " + example("falling.toml") + " --scheme l1 --steps 64");
   folder_.write("path.csv", solved.out);
-  const auto judged =
-      fdebench("judge " + example("falling.toml") + " " + (folder_.path() / "path.csv").string());
-  EXPECT_EQ(judged.code, 0) << judged.err;
-  EXPECT_THAT(judged.out, HasSubstr("ending finished"));
+  EXPECT_THAT(printed(fdebench("judge " + example("falling.toml") + " " + folder_.file("path.csv"))),
+              HasSubstr("ending finished"));
 }
 
 TEST_F(EquationFileCommand, IsMeasuredAndContinued) {
   ASSERT_EQ(run(file()).code, 0);
-  const auto once = content(results());
+  const auto once = content_of(results());
   EXPECT_THAT(once, HasSubstr("\"checksum\":\""));
   ASSERT_EQ(run(file()).code, 0);
-  EXPECT_EQ(content(results()), once);
+  EXPECT_EQ(content_of(results()), once);
 }
 
 // Another equation under the same name is measured again.
 TEST_F(EquationFileCommand, IsAnotherSceneWhereItSaysSomethingElse) {
   ASSERT_EQ(run(file()).code, 0);
-  const auto once = content(results());
+  const auto once = content_of(results());
   folder_.write("decay.toml", "# a comment\n" + decay);
   ASSERT_EQ(run(file()).code, 0);
-  EXPECT_EQ(content(results()), once);
+  EXPECT_EQ(content_of(results()), once);
   std::string other = decay;
   other.replace(other.find("-k*x"), 4, "-k*x/2");
   folder_.write("decay.toml", other);
   ASSERT_EQ(run(file()).code, 0);
-  EXPECT_GT(content(results()).size(), once.size());
-  const auto folder = (folder_.path() / "page").string();
+  EXPECT_GT(content_of(results()).size(), once.size());
+  const auto folder = folder_.file("page");
   EXPECT_EQ(fdebench("report " + results() + " --out " + folder).code, 0);
 }
 
 TEST_F(EquationFileCommand, NeedsNotBeAtHandForItsResults) {
   ASSERT_EQ(run(file()).code, 0);
   std::filesystem::remove(folder_.path() / "decay.toml");
-  const auto choice = fdebench("choose " + file() + " --error 0.1 --results " + results());
-  EXPECT_EQ(choice.code, 0) << choice.err;
-  EXPECT_THAT(choice.out, StartsWith("run: fdebench solve " + file() + " "));
+  EXPECT_THAT(printed(fdebench("choose " + file() + " --error 0.1 --results " + results())),
+              StartsWith("run: fdebench solve " + file() + " "));
   EXPECT_EQ(fdebench("choose " + file() + ":k=2 --error 0.1 --results " + results()).code, 2);
-  const auto folder = (folder_.path() / "page").string();
+  const auto folder = folder_.file("page");
   EXPECT_EQ(fdebench("report " + results() + " --out " + folder).code, 0);
-  EXPECT_THAT(unpacked(content(folder + "/index.html"), "data"), HasSubstr("decay.toml"));
+  EXPECT_THAT(unpacked(content_of(folder + "/index.html"), "data"), HasSubstr("decay.toml"));
   EXPECT_EQ(fdebench("compare " + results() + " " + results()).code, 0);
 }
 
@@ -141,12 +127,11 @@ TEST_F(EquationFileCommand, MakesARangeOfScenes) {
 TEST_F(EquationFileCommand, LosesALineWithAChecksumThatIsNone) {
   ASSERT_EQ(run(file()).code, 0);
   const std::string key = R"("checksum":")";
-  auto text = content(results());
+  auto text = content_of(results());
   const auto at = text.find(key) + key.size();
   text[at] = 'Z';
   folder_.write("changed.jsonl", text);
-  const auto answer = fdebench("report " + (folder_.path() / "changed.jsonl").string() + " --out " +
-                               (folder_.path() / "page").string());
+  const auto answer = fdebench("report " + folder_.file("changed.jsonl") + " --out " + folder_.file("page"));
   EXPECT_EQ(answer.code, 0);
   EXPECT_THAT(answer.err, HasSubstr("must be a SHA-256 in hexadecimal"));
 }

@@ -16,8 +16,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::StartsWith;
-
 struct KnownDigits {
   std::string file, digits;  // of the first column at t = 1
 };
@@ -38,17 +36,16 @@ TEST_P(ExactSolution, HasItsDigits) {
 // mpmath, 40 digits: e erfc(1), and Gamma(1.5) + cos(1).
 INSTANTIATE_TEST_SUITE_P(
     Kinds, ExactSolution,
-    testing::Values(
-        KnownDigits{relaxation_file("-x"), "0.4275835761558070044107503444905"},
-        KnownDigits{
-            "end = 1\n[parameters]\nk = 0.1\n[unknown.x]\norder = 0.5\nrhs = \"-5*k*x - (1 - 5*k)*x\"\n"
-            "initial = [1]\n",
-            "0.4275835761558070044107503444905"},
-        KnownDigits{relaxation_file("-x + 1 - 3*t^0.5/sqrt(9)*0"), "1.0000000000000000000000000000000"},
-        KnownDigits{relaxation_file("-x") + "[exact]\nx = \"mittag_leffler(0.5, 1, -sqrt(t))\"\n",
-                    "0.4275835761558070044107503444905"},
-        KnownDigits{relaxation_file("-x") + "[exact]\nx = \"t^1.8*gamma(1.5) + cos(t)\"\n",
-                    "1.426529231320897731050020349113"}));
+    testing::ValuesIn<KnownDigits>(
+        {{relaxation_file("-x"), "0.4275835761558070044107503444905"},
+         {"end = 1\n[parameters]\nk = 0.1\n[unknown.x]\norder = 0.5\nrhs = \"-5*k*x - (1 - 5*k)*x\"\n"
+          "initial = [1]\n",
+          "0.4275835761558070044107503444905"},
+         {relaxation_file("-x + 1 - 3*t^0.5/sqrt(9)*0"), "1.0000000000000000000000000000000"},
+         {relaxation_file("-x") + "[exact]\nx = \"mittag_leffler(0.5, 1, -sqrt(t))\"\n",
+          "0.4275835761558070044107503444905"},
+         {relaxation_file("-x") + "[exact]\nx = \"t^1.8*gamma(1.5) + cos(t)\"\n",
+          "1.426529231320897731050020349113"}}));
 
 TEST(ExactColumns, FollowFromSumsOfPowers) {
   // x = 1 + 2 t + t^2.5: D^0.5 x = 2 t^0.5 / Gamma(1.5) + Gamma(3.5) / 2 t^2, x' = 2 + 2.5 t^1.5.

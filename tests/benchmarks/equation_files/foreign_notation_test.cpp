@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
@@ -19,9 +18,6 @@
 
 namespace fde::bench {
 namespace {
-
-using testing::HasSubstr;
-using testing::Not;
 
 // The formula behind "it is", in x and y.
 double value_of_hint(const std::string& name, double x, double y) {
@@ -81,16 +77,11 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return one.param.name; });
 
 // The message for a formula in t, x and y.
-std::string message_of(const std::string& text) {
+std::string complaint_about(const std::string& text) {
   ExpressionPool pool(NumberStorage::values);
   auto names = names_of_t_x_y(pool);
   names.derivative = [&](std::string_view, Expression, bool) { return pool.variable(1); };
-  try {
-    read_formula(text, names, pool);
-  } catch (const FormulaError& fault) {
-    return fault.what();
-  }
-  return "";
+  return message_of<FormulaError>([&] { read_formula(text, names, pool); });
 }
 
 struct ForeignFormula {
@@ -101,7 +92,7 @@ class ForeignNotation : public testing::TestWithParam<ForeignFormula> {};
 
 TEST_P(ForeignNotation, IsSaidHowToWriteHere) {
   const auto& [text, hint] = GetParam();
-  EXPECT_THAT(message_of(text), HasSubstr(hint)) << text;
+  EXPECT_THAT(complaint_about(text), HasSubstr(hint)) << text;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -126,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
 // A name at a distance is no slip of the pen.
 TEST(ForeignNotation, IsNotTakenForAnotherNameThatLooksAlike) {
   for (const std::string text : {"zeta*x", "besselj(0, t)", "k*x", "lambda", "sin x"})
-    EXPECT_THAT(message_of(text), Not(HasSubstr("did you mean"))) << text;
+    EXPECT_THAT(complaint_about(text), Not(HasSubstr("did you mean"))) << text;
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
 #include "fdebench/benchmarks/expressions/expressions.hpp"

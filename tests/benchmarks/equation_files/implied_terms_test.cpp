@@ -16,7 +16,6 @@ namespace {
 
 using testing::DoubleNear;
 using testing::Pointwise;
-using testing::StartsWith;
 
 // The first column at these times.
 std::vector<double> first_column(const std::string& text, const std::string& times,
@@ -68,7 +67,7 @@ TEST(VariableCoefficient, ThatIsAbsentAddsNoColumn) {
   folder.write(
       "f.toml",
       "end = 1\n[parameters]\nk = 0\n[unknown.y]\norder = 1\nrhs = \"k*D(y, 0.5) - y\"\ninitial = [1]\n");
-  const std::string file = folder.path() / "f.toml";
+  const std::string file = folder.file("f.toml");
   EXPECT_THAT(fdebench({"exact", file, "--at", "1"}).out, StartsWith("t,y,bound\n"));
   EXPECT_THAT(fdebench({"exact", file + ":k=1", "--at", "1"}).out, StartsWith("t,y,\"D(y,0.5)\",bound\n"));
 }

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
 #include "fdebench/benchmarks/expressions/formula.hpp"

@@ -14,7 +14,6 @@
 #include <numeric>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <thread>
 #include <vector>
 

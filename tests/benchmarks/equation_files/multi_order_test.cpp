@@ -63,8 +63,7 @@ TEST(MultiOrder, IsSolvedToTheAccuracyAsked) {
                                                           {"radau_exponentials", 1e-4},
                                                           {"radau_exponentials", 1e-9}};
   for (const auto& [id, accuracy] : asked) {
-    const auto path =
-        find_scheme(id)->solve(scene.problem, Tolerance{accuracy, accuracy}, {.output_times = {0.1, 1.0}});
+    const auto path = solve(id, scene.problem, Tolerance{accuracy, accuracy}, {.output_times = {0.1, 1.0}});
     ASSERT_EQ(path.status, SolveStatus::finished) << id << accuracy;
     for (Eigen::Index c = 0; c < path.y.cols(); ++c) {
       const Vec exact = scene.reference.at(path.time(c)).value, error = (path.y.col(c) - exact).cwiseAbs();
@@ -77,8 +76,7 @@ TEST(MultiOrder, IsSolvedToTheAccuracyAsked) {
 TEST(MultiOrder, IsSolvedOnPanelsToTheAccuracyAskedAtAllTimes) {
   const Scene scene = scene_of_example("multi_order.toml");
   for (const double accuracy : {1e-3, 1e-6, 1e-8, 1e-10, 1e-11, 1e-12, 1e-13}) {
-    const auto path =
-        find_scheme("spectral_collocation")->solve(scene.problem, Tolerance{accuracy, accuracy}, {});
+    const auto path = solve("spectral_collocation", scene.problem, Tolerance{accuracy, accuracy});
     ASSERT_EQ(path.status, SolveStatus::finished) << accuracy;
     EXPECT_LE(path.steps, 40) << accuracy;
     for (Eigen::Index c = 0; c < path.y.cols(); ++c) {

@@ -3,13 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
-#include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,9 +19,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-
 // Shell code: prints the output times of the task file $1, one a line.
 constexpr auto print_times = R"(sed -n '/"times"/,/]/p' "$1" | tr -d ' ],' | grep '^[0-9]')";
 
@@ -31,14 +27,14 @@ class ExternalRuns : public testing::Test {
   // A program that runs this script.
   [[nodiscard]] std::string program(const std::string& script, const std::string& name = "mine") const {
     folder_.write(name + ".sh", script);
-    return fmt::format("{}=sh '{}'", name, (folder_.path() / (name + ".sh")).string());
+    return fmt::format("{}=sh '{}'", name, folder_.file(name + ".sh"));
   }
 
   // A program that runs the lines `first`, then prints t^2 + 1e-3 at the output times; it counts its starts.
   [[nodiscard]] std::string square(const std::string& first = "", const std::string& name = "mine") const {
     return program(fmt::format("echo >> '{}'; {}\n{} | awk 'BEGIN {{ print \"t,y\" }} {{ printf "
                                "\"%s,%.17g\\n\", $1, $1 * $1 + 1e-3 }}'\n",
-                               (folder_.path() / "starts").string(), first, print_times),
+                               folder_.file("starts"), first, print_times),
                    name);
   }
 
@@ -64,8 +60,7 @@ class ExternalRuns : public testing::Test {
   [[nodiscard]] std::string ending(const std::string& script,
                                    const std::vector<std::string>& more = {}) const {
     std::filesystem::remove(results_);
-    const auto answer = run(program(script), more);
-    EXPECT_EQ(answer.code, 0) << answer.err;
+    expect_success(run(program(script), more));
     const auto all = runs();
     if (all.empty()) return "no run";
     EXPECT_EQ(all.front().key.scheme, "mine");
@@ -73,14 +68,10 @@ class ExternalRuns : public testing::Test {
     return sentence(all.front().ending);
   }
 
-  [[nodiscard]] std::size_t starts() const {
-    std::ostringstream text;
-    text << std::ifstream(folder_.path() / "starts").rdbuf();
-    return text.str().size();
-  }
+  [[nodiscard]] std::size_t starts() const { return content_of(folder_.path() / "starts").size(); }
 
   const TemporaryFolder folder_;
-  const std::string results_ = (folder_.path() / "results.jsonl").string();
+  const std::string results_ = folder_.file("results.jsonl");
 };
 
 TEST_F(ExternalRuns, AreJudgedAndTimedLikeSchemes) {
@@ -125,10 +116,9 @@ TEST_F(ExternalRuns, AreNotMadeAgainWhenTheSweepIsContinued) {
 }
 
 TEST_F(ExternalRuns, AreListedByADryRunAndNotStarted) {
-  const auto answer = run(square(), {"--dry-run", "--shard", "1/1"});
-  EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("power:p=2 mine N = 8  "));
-  EXPECT_THAT(answer.out, HasSubstr("1 runs, about "));
+  const auto answer = printed(run(square(), {"--dry-run", "--shard", "1/1"}));
+  EXPECT_THAT(answer, HasSubstr("power:p=2 mine N = 8  "));
+  EXPECT_THAT(answer, HasSubstr("1 runs, about "));
   EXPECT_EQ(starts(), 0U);
   ASSERT_EQ(run(square(), {"--shard", "1/1"}).code, 0);
   EXPECT_THAT(run(square(), {"--dry-run"}).out, HasSubstr("0 runs"));
@@ -148,25 +138,24 @@ TEST_F(ExternalRuns, AreAskedForTheGrid) {
 }
 
 TEST_F(ExternalRuns, AreToldTheWholeTask) {
-  const auto copy = (folder_.path() / "task.json").string();
+  const auto copy = folder_.file("task.json");
   ASSERT_EQ(run(square(R"(cp "$1" )" + copy)).code, 0);
-  std::ostringstream text;
-  text << std::ifstream(copy).rdbuf();
+  const auto text = content_of(copy);
   for (const auto* part :
        {R"("format": 1)", R"("scene": "power")", R"("label": "power:p=2")", R"("gamma": 0.5)", R"("p": 2.0)",
         R"("order": 0.5)", R"("side": "left")", R"("end_time": 1.0)", R"("steps": 8)", R"("grid": "uniform")",
         R"("budget": 600.0)", "0.125"})
-    EXPECT_THAT(text.str(), HasSubstr(part));
+    EXPECT_THAT(text, HasSubstr(part));
 }
 
 TEST_F(ExternalRuns, AreToldTheEquationsOfAFile) {
   folder_.write("square.toml",
                 "end = 1\n[parameters]\na = 2\n[unknown.y]\nterms = [[\"1/a\", 1], [0.5, 0.5]]\n"
                 "rhs = \"t - y*step(0.5 - t)\"\ninitial = [0]\n[[jump]]\nat = 0.5\n");
-  const auto copy = (folder_.path() / "task.json").string();
-  const auto answer = fdebench(std::vector<std::string>{
-      "run", "--scene", (folder_.path() / "square.toml").string() + ":a=4", "--steps", "8", "--external",
-      program("cp \"$1\" " + copy), "--out", results_});
+  const auto copy = folder_.file("task.json");
+  const auto answer =
+      fdebench(std::vector<std::string>{"run", "--scene", folder_.file("square.toml") + ":a=4", "--steps",
+                                        "8", "--external", program("cp \"$1\" " + copy), "--out", results_});
   ASSERT_EQ(answer.code, 0) << answer.err;
   const auto task = nlohmann::json::parse(std::ifstream(copy));
   EXPECT_EQ(task["parameters"]["a"], 4.0);
@@ -181,10 +170,10 @@ TEST_F(ExternalRuns, AreToldTheEquationsOfAFile) {
 TEST_F(ExternalRuns, AreToldTheRowsAsFormulas) {
   folder_.write("rows.toml",
                 "end = 1\n[unknown.x]\nterms = [[2, 1], [0.5, 0.5]]\nrhs = \"-x^3\"\ninitial = [1]\n");
-  const auto copy = (folder_.path() / "task.json").string();
+  const auto copy = folder_.file("task.json");
   const auto answer =
-      fdebench(std::vector<std::string>{"run", "--scene", (folder_.path() / "rows.toml").string(), "--steps",
-                                        "8", "--external", program("cp \"$1\" " + copy), "--out", results_});
+      fdebench(std::vector<std::string>{"run", "--scene", folder_.file("rows.toml"), "--steps", "8",
+                                        "--external", program("cp \"$1\" " + copy), "--out", results_});
   ASSERT_EQ(answer.code, 0) << answer.err;
   const auto task = nlohmann::json::parse(std::ifstream(copy));
   EXPECT_EQ(task["system"]["columns"], (std::vector<std::string>{"x", "D(x,0.5)"}));
@@ -199,8 +188,8 @@ TEST_F(ExternalRuns, AreToldTheRowsAsFormulas) {
 TEST_F(ExternalRuns, AreToldNoMultiTermEquationWithDerivativesOnTheRight) {
   folder_.write("rows.toml",
                 "end = 1\n[unknown.x]\nterms = [[2, 1], [0.5, 0.5]]\nrhs = \"-D(x,0.5)^2\"\ninitial = [1]\n");
-  const auto copy = (folder_.path() / "task.json").string();
-  ASSERT_EQ(fdebench({"run", "--scene", (folder_.path() / "rows.toml").string(), "--steps", "8", "--external",
+  const auto copy = folder_.file("task.json");
+  ASSERT_EQ(fdebench({"run", "--scene", folder_.file("rows.toml"), "--steps", "8", "--external",
                       program("cp \"$1\" " + copy), "--out", results_})
                 .code,
             0);
@@ -275,10 +264,9 @@ TEST_F(ExternalRuns, LeaveTheOtherRunsAlone) {
 // The scheme has a larger error, so the program is the only option; its time is marked as wall time.
 TEST_F(ExternalRuns, AreChosenFromResults) {
   ASSERT_EQ(run(square(), {"--scheme", "grunwald_letnikov"}).code, 0);
-  const auto answer = fdebench({"choose", "power:p=2", "--error", "2e-3", "--results", results_});
-  EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("run: mine with N = 8\ndelivers: error 1.0e-3 "));
-  EXPECT_THAT(answer.out, HasSubstr(" of the wall clock\n"));
+  const auto answer = printed(fdebench({"choose", "power:p=2", "--error", "2e-3", "--results", results_}));
+  EXPECT_THAT(answer, HasSubstr("run: mine with N = 8\ndelivers: error 1.0e-3 "));
+  EXPECT_THAT(answer, HasSubstr(" of the wall clock\n"));
   const auto json = fdebench({"choose", "power:p=2", "--error", "2e-3", "--results", results_, "--json"});
   EXPECT_THAT(json.out, HasSubstr("\"wall_clock\":true"));
 }

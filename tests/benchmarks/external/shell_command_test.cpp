@@ -4,15 +4,12 @@
 #include "fdebench/benchmarks/external/shell_command.hpp"
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <thread>
 
@@ -24,12 +21,6 @@ namespace {
 
 using Status = CommandResult::Status;
 
-std::string contents_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 class ShellCommands : public testing::Test {
  protected:
   CommandResult run(const std::string& command, double seconds = 30.0, std::uint64_t bytes = 1 << 20) {
@@ -38,14 +29,14 @@ class ShellCommands : public testing::Test {
 
   // Whether the process with this id exists and is no zombie.
   static bool is_alive(long pid) {
-    const auto facts = contents_of(fmt::format("/proc/{}/stat", pid));
+    const auto facts = content_of(fmt::format("/proc/{}/stat", pid));
     const auto name_end = facts.rfind(") ");
     return name_end != std::string::npos && facts[name_end + 2] != 'Z';
   }
 
   // Expects that the process whose id is in this file ends within ten seconds.
   static void expect_gone(const std::filesystem::path& file) {
-    const long pid = std::stol(contents_of(file));
+    const long pid = std::stol(content_of(file));
     ASSERT_GT(pid, 1);
     for (int i = 0; i < 1000 && is_alive(pid); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -54,14 +45,14 @@ class ShellCommands : public testing::Test {
 
   const TemporaryFile out_{".out"}, err_{".err"};
   const TemporaryFolder folder_;
-  const std::string pid_ = (folder_.path() / "pid").string();
+  const std::string pid_ = folder_.file("pid");
 };
 
 TEST_F(ShellCommands, TakeTheArgumentUnchangedAsTheirLastWord) {
   const auto end = run("printf '%s|' one");
   EXPECT_EQ(end.status, Status::exited);
   EXPECT_EQ(end.code, 0);
-  EXPECT_EQ(contents_of(out_.path()), R"(one|a 'b' "c" $d\|)");
+  EXPECT_EQ(content_of(out_.path()), R"(one|a 'b' "c" $d\|)");
 }
 
 TEST_F(ShellCommands, TellTheirExitCodeAndTheirTime) {
@@ -69,7 +60,7 @@ TEST_F(ShellCommands, TellTheirExitCodeAndTheirTime) {
   EXPECT_EQ(end.status, Status::exited);
   EXPECT_EQ(end.code, 3);
   EXPECT_GE(end.seconds, 0.2);
-  EXPECT_EQ(contents_of(err_.path()), "no\n");
+  EXPECT_EQ(content_of(err_.path()), "no\n");
   EXPECT_EQ(run("no_such_program_here").code, 127);
 }
 

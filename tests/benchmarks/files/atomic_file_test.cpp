@@ -6,11 +6,9 @@
 #include <sys/stat.h>
 
 #include <filesystem>
-#include <fstream>
 #include <future>
 #include <iterator>
 #include <stdexcept>
-#include <string>
 
 #include "support/temporary_folder.hpp"
 
@@ -18,11 +16,6 @@ namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::ptrdiff_t files_in(const fs::path& folder) {
   return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
@@ -34,9 +27,9 @@ TEST(AtomicFile, ReplacesAnotherWhenItIsFinished) {
   AtomicFile file(folder.path() / "page");
   file.write("new ");
   file.write("text");
-  EXPECT_EQ(bytes_of(folder.path() / "page"), "old");
+  EXPECT_EQ(content_of(folder.path() / "page"), "old");
   file.commit();
-  EXPECT_EQ(bytes_of(folder.path() / "page"), "new text");
+  EXPECT_EQ(content_of(folder.path() / "page"), "new text");
   EXPECT_EQ(files_in(folder.path()), 1);
 }
 
@@ -60,13 +53,13 @@ class WholeFiles : public testing::Test {
 TEST_F(WholeFiles, OfOneNameAreTheLastThatIsFinished) {
   one_.commit();
   other_.commit();
-  EXPECT_EQ(bytes_of(folder_.path() / "page"), "other");
+  EXPECT_EQ(content_of(folder_.path() / "page"), "other");
 }
 
 TEST_F(WholeFiles, ThatMustBeNewAreTheFirstThatIsFinished) {
   one_.commit_new();
   EXPECT_THROW(other_.commit_new(), std::invalid_argument);
-  EXPECT_EQ(bytes_of(folder_.path() / "page"), "one");
+  EXPECT_EQ(content_of(folder_.path() / "page"), "one");
 }
 
 // 2147483647 is not the id of a running process.
@@ -76,7 +69,7 @@ TEST(AtomicFile, RemovesWhatAKilledWriterHasLeft) {
   folder.write("page.not.tmp", "another's");
   AtomicFile(folder.path() / "page").commit();
   EXPECT_EQ(files_in(folder.path()), 2);
-  EXPECT_EQ(bytes_of(folder.path() / "page.not.tmp"), "another's");
+  EXPECT_EQ(content_of(folder.path() / "page.not.tmp"), "another's");
 }
 
 TEST(AtomicFile, NamesThePathThatCannotBeWritten) {
@@ -99,7 +92,7 @@ TEST(AtomicFile, ReplacesTheTargetOfALinkAndTakesItsPermissions) {
   file.write("new");
   file.commit();
   EXPECT_TRUE(fs::is_symlink(link));
-  EXPECT_EQ(bytes_of(target), "new");
+  EXPECT_EQ(content_of(target), "new");
   EXPECT_EQ(fs::status(target).permissions(), mine);
 }
 
@@ -108,7 +101,7 @@ TEST(AtomicFile, IsWrittenIntoAPipe) {
   const TemporaryFolder folder;
   const auto pipe = folder.path() / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR), 0);
-  auto read = std::async(std::launch::async, [&] { return bytes_of(pipe); });
+  auto read = std::async(std::launch::async, [&] { return content_of(pipe); });
   {
     AtomicFile file(pipe);
     file.write("text");

@@ -45,10 +45,10 @@ TEST(Judge, TakesWhatAnotherProgramWrote) {
   EXPECT_NEAR(*value(judged, "error_end"), 0.02, 1e-15);
   EXPECT_NEAR(*value(judged, "error_maximum"), 0.02, 1e-15);
   EXPECT_NEAR(*value(judged, "mescd"), -std::log10(0.02 / 5.0), 1e-12);
-  EXPECT_THAT(ids(judged), testing::ElementsAre("error_end", "error_end_relative", "error_end_mixed",
-                                                "error_end_peak", "error_maximum", "error_maximum_relative",
-                                                "error_maximum_mixed", "error_maximum_peak", "error_relative",
-                                                "mescd", "reference_bound", "reference_bound_maximum"));
+  EXPECT_THAT(ids(judged), ElementsAre("error_end", "error_end_relative", "error_end_mixed", "error_end_peak",
+                                       "error_maximum", "error_maximum_relative", "error_maximum_mixed",
+                                       "error_maximum_peak", "error_relative", "mescd", "reference_bound",
+                                       "reference_bound_maximum"));
 }
 
 // As for the solution of an integral equation, which is known less accurately near 0.

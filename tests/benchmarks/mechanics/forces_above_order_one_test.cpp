@@ -32,12 +32,9 @@ Vec state_at_end(const std::string& file, const std::string& formulation) {
 }
 
 std::string refusal(const std::string& file, const std::string& formulation) {
-  try {
+  return message_of<std::invalid_argument>([&] {
     scene_of_mechanical_file(file, {{"formulation", formulation}});
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  });
 }
 
 // With v(0) = 0 along the memory term v' is bounded, and both forms exist.
@@ -65,12 +62,9 @@ TEST(ForcesAboveOrderOne, AreToldByTheValuesOfParameters) {
     return std::string(file).insert(file.find('['), "[parameters]\np = " + at_default + "\n");
   };
   const auto accepts = [](const std::string& text, double p) {
-    try {
-      scene_of_mechanical_file(text, {{"p", p}, {"formulation", "integrated"}});
-    } catch (const std::invalid_argument&) {
-      return false;
-    }
-    return true;
+    return message_of<std::invalid_argument>([&] {
+             scene_of_mechanical_file(text, {{"p", p}, {"formulation", "integrated"}});
+           }) == "accepted";
   };
   for (const char* at_default : {"0.6", "1.6"}) {
     EXPECT_TRUE(accepts(with(at_default), 0.6)) << at_default;

@@ -33,7 +33,7 @@ TEST(FormsWithMemory, TheMultiplierFormOnAGradedGridIsTheBetterOne) {
   const auto error = [](const std::string& formulation) {
     Scene scene = scene_of("fractional_constraint_nonlinear", {{"formulation", formulation}});
     scene.problem.end = 1.0;
-    const auto path = find_scheme("product_trapezoidal")->solve(scene.problem, Grid{1.0, 4096, 2.0}, {});
+    const auto path = solve("product_trapezoidal", scene.problem, Grid{1.0, 4096, 2.0});
     const Vec end = columns_of(scene.outputs, path).rightCols(1);
     return (end - reference_of(scene).at(1.0).value).cwiseAbs().maxCoeff();
   };

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -277,12 +276,7 @@ WrittenSystem two_masses(const std::vector<std::string>& constraints) {
 }
 
 std::string error_of(const std::string& file) {
-  try {
-    scene_of_mechanical_file(file);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return message_of<std::invalid_argument>([&] { scene_of_mechanical_file(file); });
 }
 
 void expect_error(const std::string& file, int line, const std::string& part) {

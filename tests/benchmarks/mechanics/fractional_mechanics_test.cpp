@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"

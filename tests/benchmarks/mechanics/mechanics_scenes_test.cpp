@@ -62,7 +62,7 @@ TEST(Metric, OfTheIdentityIsNone) {
                                .constraints = {"D(z,1) - y*D(x,1)"}};
   const Problem with = scene_of_mechanical_file(mechanical_file_of(particle)).problem,
                 without = scene_of("nonholonomic_particle").problem;
-  const Vec y = (Vec(6) << 0.3, -0.7, 0.2, 1.1, 0.4, -0.6).finished();
+  const Vec y = Vec{{0.3, -0.7, 0.2, 1.1, 0.4, -0.6}};
   Vec f(6), g(6);
   with.rhs(0.5, y, f);
   without.rhs(0.5, y, g);
@@ -78,7 +78,7 @@ TEST(Formulations, AgreeOnTheConstraint) {
     scene.problem.rhs(0.0, y, f);
     return f;
   };
-  Vec y = (Vec(6) << 0.0, 0.5, 0.0, 1.0, 1.0, 0.5).finished();
+  Vec y = Vec{{0.0, 0.5, 0.0, 1.0, 1.0, 0.5}};
   EXPECT_EQ((rate("acceleration", y) - rate("stabilised", y)).norm(), 0.0);
   y[5] += 0.1;
   const Vec difference = rate("stabilised", y) - rate("acceleration", y);
@@ -168,9 +168,8 @@ const ParameterValues unequal{{"gamma1", 0.2}, {"gamma2", 0.5}, {"gamma3", 1.0}}
 TEST(CanonicalEnsemble, KeepsItsTemperatureOnTheMotionComputedApart) {
   const Scene scene = scene_of("canonical_ensemble", unequal);
   const reference::ReferenceValue at = reference_of(scene).at(2.0);
-  const Vec known = (Vec(6) << -0.48124897378306242978, 0.36247456148944843572, 0.22127991052634237645,
-                     -0.71410159757428311251, 0.46563544752866334600, 0.17777400448536345258)
-                        .finished();
+  const Vec known = Vec{{-0.48124897378306242978, 0.36247456148944843572, 0.22127991052634237645,
+                         -0.71410159757428311251, 0.46563544752866334600, 0.17777400448536345258}};
   EXPECT_LT((at.value - known).cwiseAbs().maxCoeff(), 1e-13);
   EXPECT_LT(scene.constraint.drift(2.0, at.value), 1e-13);
   const auto temperature = [&](In columns) {
@@ -190,12 +189,7 @@ TEST(CanonicalEnsemble, WithEqualFrictionsIsTheIsokineticOne) {
 }
 
 std::string complaint(std::string_view scene, const ParameterValues& values) {
-  try {
-    scene_of(scene, values);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return message_of<std::invalid_argument>([&] { scene_of(scene, values); });
 }
 
 TEST(MechanicsParameters, AreRefusedWithWhatIsAllowed) {

@@ -7,14 +7,15 @@
 
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "support/implicit_schemes.hpp"
+#include "support/scheme_test.hpp"
 
 namespace fde::bench {
 namespace {
 
-class Nonholonomic : public testing::TestWithParam<const Scheme*> {
+class Nonholonomic : public SchemeTest {
  protected:
   static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
-    auto path = GetParam()->solve(problem, Grid{problem.end, steps}, options);
+    auto path = SchemeTest::run(problem, steps, options);
     EXPECT_EQ(path.status, SolveStatus::finished) << path.last_time;
     return path;
   }

@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/observers/reaction_path.hpp"
@@ -19,7 +17,7 @@ namespace {
 // Multipliers and power at the end of a run.
 Vec reactions_at_end(const Scene& scene, const Grid& grid, std::string_view scheme = "product_trapezoidal") {
   const auto times = with_neighbour_times(scene.reactions, grid, {grid.end}, grid.end);
-  const auto path = find_scheme(scheme)->solve(scene.problem, grid, {.output_times = times});
+  const auto path = solve(scheme, scene.problem, grid, {.output_times = times});
   return ReactionPath(scene, grid, path).at(path.y.cols() - 1, columns_of(scene.outputs, path).rightCols(1));
 }
 
@@ -100,7 +98,7 @@ TEST(Reactions, OfRunsToAnAccuracyAreTheExactOnes) {
       const Tolerance accuracy{.rtol = 1e-8, .atol = 1e-8};
       if (unsupported_reason(*find_scheme(scheme), scene.problem, accuracy)) continue;
       const auto times = with_neighbour_times(scene.reactions, std::nullopt, asked, 2.0);
-      const auto path = find_scheme(scheme)->solve(scene.problem, accuracy, {.output_times = times});
+      const auto path = solve(scheme, scene.problem, accuracy, {.output_times = times});
       const ReactionPath reactions(scene, std::nullopt, path);
       const Rows columns = columns_of(scene.outputs, path);
       for (std::size_t c = 0; c < times.size(); ++c) {
@@ -131,7 +129,7 @@ TEST(Reactions, BeginWithTheFirstStepWhereTheyAreUnbounded) {
   ASSERT_FALSE(scene.reactions.initial_multipliers);
   for (const double grading : {1.0, 2.0}) {
     const Grid grid{10.0, 4096, grading};
-    const auto path = find_scheme("product_trapezoidal")->solve(scene.problem, grid, {});
+    const auto path = solve("product_trapezoidal", scene.problem, grid);
     const ReactionPath reactions(scene, grid, path);
     EXPECT_TRUE(std::isnan(reactions.at(0, columns_at(scene.outputs, 0.0, path.y.col(0)))[0]));
     for (const int n : {1, 2, 3, 10, 100}) {

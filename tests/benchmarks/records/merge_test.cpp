@@ -6,10 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "fdebench/benchmarks/records/record_text.hpp"
@@ -41,12 +38,6 @@ class Merges : public testing::Test {
     return folder_.path() / name;
   }
 
-  static std::string to_text(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-  }
-
   static std::vector<int> steps_of(const Results& results, const std::string& machine) {
     std::vector<int> steps;
     for (const Record& run : results.records) {
@@ -65,21 +56,21 @@ TEST_F(Merges, KeepTheSessionsOfSeveralMachinesApart) {
   EXPECT_EQ(merged.rows, 4U);
   const auto results = read_results(out_);
   ASSERT_EQ(results.sessions.size(), 2U);
-  EXPECT_THAT(steps_of(results, "one"), testing::ElementsAre(8, 16));
-  EXPECT_THAT(steps_of(results, "other"), testing::ElementsAre(16, 32));
+  EXPECT_THAT(steps_of(results, "one"), ElementsAre(8, 16));
+  EXPECT_THAT(steps_of(results, "other"), ElementsAre(16, 32));
 }
 
 TEST_F(Merges, OfOneFileAreThatFile) {
   const auto file = file_of("a", "one", {8, 16});
   merge_results({file}, out_);
-  EXPECT_EQ(to_text(out_), to_text(file));
+  EXPECT_EQ(content_of(out_), content_of(file));
 }
 
 // A description of a scene is copied once for each session that has it.
 TEST_F(Merges, KeepTheScenesThatAreDescribed) {
   const auto described = [&](const std::string& name, const std::string& machine) {
     auto file = file_of(name, machine, {8});
-    auto text = to_text(file);
+    auto text = content_of(file);
     text.insert(text.find('\n') + 1, line_of(SceneDescription{.scene = {"power"}, .title = "Power"}));
     folder_.write(name, text);
     return file;
@@ -101,20 +92,20 @@ TEST_F(Merges, TakeWhatStandsInSeveralFilesOnce) {
   EXPECT_EQ(merged.repeated_rows, 2U);
   const auto results = read_results(out_);
   EXPECT_EQ(results.sessions.size(), 1U);
-  EXPECT_THAT(steps_of(results, "one"), testing::ElementsAre(8, 16, 32));
+  EXPECT_THAT(steps_of(results, "one"), ElementsAre(8, 16, 32));
 }
 
 TEST_F(Merges, PassOverTheLastLineOfAKilledSweep) {
   const auto file = file_of("a", "one", {8, 16});
-  const auto whole = to_text(file);
+  const auto whole = content_of(file);
   folder_.write("cut", whole.substr(0, whole.size() - 20));
   merge_results({folder_.path() / "cut", file_of("b", "other", {32})}, out_);
-  EXPECT_THAT(steps_of(read_results(out_), "one"), testing::ElementsAre(8));
+  EXPECT_THAT(steps_of(read_results(out_), "one"), ElementsAre(8));
 }
 
 // Odd lines and runs without an ending are left out: what was merged is read without a warning.
 TEST_F(Merges, LeaveOutWhatNoReaderAccepts) {
-  const auto whole = to_text(file_of("a", "one", {8, 16, 32}));
+  const auto whole = content_of(file_of("a", "one", {8, 16, 32}));
   auto changed = whole;
   changed.replace(changed.rfind(R"("ending")"), 8, R"("finish")");
   folder_.write("odd", changed.insert(changed.find('\n') + 1, "garbage\n"));
@@ -123,7 +114,7 @@ TEST_F(Merges, LeaveOutWhatNoReaderAccepts) {
     if (of_two) files.push_back(file_of("b", "one", {64}));
     const auto merged = merge_results(files, out_);
     ASSERT_EQ(merged.warnings.size(), 1U);
-    EXPECT_THAT(merged.warnings[0], testing::HasSubstr("odd: line 2 is not a row of fdebench results"));
+    EXPECT_THAT(merged.warnings[0], HasSubstr("odd: line 2 is not a row of fdebench results"));
     const auto results = read_results(out_);
     EXPECT_EQ(results.warning, "");
     EXPECT_EQ(steps_of(results, "one"), of_two ? (std::vector{8, 16, 64}) : (std::vector{8, 16}));
@@ -133,10 +124,10 @@ TEST_F(Merges, LeaveOutWhatNoReaderAccepts) {
 
 TEST_F(Merges, WriteNoFileThatIsThereAndNoneOfWhatIsNone) {
   const auto file = file_of("a", "one", {8});
-  const auto before = to_text(file);
+  const auto before = content_of(file);
   EXPECT_THAT([&] { merge_results({file}, file); }, testing::ThrowsMessage<std::invalid_argument>(
                                                         file.string() + ": exists, it must be a new file"));
-  EXPECT_EQ(to_text(file), before);
+  EXPECT_EQ(content_of(file), before);
   folder_.write("other", "t,y\n");
   const auto other = folder_.path() / "other";
   EXPECT_THAT(

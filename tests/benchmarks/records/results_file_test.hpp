@@ -5,11 +5,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
+#include "support/message_of.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace fde::bench {
@@ -17,22 +17,14 @@ namespace fde::bench {
 // A results file in a folder of its own, as text and as it is opened.
 class ResultsFileTest : public testing::Test {
  protected:
-  [[nodiscard]] std::string text() const {
-    std::ostringstream all;
-    all << std::ifstream(file_).rdbuf();
-    return all.str();
-  }
+  [[nodiscard]] std::string text() const { return content_of(file_); }
   void write(const std::string& content) const { std::ofstream(file_) << content; }
 
   // Why the file cannot be opened, or what is left out of it; "opened" if it can, and nothing is.
   static std::string message(const std::filesystem::path& file) {
-    try {
-      const ResultsFile opened(file);
-      if (!opened.warning().empty()) return opened.warning();
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "opened";
+    std::string warning;
+    const auto refusal = message_of<std::invalid_argument>([&] { warning = ResultsFile(file).warning(); });
+    return refusal != "accepted" ? refusal : warning.empty() ? "opened" : warning;
   }
 
   // The message, without the name of the file, once `from` is replaced by `to` in its text `whole`.

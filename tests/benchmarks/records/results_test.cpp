@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -7,16 +6,15 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <system_error>
 #include <thread>
 
 #include "benchmarks/records/results_file_test.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
+#include "support/message_of.hpp"
 
 namespace fde::bench {
 namespace {
@@ -338,12 +336,7 @@ TEST_F(ResultsFiles, OnAFullDiskSaySoAndKeepTheirWholeRuns) {
   getrlimit(RLIMIT_FSIZE, &unlimited);
   const rlimit full{.rlim_cur = before.size() + 10, .rlim_max = unlimited.rlim_max};
   setrlimit(RLIMIT_FSIZE, &full);
-  std::string message;
-  try {
-    file.append(run("l1", 128));
-  } catch (const std::system_error& error) {
-    message = error.what();
-  }
+  const auto message = message_of<std::system_error>([&] { file.append(run("l1", 128)); });
   setrlimit(RLIMIT_FSIZE, &unlimited);
   EXPECT_EQ(message, file_.string() + ": cannot be written: File too large");
   EXPECT_EQ(text(), before);

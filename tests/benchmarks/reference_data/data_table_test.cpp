@@ -10,13 +10,10 @@
 
 #include "fdebench/benchmarks/reference_data/table_comparison.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
+#include "support/matchers.hpp"
 
 namespace fde::bench {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 const std::vector<std::string> header{"t", "y"};
 const std::vector<std::vector<std::string>> cells{{"0", "1"}, {"0.5", "-2e-3"}};

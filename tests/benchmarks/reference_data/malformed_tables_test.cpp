@@ -7,13 +7,11 @@
 #include <stdexcept>
 
 #include "fdebench/benchmarks/reference_data/reference_check.hpp"
+#include "support/matchers.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace fde::bench {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 void require_well_formed(const TemporaryFolder& folder) {
   check_folder(folder.path(), 1, [](std::size_t, std::size_t, const std::string&) {});
@@ -34,24 +32,18 @@ TEST_P(MalformedTables, AreNamedWithLineAndColumn) {
 
 INSTANTIATE_TEST_SUITE_P(
     ReferenceTables, MalformedTables,
-    testing::Values(
-        MalformedTable{"a.csv", "alpha,beta,re_z,re\n1,1,1,e\n",
-                       "a.csv: line 2, column re: 'e' must be a decimal"},
-        MalformedTable{"a.csv", "alpha,beta,re_z,re\n1,1,x,1\n", "a.csv: line 2: mittag_leffler: re z: 'x'"},
-        MalformedTable{"a.csv", "alpha,beta,re_z,re\n7,1,1,1\n",
-                       "a.csv: line 2: mittag_leffler: alpha = 7 has to be in"},
-        MalformedTable{"a.csv", "alpha,beta,re_z,re,bound\n1,1,1,1,-1\n",
-                       "column bound: -1 must not be negative"},
-        MalformedTable{"a.csv", "alpha,re_z,re\n", "a.csv: line 1: column beta is missing"},
-        MalformedTable{"a.csv", "x,y\n1,2\n", "must have a column re_z or t or scheme"},
-        MalformedTable{"pendulums.csv", "t,phi\n",
-                       "scene pendulums: no such scene, did you mean 'pendulum'?"},
-        MalformedTable{"pendulum.csv", "t,psi\n1,2\n", "has none of the columns phi"},
-        MalformedTable{"pendulum.csv", "t,phi\n1e9,2\n", "line 2, column t: 1e9 must be a time in [0, 1000]"},
-        MalformedTable{"power.csv", "scheme,steps,error_end\nl2,8,1\n",
-                       "line 2, column scheme: no such scheme 'l2'"},
-        MalformedTable{"power.csv", "scheme,steps,error_end\nl1,8.5,1\n",
-                       "column steps: '8.5' must be a whole number"}));
+    testing::ValuesIn<MalformedTable>(
+        {{"a.csv", "alpha,beta,re_z,re\n1,1,1,e\n", "a.csv: line 2, column re: 'e' must be a decimal"},
+         {"a.csv", "alpha,beta,re_z,re\n1,1,x,1\n", "a.csv: line 2: mittag_leffler: re z: 'x'"},
+         {"a.csv", "alpha,beta,re_z,re\n7,1,1,1\n", "a.csv: line 2: mittag_leffler: alpha = 7 has to be in"},
+         {"a.csv", "alpha,beta,re_z,re,bound\n1,1,1,1,-1\n", "column bound: -1 must not be negative"},
+         {"a.csv", "alpha,re_z,re\n", "a.csv: line 1: column beta is missing"},
+         {"a.csv", "x,y\n1,2\n", "must have a column re_z or t or scheme"},
+         {"pendulums.csv", "t,phi\n", "scene pendulums: no such scene, did you mean 'pendulum'?"},
+         {"pendulum.csv", "t,psi\n1,2\n", "has none of the columns phi"},
+         {"pendulum.csv", "t,phi\n1e9,2\n", "line 2, column t: 1e9 must be a time in [0, 1000]"},
+         {"power.csv", "scheme,steps,error_end\nl2,8,1\n", "line 2, column scheme: no such scheme 'l2'"},
+         {"power.csv", "scheme,steps,error_end\nl1,8.5,1\n", "column steps: '8.5' must be a whole number"}}));
 
 TEST(ReferenceTables, AMalformedDescriptionIsNamed) {
   const auto complains = [](const char* description, const char* message) {

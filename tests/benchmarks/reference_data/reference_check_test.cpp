@@ -15,7 +15,6 @@ namespace fde::bench {
 namespace {
 
 using testing::Contains;
-using testing::HasSubstr;
 
 std::vector<TableCheck> check(const TemporaryFolder& folder) {
   return check_folder(folder.path(), 1, [](std::size_t, std::size_t, const std::string&) {}).tables;
@@ -85,7 +84,7 @@ TEST(ReferenceCheck, ABoundDecidesWhereThereIsOne) {
   EXPECT_EQ(verdict_of("e.csv", columns + "2e-4,2.7181,1,1,1,me\n").wrong, 0U);
   EXPECT_EQ(verdict_of("e.csv", columns + "1.8e-4,2.7181,1,1,1,me\n").wrong, 1U);
   EXPECT_THAT(verdict_of("e.csv", columns + "2e-4,2.7181,1,1,1,me\n").assumptions,
-              testing::Not(Contains(HasSubstr("bound"))));
+              Not(Contains(HasSubstr("bound"))));
 }
 
 // Any value meets a bound that overflows a double.
@@ -116,7 +115,7 @@ TEST(ReferenceCheck, ATrajectoryHasTheParametersOfItsDescriptionOrTheDefaults) {
   EXPECT_EQ(check(folder).at(0).wrong, 1U);
   folder.write("power.csv", "y,t\n27.00,3\n");
   EXPECT_EQ(check(folder).at(0).wrong, 0U);
-  EXPECT_THAT(check(folder).at(0).assumptions, testing::Not(Contains(HasSubstr("description"))));
+  EXPECT_THAT(check(folder).at(0).assumptions, Not(Contains(HasSubstr("description"))));
 }
 
 TEST(ReferenceCheck, ANonlinearTrajectoryIsRecomputed) {

@@ -15,12 +15,12 @@
 #include "fdebench/benchmarks/reference_data/tables/mittag_leffler_table.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
+#include "support/matchers.hpp"
 
 namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 
 // A scene with two hundred columns has no table of trajectories; its variants with few columns have one.
 TEST(ReferenceData, HasATableOfEveryKindAndScene) {

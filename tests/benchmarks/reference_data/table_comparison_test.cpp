@@ -8,11 +8,10 @@
 
 #include <stdexcept>
 
+#include "support/matchers.hpp"
+
 namespace fde::bench {
 namespace {
-
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 constexpr int digits = 9;
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -11,6 +10,7 @@
 #include "fdebench/benchmarks/references/cache.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/reference/nonlinear/collocation.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
@@ -57,11 +57,6 @@ class Cache : public testing::Test {
   const ReferenceCache cache_{folder_};
 };
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 void write(const fs::path& file, const std::string& bytes) {
   fs::create_directories(file.parent_path());
   std::ofstream(file, std::ios::binary) << bytes;
@@ -95,7 +90,7 @@ TEST_F(Cache, SolvesAnewWhatIsDamaged) {
   const Counted counted;
   EXPECT_FALSE(hit(counted));
   const auto file = cache_.file_of(reference_key("cubic", counted.problem));
-  const std::string good = bytes_of(file);
+  const std::string good = content_of(file);
   std::vector<std::string> damaged{"",
                                    "short",
                                    "something else of more than thirty-two bytes",

@@ -166,7 +166,7 @@ TEST(Diffusion, ShowsAFewPointsAndNormsOfMoreThanTwoThousand) {
 // comparable.
 Vec errors(const char* scene_id, const ParameterValues& values, const char* scheme, const Grid& grid) {
   const Scene scene = scene_of(scene_id, values);
-  const auto path = find_scheme(scheme)->solve(scene.problem, grid, {.output_times = {grid.end}});
+  const auto path = solve(scheme, scene.problem, grid, {.output_times = {grid.end}});
   EXPECT_EQ(path.status, SolveStatus::finished);
   return columns_at(scene.outputs, grid.end, path.y.col(0)) - scene.reference.at(grid.end).value;
 }

@@ -106,9 +106,8 @@ TEST(DampingOfWholeOrders, IsTakenByTheExtensiblePendulum) {
   const ParameterValues whole{{"alpha", 2.0}, {"beta", 1.0}};
   const Vec now = reference_at("extensible_pendulum", whole, 2.0);
   const Vec known =
-      (Vec(8) << 0.265394182507193307, -0.352038469027728258, -0.352038469027728258, 0.158753218655254624,
-       0.983870206168365250, 0.786795833150110010, 0.786795833150110010, -0.172044530981444100)
-          .finished();
+      Vec{{0.265394182507193307, -0.352038469027728258, -0.352038469027728258, 0.158753218655254624,
+           0.983870206168365250, 0.786795833150110010, 0.786795833150110010, -0.172044530981444100}};
   EXPECT_LT((now - known).cwiseAbs().maxCoeff(), 1e-13);
 }
 

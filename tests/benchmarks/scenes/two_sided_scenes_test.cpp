@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "support/caputo.hpp"
 

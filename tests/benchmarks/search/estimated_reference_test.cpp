@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -20,8 +19,6 @@
 
 namespace fde::bench {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr auto silence = [](const std::string&, double) {};
 
@@ -85,12 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
                     SearchCase{"fractional_extremum", {Norm::maximum, Scale::mixed}, 1e-3}));
 
 std::string refusal(const Scene& scene, double accuracy, double seconds) {
-  try {
+  return message_of<std::runtime_error>([&] {
     estimated_reference(scene, {{}, accuracy, all_columns(scene)}, "it is taken away", seconds, silence);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "none";
+  });
 }
 
 // An error e N^-p changes by e (2^p - 1) N^-p from N/2 to N.
@@ -108,7 +102,7 @@ TEST(Estimates, TakeMoreForTheErrorTheSlowerItFalls) {
 TEST(Estimates, AreRefusedWhereTwoSchemesDoNotAgree) {
   const std::string begin = "there is no reference (it is taken away), and no estimate: ";
   EXPECT_THAT(refusal(without_reference(scene_of("relaxation")), 1e-14, 600.0),
-              testing::AllOf(HasSubstr(begin), HasSubstr(" differ by "), HasSubstr("of 1.0e-14")));
+              AllOf(HasSubstr(begin), HasSubstr(" differ by "), HasSubstr("of 1.0e-14")));
 }
 
 // y' = y^2 has no solution at t = 1: no run reaches the end time.

@@ -19,8 +19,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::ElementsAre;
-
 std::vector<SearchCandidate> found_for(const Scene& scene, const SearchCase& asked) {
   return search(scene, question_of(scene, asked), 100.0, [](const std::string&, double) {});
 }

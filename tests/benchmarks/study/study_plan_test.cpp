@@ -24,8 +24,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-
 RunKey run_of(const SceneVariant& scene, int steps) {
   return {.scene = scene.key(), .scheme = "l1", .setup = {.resolution = steps}};
 }
@@ -84,10 +82,8 @@ std::multiset<std::string> untimed(const std::filesystem::path& file) {
 // The names and contents of the files of a folder.
 std::map<std::string, std::string> contents(const std::filesystem::path& folder) {
   std::map<std::string, std::string> found;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    std::ifstream stream(entry.path());
-    found[entry.path().filename()] = {std::istreambuf_iterator<char>(stream), {}};
-  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    found[entry.path().filename()] = content_of(entry.path());
   return found;
 }
 
@@ -116,31 +112,30 @@ TEST(Studies, HaveTheRunsOfTheirShardsMerged) {
                "[[family]]\nscene = \"eq/decay.toml\"\nparameters.q = [0.3, 0.6]\n"
                "[[family]]\nscene = \"relaxation\"\nschemes = \"bdf2\"\ndraws = 5\n"
                "parameters.gamma = {distribution = \"uniform\", from = 0.2, to = 0.9}\n");
-  const auto path = [&](const std::string& name) { return (folder.path() / name).string(); };
-  const auto planned = fdebench({"study", "plan", path("s.toml"), "--shards", "3", "--out", path("parts")});
-  EXPECT_EQ(planned.code, 0) << planned.err;
-  EXPECT_THAT(planned.out, HasSubstr("16 runs of 7 scenes\n"));
-  EXPECT_EQ(fdebench({"run", "--study", path("s.toml"), "--out", path("whole.jsonl")}).code, 0);
+  EXPECT_THAT(printed(fdebench(
+                  {"study", "plan", folder.file("s.toml"), "--shards", "3", "--out", folder.file("parts")})),
+              HasSubstr("16 runs of 7 scenes\n"));
+  EXPECT_EQ(fdebench({"run", "--study", folder.file("s.toml"), "--out", folder.file("whole.jsonl")}).code, 0);
   nlohmann::json plan;
-  std::ifstream(path("parts/plan.json")) >> plan;
-  EXPECT_EQ(plan["study"], path("s.toml"));
+  std::ifstream(folder.file("parts/plan.json")) >> plan;
+  EXPECT_EQ(plan["study"], folder.file("s.toml"));
   std::vector<std::string> merge{"merge"};
   int runs = 0;
   for (const auto& shard : plan["shards"]) {
-    const auto results = path(shard["file"].get<std::string>() + ".jsonl");
+    const auto results = folder.file(shard["file"].get<std::string>() + ".jsonl");
     const auto file = "parts/" + shard["file"].get<std::string>();
-    const auto ran = fdebench({"run", "--study", path(file), "--out", results});
-    EXPECT_EQ(ran.code, 0) << ran.err;
+    expect_success(fdebench({"run", "--study", folder.file(file), "--out", results}));
     merge.push_back(results);
     runs += shard["runs"].get<int>();
   }
   EXPECT_EQ(merge.size(), 4U);
   EXPECT_EQ(runs, 16);
-  merge.insert(merge.end(), {"--out", path("merged.jsonl")});
+  merge.insert(merge.end(), {"--out", folder.file("merged.jsonl")});
   EXPECT_EQ(fdebench(merge).code, 0);
-  EXPECT_EQ(untimed(path("merged.jsonl")), untimed(path("whole.jsonl")));
-  EXPECT_EQ(read_results(path("merged.jsonl")).scenes.size(), 7U);
-  EXPECT_FALSE(read_results(path("whole.jsonl")).scenes.front().solution) << "families do without solutions";
+  EXPECT_EQ(untimed(folder.file("merged.jsonl")), untimed(folder.file("whole.jsonl")));
+  EXPECT_EQ(read_results(folder.file("merged.jsonl")).scenes.size(), 7U);
+  EXPECT_FALSE(read_results(folder.file("whole.jsonl")).scenes.front().solution)
+      << "families do without solutions";
 }
 
 }  // namespace

@@ -3,17 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
-#include <vector>
 
 #include "benchmarks/study/study_testing.hpp"
 #include "fdebench/benchmarks/study/exact_numbers.hpp"
-#include "fdebench/benchmarks/text/number_text.hpp"
+#include "support/matchers.hpp"
 
 namespace fde::bench {
 namespace {
-
-using testing::ElementsAre;
 
 // From mpmath with 160 bits and another implementation of mt19937_64, checked by its 10000th output.
 TEST(ExactNumbers, AreThoseOfAnotherProgram) {

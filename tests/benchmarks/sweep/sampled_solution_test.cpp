@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"

@@ -88,8 +88,8 @@ TEST(Sweeps, RefineUntilTheirGoalIsReached) {
   RecordedSweep book;
   book.run(sweep_of_power());
   const auto steps = book.steps();
-  EXPECT_THAT(steps.at("product_trapezoidal"), testing::ElementsAre(64, 128));
-  EXPECT_THAT(steps.at("adams_pc"), testing::ElementsAre(64, 128, 256, 512, 1024));
+  EXPECT_THAT(steps.at("product_trapezoidal"), ElementsAre(64, 128));
+  EXPECT_THAT(steps.at("adams_pc"), ElementsAre(64, 128, 256, 512, 1024));
 }
 
 TEST(Sweeps, ContinuedAnywhereTakeTheRunsOfAnUninterruptedOne) {

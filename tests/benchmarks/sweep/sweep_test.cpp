@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <set>
@@ -36,8 +35,8 @@ TEST(ContinuedSweeps, TimeWhatIsExamined) {
                    timed.push_back(run.key.scheme);
                  },
              .on_event = no_report});
-  EXPECT_THAT(examined, testing::ElementsAre("adams_pc"));
-  EXPECT_THAT(timed, testing::ElementsAre("l1", "adams_pc"));
+  EXPECT_THAT(examined, ElementsAre("adams_pc"));
+  EXPECT_THAT(timed, ElementsAre("l1", "adams_pc"));
 }
 
 std::string words_of(const SweepEvent& event) {
@@ -66,9 +65,9 @@ TEST(Sweeps, TakeOneResolutionAfterTheOtherAndReportEachRun) {
              .append = [&](const auto&) { events.emplace_back("appends"); },
              .append_times = [&](const auto&) { events.emplace_back("appends times"); },
              .on_event = [&](const auto& event) { events.push_back(words_of(event)); }});
-  EXPECT_THAT(events, testing::ElementsAre("examines N = 16", "appends", "times N = 16", "appends times",
-                                           "N = 16 is done", "examines N = 32", "appends", "times N = 32",
-                                           "appends times", "N = 32 is done", "line ends at N = 32"));
+  EXPECT_THAT(events, ElementsAre("examines N = 16", "appends", "times N = 16", "appends times",
+                                  "N = 16 is done", "examines N = 32", "appends", "times N = 32",
+                                  "appends times", "N = 32 is done", "line ends at N = 32"));
 }
 
 // While one thread appends, the others continue; only a failure stops them.

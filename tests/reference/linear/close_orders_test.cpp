@@ -29,14 +29,12 @@ void expect_value(const Reference& reference, const Vec& exact) {
 TEST(CloseOrders, TwoZerosOfATinyOrderAreFound) {
   constexpr double gamma = 1e-10;
   const Matrix turning = (Matrix(2, 2) << 1.0, -gamma, gamma, 1.0).finished();
-  expect_value(of_order(gamma, turning, 1.0, 0.0),
-               (Vec(2) << 6945447373.0401302839, 13713854153.017715070).finished());
+  expect_value(of_order(gamma, turning, 1.0, 0.0), Vec{{6945447373.0401302839, 13713854153.017715070}});
 }
 
 TEST(CloseOrders, ADoubleZeroOfATinyOrderIsFound) {
   const Matrix defective = (Matrix(2, 2) << 1.0, 1.0, 0.0, 1.0).finished();
-  expect_value(of_order(1e-10, defective, 1.0, 0.5),
-               (Vec(2) << 140388512124091313338.5, 11332672538.749244175).finished());
+  expect_value(of_order(1e-10, defective, 1.0, 0.5), Vec{{140388512124091313338.5, 11332672538.749244175}});
 }
 
 // (s^g - 1)(s^(2-g) + 4) = -1: zeros where s^2 balances the small s^g - 1, at
@@ -48,7 +46,7 @@ TEST(CloseOrders, AZeroFarFromTheRadiiOfEqualTermsIsFound) {
                                                .initial = {{1.0}, {0.5, 0.0}},
                                                .matrix = (Matrix(2, 2) << 1.0, 1.0, -1.0, -4.0).finished()});
   const ReferenceValue known = solution.at(1e-3);
-  const Vec exact = (Vec(2) << -260023869.06058958365, -3.0585250701993331291).finished();
+  const Vec exact = Vec{{-260023869.06058958365, -3.0585250701993331291}};
   for (Eigen::Index i = 0; i < exact.size(); ++i) {
     const double size = std::abs(exact[i]);
     EXPECT_NEAR(known.value[i], exact[i], known.bound[i] + 2e-16 * size) << i;

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 
@@ -120,31 +119,30 @@ TEST_P(IntegerOrderEquation, HasItsElementarySolution) {
   expect_within(worst);
 }
 
-const std::vector<IntegerOrders> integer_orders{
-    IntegerOrders{"Harmonic",
-                  {{{1.0, 2.0}, {1.0, 0.0}}, {1.0, 0.0}},
-                  [](double t) { return std::cos(t); },
-                  [](double t) { return -std::sin(t); }},
-    IntegerOrders{"CriticallyDamped",
-                  {{{1.0, 2.0}, {2.0, 1.0}, {1.0, 0.0}}, {1.0, 0.0}},
-                  [](double t) { return (1.0 + t) * std::exp(-t); },
-                  [](double t) { return -t * std::exp(-t); }},
-    IntegerOrders{"Overdamped",
-                  {{{1.0, 2.0}, {3.0, 1.0}, {2.0, 0.0}}, {1.0, -1.0}},
-                  [](double t) { return std::exp(-t); },
-                  [](double t) { return -std::exp(-t); }},
-    IntegerOrders{"DoubleZeroToTheRight",
-                  {{{1.0, 2.0}, {-2.0, 1.0}, {1.0, 0.0}}, {0.0, 1.0}},
-                  [](double t) { return t * std::exp(t); },
-                  [](double t) { return (1.0 + t) * std::exp(t); }},
-    IntegerOrders{"ForcedExponential",
-                  {{{1.0, 1.0}, {1.0, 0.0}}, {2.0}, {{1.0, 0.0}}},
-                  [](double t) { return 1.0 + std::exp(-t); },
-                  [](double t) { return -std::exp(-t); }},
-    IntegerOrders{"ZeroTermsDoNotCount",
-                  {{{1.0, 1.0}, {0.0, 2.0}, {0.0, 1.5}, {1.0, 0.0}}, {1.0}},
-                  [](double t) { return std::exp(-t); },
-                  [](double t) { return -std::exp(-t); }}};
+const std::vector<IntegerOrders> integer_orders{{"Harmonic",
+                                                 {{{1.0, 2.0}, {1.0, 0.0}}, {1.0, 0.0}},
+                                                 [](double t) { return std::cos(t); },
+                                                 [](double t) { return -std::sin(t); }},
+                                                {"CriticallyDamped",
+                                                 {{{1.0, 2.0}, {2.0, 1.0}, {1.0, 0.0}}, {1.0, 0.0}},
+                                                 [](double t) { return (1.0 + t) * std::exp(-t); },
+                                                 [](double t) { return -t * std::exp(-t); }},
+                                                {"Overdamped",
+                                                 {{{1.0, 2.0}, {3.0, 1.0}, {2.0, 0.0}}, {1.0, -1.0}},
+                                                 [](double t) { return std::exp(-t); },
+                                                 [](double t) { return -std::exp(-t); }},
+                                                {"DoubleZeroToTheRight",
+                                                 {{{1.0, 2.0}, {-2.0, 1.0}, {1.0, 0.0}}, {0.0, 1.0}},
+                                                 [](double t) { return t * std::exp(t); },
+                                                 [](double t) { return (1.0 + t) * std::exp(t); }},
+                                                {"ForcedExponential",
+                                                 {{{1.0, 1.0}, {1.0, 0.0}}, {2.0}, {{1.0, 0.0}}},
+                                                 [](double t) { return 1.0 + std::exp(-t); },
+                                                 [](double t) { return -std::exp(-t); }},
+                                                {"ZeroTermsDoNotCount",
+                                                 {{{1.0, 1.0}, {0.0, 2.0}, {0.0, 1.5}, {1.0, 0.0}}, {1.0}},
+                                                 [](double t) { return std::exp(-t); },
+                                                 [](double t) { return -std::exp(-t); }}};
 
 INSTANTIATE_TEST_SUITE_P(LinearEquation, IntegerOrderEquation, testing::ValuesIn(integer_orders),
                          [](const auto& test) { return std::string(test.param.name); });

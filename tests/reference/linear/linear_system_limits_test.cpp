@@ -72,25 +72,23 @@ TEST_P(LinearSystemMistake, IsNamed) {
 
 INSTANTIATE_TEST_SUITE_P(
     , LinearSystemMistake,
-    testing::Values(
-        Mistake{"NoComponents", {}, "0 components: must be 1 to 12"},
-        Mistake{"TooMany",
-                {std::vector(13, 1.0), {13, {1.0}}, Matrix::Identity(13, 13)},
-                "13 components: must be 1 to 12"},
-        Mistake{"Shape",
-                {{0.5}, {{1.0}}, Matrix(1, 2)},
-                "the matrix has to have a row and a column for each order"},
-        Mistake{"Coefficient", {{0.5}, {{1.0}}, one_by_one(NAN)}, "coefficients have to be finite"},
-        Mistake{"Order", {{-0.5}, {{1.0}}, one_by_one(1.0)}, "orders have to be 0 or above"},
-        Mistake{"Missing", {{1.5}, {{1.0}}, one_by_one(1.0)}, "an initial value is missing"},
-        Mistake{"NoList", {{1.5}, {}, one_by_one(1.0)}, "a list of initial values is needed for each order"},
-        Mistake{"Initial", {{0.5}, {{INFINITY}}, one_by_one(1.0)}, "initial values have to be finite"},
-        Mistake{"Load",
-                {{0.5}, {{1.0}}, one_by_one(1.0), {{{1.0, -1.0}}}},
-                "powers of loads have to be above -1"},
-        Mistake{"Loads",
-                {{0.5}, {{1.0}}, one_by_one(1.0), {{}, {}}},
-                "there have to be no loads, or a list of them for each order"}),
+    testing::ValuesIn<Mistake>(
+        {{"NoComponents", {}, "0 components: must be 1 to 12"},
+         {"TooMany",
+          {std::vector(13, 1.0), {13, {1.0}}, Matrix::Identity(13, 13)},
+          "13 components: must be 1 to 12"},
+         {"Shape",
+          {{0.5}, {{1.0}}, Matrix(1, 2)},
+          "the matrix has to have a row and a column for each order"},
+         {"Coefficient", {{0.5}, {{1.0}}, one_by_one(NAN)}, "coefficients have to be finite"},
+         {"Order", {{-0.5}, {{1.0}}, one_by_one(1.0)}, "orders have to be 0 or above"},
+         {"Missing", {{1.5}, {{1.0}}, one_by_one(1.0)}, "an initial value is missing"},
+         {"NoList", {{1.5}, {}, one_by_one(1.0)}, "a list of initial values is needed for each order"},
+         {"Initial", {{0.5}, {{INFINITY}}, one_by_one(1.0)}, "initial values have to be finite"},
+         {"Load", {{0.5}, {{1.0}}, one_by_one(1.0), {{{1.0, -1.0}}}}, "powers of loads have to be above -1"},
+         {"Loads",
+          {{0.5}, {{1.0}}, one_by_one(1.0), {{}, {}}},
+          "there have to be no loads, or a list of them for each order"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(LinearSystem, RejectsTimesAndDigitsThatAreNone) {

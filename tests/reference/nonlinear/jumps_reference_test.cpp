@@ -60,18 +60,13 @@ TEST(JumpsReference, TurnsANonlinearEquation) {
 // y = 2 (sqrt(t) - sqrt(t - 1)) / sqrt(pi).
 TEST(JumpsReference, TakesAlgebraicRowsThatJump) {
   const Problem problem{.components = {{0.5, {0.0}}, {0.0, {1.0}}},
-                        .rhs =
-                            [](double t, In y, Out f) {
-                              f[0] = y[1];
-                              f[1] = y[1] - before(1.0, t);
-                            },
+                        .rhs = [](double t, In y, Out f) { f << y[1], y[1] - before(1.0, t); },
                         .end = 2.0,
                         .jump_times = {1.0}};
   const Reference reference = reference_solution(problem);
   for (const double t : {0.5, 1.5, 2.0}) {
     const double since = t > 1.0 ? std::sqrt(t - 1.0) : 0.0;
-    const Vec exact =
-        (Vec(2) << 2.0 * (std::sqrt(t) - since) / std::sqrt(std::acos(-1.0)), before(1.0, t)).finished();
+    const Vec exact = Vec{{2.0 * (std::sqrt(t) - since) / std::sqrt(std::acos(-1.0)), before(1.0, t)}};
     expect_exact(reference, t, exact, 1e-10);
   }
 }

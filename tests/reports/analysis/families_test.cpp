@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "reports/synthetic_family.hpp"
+#include "support/matchers.hpp"
 
 namespace fde::bench {
 namespace {
 
-using testing::ElementsAre;
 using testing::SizeIs;
 
 TEST(Families, HaveTwentyScenesOrMoreThatDifferInNumbers) {

@@ -13,11 +13,10 @@
 #include <vector>
 
 #include "reports/synthetic_results.hpp"
+#include "support/matchers.hpp"
 
 namespace fde::bench {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr ErrorKind at_end{Norm::end, Scale::absolute};
 
@@ -119,7 +118,7 @@ TEST(Options, OfOneAlgorithmAreOneWithSeveralNames) {
   const auto ranked = within(results, 5e-3);
   ASSERT_EQ(ranked.size(), 1);
   EXPECT_EQ(ranked[0].steps, 256);
-  EXPECT_THAT(ranked[0].schemes, testing::ElementsAre("adams_pc", "decoupled_multi_order"));
+  EXPECT_THAT(ranked[0].schemes, ElementsAre("adams_pc", "decoupled_multi_order"));
   const Runs runs = runs_of(results);
   const SceneLines lines(runs, {"pendulum"});
   const auto missed = lines.shortfall(at_end, 1e-3, lines.forecasts(at_end));
@@ -139,7 +138,7 @@ TEST(Recommendation, TellsWhatIsWithinNoise) {
       .accuracy = 1e-6,
       .options = {option("l1", 512, {10.0, 9.0, 11.0}), option("adams_pc", 256, {12.0, 10.5, 13.0}),
                   option("product_trapezoidal", 64, {20.5, 20.0, 21.0})}};
-  EXPECT_THAT(within_noise(made), testing::ElementsAre("adams_pc"));
+  EXPECT_THAT(within_noise(made), ElementsAre("adams_pc"));
   EXPECT_EQ(runner_up(made)->schemes.front(), "adams_pc");
   const auto json = nlohmann::json::parse(json_of(made));
   for (const auto* field :
@@ -170,14 +169,14 @@ TEST(Recommendation, AnswersInThreeLinesBeforeItsTable) {
       .reference_bound = 1e-16};
   made.options.front().setup_seconds = 0.02;
   const std::string text = to_text(made);
-  EXPECT_THAT(text, testing::StartsWith(
-                        "run: fdebench solve pendulum --scheme bdf4 --steps 512\n"
-                        "delivers: error 1.0e-7 (at the end, absolute scale; 1.0e-6 wanted) in 1.00 ms; "
-                        "21.0 ms for the first run of a process\n"
-                        "how sure: the reference is known to 1.0e-16; the time is in 900 µs ... 1.10 ms "
-                        "(95 %); l1 takes 2.00 times as long\n\nscheme"));
+  EXPECT_THAT(text,
+              StartsWith("run: fdebench solve pendulum --scheme bdf4 --steps 512\n"
+                         "delivers: error 1.0e-7 (at the end, absolute scale; 1.0e-6 wanted) in 1.00 ms; "
+                         "21.0 ms for the first run of a process\n"
+                         "how sure: the reference is known to 1.0e-16; the time is in 900 µs ... 1.10 ms "
+                         "(95 %); l1 takes 2.00 times as long\n\nscheme"));
   EXPECT_THAT(text, HasSubstr("\nbdf2 "));
-  EXPECT_THAT(text, testing::Not(HasSubstr("power_series"))) << "what refuses the problem";
+  EXPECT_THAT(text, Not(HasSubstr("power_series"))) << "what refuses the problem";
   EXPECT_THAT(to_text(made, true), HasSubstr("power_series"));
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
@@ -34,11 +33,7 @@ class RecordedRuns : public testing::Test {
     const auto run = ResultsFile(file_).recorded(key());
     return !run ? "nothing" : run->is_complete() ? "complete" : "untimed";
   }
-  [[nodiscard]] std::string text() const {
-    std::ostringstream all;
-    all << std::ifstream(file_).rdbuf();
-    return all.str();
-  }
+  [[nodiscard]] std::string text() const { return content_of(file_); }
   void write(const std::string& content) const { std::ofstream(file_) << content; }
 
   // Changes a field of the file's session number `session`.

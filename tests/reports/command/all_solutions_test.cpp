@@ -14,9 +14,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 const std::string extremals =
     "solve fractional_hamilton --set motion=given --set T=3 --scheme product_trapezoidal --steps 256";
 
@@ -53,9 +50,7 @@ TEST(AllSolutions, OfALinearProblemAreOne) {
 
 TEST(AllSolutions, AreAskedOfProblemsAtBothEndsOnly) {
   const auto refused = [](const std::string& words, const std::string& reason) {
-    const auto answer = fdebench(words);
-    EXPECT_EQ(answer.code, 2);
-    EXPECT_THAT(answer.err, HasSubstr(reason));
+    EXPECT_THAT(fdebench(words), fails_with(2, HasSubstr(reason)));
   };
   refused("solve relaxation --scheme l1 --steps 8 --all", "--all: is only taken of problems at both ends");
   refused(extremals + " --all --check", "--all: is not taken with --check");

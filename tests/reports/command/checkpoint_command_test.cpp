@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "support/command_line_result.hpp"
@@ -20,15 +19,11 @@ namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 
 class CheckpointOfSolve : public testing::Test {
  protected:
-  [[nodiscard]] std::string file() const { return (folder_.path() / "state").string(); }
-  [[nodiscard]] std::string content() const {
-    std::ifstream stream(file(), std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
+  [[nodiscard]] std::string file() const { return folder_.file("state"); }
+  [[nodiscard]] std::string content() const { return content_of(file()); }
   void replace(const std::string& text) const { folder_.write("state", text); }
   [[nodiscard]] std::ptrdiff_t files() const {
     return std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
@@ -84,11 +79,9 @@ TEST_F(CheckpointOfSolve, IsOfOneRunOnly) {
       {"solve pendulum --scheme product_trapezoidal --steps 20000 --at 20",
        "times = --points 5, not --at 20"}};
   for (const auto& [command, difference] : others) {
-    const auto [code, out, err] = solve_with_checkpoint(command);
-    EXPECT_EQ(code, 2) << command;
-    EXPECT_EQ(out, "") << command;
-    EXPECT_THAT(err, testing::StartsWith("fdebench: " + file() + ": is of another run: " + difference));
-    EXPECT_EQ(std::ranges::count(err, '\n'), 1) << err;
+    EXPECT_THAT(solve_with_checkpoint(command),
+                is_refused(2, StartsWith("fdebench: " + file() + ": is of another run: " + difference)))
+        << command;
   }
   EXPECT_EQ(content(), kept);
 }
@@ -115,9 +108,8 @@ TEST_F(CheckpointOfSolve, IsRefusedWhereItIsDamaged) {
 TEST_F(CheckpointOfSolve, ReplacesNoFileOfAnotherKind) {
   for (const auto& text : std::vector<std::string>{"", "{", "t,y\n0,1\n"}) {
     replace(text);
-    const auto [code, out, err] = solve_with_checkpoint(plain);
-    EXPECT_EQ(code, 2);
-    EXPECT_EQ(err, "fdebench: " + file() + ": is no checkpoint, and is not replaced by one\n");
+    EXPECT_THAT(solve_with_checkpoint(plain),
+                fails_with(2, "fdebench: " + file() + ": is no checkpoint, and is not replaced by one\n"));
     EXPECT_EQ(content(), text);
   }
   fs::remove(file());
@@ -126,7 +118,7 @@ TEST_F(CheckpointOfSolve, ReplacesNoFileOfAnotherKind) {
 }
 
 TEST_F(CheckpointOfSolve, NeedsAFolderAndNumbers) {
-  const auto missing = (folder_.path() / "missing" / "state").string();
+  const auto missing = folder_.file("missing/state");
   EXPECT_EQ(fdebench(std::string(plain) + " --checkpoint " + missing).err,
             "fdebench: " + missing + ": cannot be written: No such file or directory\n");
   EXPECT_THAT(solve_with_checkpoint(std::string(plain) + " --checkpoint-every x").err,
@@ -140,10 +132,8 @@ TEST_F(CheckpointOfSolve, IsRefusedForSchemesThatKeepNone) {
   for (const auto* scheme : all_schemes()) {
     if (scheme->capabilities.checkpoints) continue;
     const auto* const resolution = !scheme->capabilities.is_adaptive() ? " --steps 8" : " --accuracy 1e-3";
-    const auto [code, out, err] =
-        solve_with_checkpoint("solve relaxation --scheme " + std::string(scheme->id) + resolution);
-    EXPECT_EQ(code, 2);
-    EXPECT_THAT(err, HasSubstr(std::string(scheme->id) + " keeps no checkpoints"));
+    EXPECT_THAT(solve_with_checkpoint("solve relaxation --scheme " + std::string(scheme->id) + resolution),
+                fails_with(2, HasSubstr(std::string(scheme->id) + " keeps no checkpoints")));
   }
   EXPECT_THAT(solve_with_checkpoint("solve two_sided_constraint --scheme grunwald_letnikov --steps 8").err,
               HasSubstr("keeps no checkpoints of a problem that it solves at all times at once"));
@@ -159,7 +149,7 @@ TEST_F(CheckpointOfSolve, MayFindAFullDisk) {
     const auto [code, out, err] =
         solve_with_checkpoint(std::string(plain) + " --checkpoint-every 0 --budget 0.05");
     EXPECT_EQ(code, 3);
-    EXPECT_THAT(err, testing::StartsWith("fdebench: " + file() + ": cannot be written: File too large\n"));
+    EXPECT_THAT(err, StartsWith("fdebench: " + file() + ": cannot be written: File too large\n"));
     EXPECT_EQ(std::ranges::count(err, '\n'), 2) << err;
     EXPECT_EQ(content(), kept);
     EXPECT_EQ(files(), 1);

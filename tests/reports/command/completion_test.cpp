@@ -15,10 +15,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-
 // The words that a shell offers for the last word.
 std::vector<std::string> offered(std::vector<std::string> words) {
   words.insert(words.begin(), "__complete");
@@ -30,7 +26,6 @@ std::vector<std::string> offered(std::vector<std::string> words) {
 
 TEST(Completions, AreThoseOfTheTables) {
   using testing::Contains;
-  using testing::ElementsAre;
   EXPECT_THAT(offered({""}), AllOf(Contains("solve"), Contains("--quiet")));
   EXPECT_THAT(offered({"sc"}), ElementsAre("scenes", "schemes"));
   EXPECT_THAT(offered({"-q", "ch"}), ElementsAre("choose"));
@@ -55,8 +50,8 @@ TEST(Completions, HaveTheScenesOfTheUsersFolder) {
                "end = 1.0\n[parameters]\nstiffness = 2.0\n[unknown.x]\norder = 0.5\n"
                "rhs = \"-stiffness*x\"\ninitial = [1.0]\n");
   setenv("FDEBENCH_SCENES", folder.path().c_str(), 1);
-  EXPECT_THAT(offered({"solve", "mi"}), testing::ElementsAre("mine", ""));
-  EXPECT_THAT(offered({"solve", "mine", "--set", "st"}), testing::ElementsAre("stiffness="));
+  EXPECT_THAT(offered({"solve", "mi"}), ElementsAre("mine", ""));
+  EXPECT_THAT(offered({"solve", "mine", "--set", "st"}), ElementsAre("stiffness="));
   unsetenv("FDEBENCH_SCENES");
 }
 

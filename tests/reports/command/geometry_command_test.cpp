@@ -23,16 +23,15 @@ double value_of(const std::string& text, const std::string& beginning) {
 // On the unit sphere Gamma^theta_phi,phi = -sin cos and Gamma^phi_theta,phi = cot.
 TEST(GeometryCommand, PrintsTheSymbolsOfTheSphere) {
   const double s = std::sin(0.7), c = std::cos(0.7), turn = 0.3 / s;
-  const auto answer = fdebench({"geometry", "loxodrome", "--set", "k=1", "--place", "0.7,0", "--velocity",
-                                fmt::format("0.3,{}", turn)});
-  EXPECT_EQ(answer.code, 0);
-  EXPECT_EQ(answer.out.substr(0, 21), "quantity,i,j,k,value\n");
-  EXPECT_NEAR(value_of(answer.out, "metric,phi,phi,"), s * s, 1e-15);
-  EXPECT_NEAR(value_of(answer.out, "christoffel,theta,phi,phi"), -s * c, 1e-15);
-  EXPECT_NEAR(value_of(answer.out, "christoffel,phi,theta,phi"), c / s, 1e-15);
-  EXPECT_NEAR(value_of(answer.out, "connection,theta,phi,"), -s * c * turn, 1e-15);
-  EXPECT_NEAR(value_of(answer.out, "semispray,theta,,"), -s * c * turn * turn, 1e-15);
-  EXPECT_NEAR(value_of(answer.out, "semispray,phi,,"), 2.0 * c / s * 0.3 * turn, 1e-15);
+  const auto answer = printed(fdebench({"geometry", "loxodrome", "--set", "k=1", "--place", "0.7,0",
+                                        "--velocity", fmt::format("0.3,{}", turn)}));
+  EXPECT_EQ(answer.substr(0, 21), "quantity,i,j,k,value\n");
+  EXPECT_NEAR(value_of(answer, "metric,phi,phi,"), s * s, 1e-15);
+  EXPECT_NEAR(value_of(answer, "christoffel,theta,phi,phi"), -s * c, 1e-15);
+  EXPECT_NEAR(value_of(answer, "christoffel,phi,theta,phi"), c / s, 1e-15);
+  EXPECT_NEAR(value_of(answer, "connection,theta,phi,"), -s * c * turn, 1e-15);
+  EXPECT_NEAR(value_of(answer, "semispray,theta,,"), -s * c * turn * turn, 1e-15);
+  EXPECT_NEAR(value_of(answer, "semispray,phi,,"), 2.0 * c / s * 0.3 * turn, 1e-15);
 }
 
 // The file of isokinetic calls its coordinates x1, x2, x3, because q1 is a parameter.
@@ -45,10 +44,9 @@ TEST(GeometryCommand, NamesCoordinatesAsTheirColumns) {
 // From rest the blade slides along its edge: no reaction, x'' = g sin(theta), and the semispray is 2G* =
 // -x''.
 TEST(GeometryCommand, TakesTheStartOfTheSceneWhereNoStateIsGiven) {
-  const auto answer = fdebench({"geometry", "knife_edge", "--set", "theta=0.3"});
-  EXPECT_EQ(answer.code, 0);
-  EXPECT_EQ(value_of(answer.out, "multiplier,1,,"), 0.0);
-  EXPECT_NEAR(value_of(answer.out, "constrained_semispray,x,,"), -9.81 * std::sin(0.3), 1e-15);
+  const auto answer = printed(fdebench({"geometry", "knife_edge", "--set", "theta=0.3"}));
+  EXPECT_EQ(value_of(answer, "multiplier,1,,"), 0.0);
+  EXPECT_NEAR(value_of(answer, "constrained_semispray,x,,"), -9.81 * std::sin(0.3), 1e-15);
 }
 
 // phi' sin(theta) = k theta'. The nearest velocity in the metric has theta' = (0.3 + 0.2 sin(theta))/2 for k
@@ -72,20 +70,18 @@ TEST(GeometryCommand, RefusesVelocitiesThatViolateTheConstraint) {
 
 // At another place the velocity at t = 0 is brought onto the constraint there: phi' sin(theta) = k theta'.
 TEST(GeometryCommand, BringsTheVelocityOfTheStartOntoTheConstraint) {
-  const auto answer = fdebench({"geometry", "loxodrome", "--set", "k=1", "--place", "0.5,0"});
-  EXPECT_EQ(answer.code, 0);
-  const double cot = 1.0 / std::tan(0.5), turn = value_of(answer.out, "connection,phi,theta,") / cot,
-               climb = value_of(answer.out, "connection,phi,phi,") / cot;
+  const auto answer = printed(fdebench({"geometry", "loxodrome", "--set", "k=1", "--place", "0.5,0"}));
+  const double cot = 1.0 / std::tan(0.5), turn = value_of(answer, "connection,phi,theta,") / cot,
+               climb = value_of(answer, "connection,phi,phi,") / cot;
   EXPECT_GT(climb, 0.05);
   EXPECT_NEAR(turn * std::sin(0.5), climb, 1e-15);
 }
 
 // With a memory term the reaction is not a function of the state.
 TEST(GeometryCommand, LeavesTheReactionOutWhereItRemembers) {
-  const auto answer = fdebench("geometry fractional_knife_edge");
-  EXPECT_EQ(answer.code, 0);
-  EXPECT_NE(answer.out.find("semispray,"), std::string::npos);
-  EXPECT_EQ(answer.out.find("constrained_semispray"), std::string::npos);
+  const auto answer = printed(fdebench("geometry fractional_knife_edge"));
+  EXPECT_NE(answer.find("semispray,"), std::string::npos);
+  EXPECT_EQ(answer.find("constrained_semispray"), std::string::npos);
 }
 
 // The default, the acceleration formulation, does not exist for alpha >= 1/2.

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 
 #include "fdebench/reports/command/command.hpp"
@@ -18,15 +17,8 @@
 namespace fde::bench {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
-
 std::string file_text(const std::string& name) {
-  std::ostringstream text;
-  text << std::ifstream(std::string(FDE_SOURCE_DIR) + "/" + name).rdbuf();
-  return text.str();
+  return content_of(std::string(FDE_SOURCE_DIR) + "/" + name);
 }
 
 std::vector<std::string> lines_in(const std::string& text) {
@@ -94,10 +86,8 @@ TEST(HelpTexts, SayWhichValuesAreAllowed) {
         if (subcommand.name == "mittag-leffler") continue;
         const auto command =
             fmt::format("{} {}={}", command_with(subcommand.name, argument.name), argument.name, value);
-        const auto answer = fdebench(command);
-        EXPECT_EQ(answer.code, 2) << command;
-        EXPECT_THAT(answer.err,
-                    AllOf(HasSubstr(argument.name.substr(2) + " = "), HasSubstr("must be " + allowed)))
+        EXPECT_THAT(fdebench(command), fails_with(2, AllOf(HasSubstr(argument.name.substr(2) + " = "),
+                                                           HasSubstr("must be " + allowed))))
             << command;
         ++checked;
       }
@@ -129,9 +119,8 @@ TEST(HelpTexts, SayTheDefaults) {
     const auto& arguments = program.find("solve")->arguments;
     const auto& usual = std::ranges::find(arguments, name, &ArgumentText::name)->usual;
     const auto command = command_with("solve", name);
-    const auto answer = fdebench(fmt::format("{} {} {}", command, name, usual));
-    EXPECT_EQ(answer.code, 0) << answer.err;
-    EXPECT_EQ(answer.out, fdebench(command).out) << name;
+    EXPECT_EQ(printed(fdebench(fmt::format("{} {} {}", command, name, usual))), fdebench(command).out)
+        << name;
   }
 }
 
@@ -149,16 +138,14 @@ TEST(HelpTexts, HaveAGroupExamplesAndRelatedCommands) {
 TEST(Help, OfACommandAndAnOptionAreTheSame) {
   const auto program = program_text();
   for (const auto& subcommand : program.subcommands) {
-    const auto text = fdebench("help " + subcommand.name);
-    EXPECT_EQ(text.code, 0);
-    EXPECT_EQ(text.out, fdebench(subcommand.name + " --help").out);
-    EXPECT_EQ(text.out, fdebench(subcommand.name + " -h").out);
-    EXPECT_THAT(text.out,
-                AllOf(StartsWith("Usage:\n  fdebench " + subcommand.name), HasSubstr("\nExamples:\n"),
-                      HasSubstr("\nExit codes: "), HasSubstr("\nSee also: ")));
+    const auto text = printed(fdebench("help " + subcommand.name));
+    EXPECT_EQ(text, fdebench(subcommand.name + " --help").out);
+    EXPECT_EQ(text, fdebench(subcommand.name + " -h").out);
+    EXPECT_THAT(text, AllOf(StartsWith("Usage:\n  fdebench " + subcommand.name), HasSubstr("\nExamples:\n"),
+                            HasSubstr("\nExit codes: "), HasSubstr("\nSee also: ")));
     for (const auto& argument : subcommand.arguments)
-      EXPECT_THAT(text.out, HasSubstr("\n  " + (argument.is_positional() ? argument.value : argument.name)));
-    for (const auto& line : lines_in(text.out)) {
+      EXPECT_THAT(text, HasSubstr("\n  " + (argument.is_positional() ? argument.value : argument.name)));
+    for (const auto& line : lines_in(text)) {
       const bool is_command = line.starts_with("  fdebench ") || line.starts_with("  source ");
       EXPECT_LE(is_command ? 0 : line.size(), 80U) << line;
     }
@@ -223,10 +210,8 @@ struct Misuse {
 class Misuses : public testing::TestWithParam<Misuse> {};
 
 TEST_P(Misuses, AreExplainedInOneLine) {
-  const auto answer = fdebench(GetParam().words);
-  EXPECT_EQ(answer.code, 2);
-  EXPECT_EQ(answer.out, "");
-  EXPECT_EQ(answer.err, std::string("fdebench: ") + GetParam().message + "\n");
+  EXPECT_THAT(fdebench(GetParam().words),
+              is_refused(2, std::string("fdebench: ") + GetParam().message + "\n"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -253,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Quiet, LeavesOutNotesOnly) {
   const TemporaryFolder folder;
   folder.write("falling.toml", file_text("docs/examples/falling.toml"));
-  const std::string solve = "solve " + (folder.path() / "falling.toml").string() +
+  const std::string solve = "solve " + folder.file("falling.toml") +
                             " --scheme spectral_collocation --accuracy 1e-6 --points 3 --cost";
   const auto loud = fdebench(solve);
   EXPECT_THAT(loud.err, StartsWith("fdebench: event "));

@@ -5,9 +5,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -24,9 +21,6 @@
 
 namespace fde::bench {
 namespace {
-
-using testing::HasSubstr;
-using testing::StartsWith;
 
 TEST(Lists, NameEverySceneAndScheme) {
   const auto all_scenes = nlohmann::json::parse(fdebench("scenes --json").out);
@@ -126,7 +120,7 @@ SceneFactory decay() {
 // works.
 TEST(ScenesMadeAtRunTime, NeedNoSmoothness) {
   const TemporaryFolder folder;
-  const std::string file = (folder.path() / "r.jsonl").string();
+  const std::string file = folder.file("r.jsonl");
   SceneRegistry mine;
   SceneFactory bare = decay(), wrong = decay();
   bare.make = [](const Parameters& p) {
@@ -142,21 +136,19 @@ TEST(ScenesMadeAtRunTime, NeedNoSmoothness) {
   };
   mine.add(bare);
   mine.add(wrong);
-  const auto run =
-      fde::bench::fdebench({"run", "--scene", "decay", "--steps", "16,32,64", "--out", file}, mine);
-  EXPECT_EQ(run.code, 0) << run.err;
+  expect_success(
+      fde::bench::fdebench({"run", "--scene", "decay", "--steps", "16,32,64", "--out", file}, mine));
   for (const auto& recorded : read_results(file).records)
     EXPECT_FALSE(recorded["expected_rate_end"] || recorded["expected_rate_maximum"]);
   for (const std::string scheme : {"l1", "decoupled_multi_order", "grunwald_letnikov"}) {
     const auto solved =
         fde::bench::fdebench({"solve", "decay", "--scheme", scheme, "--steps", "8", "--cost"}, mine);
     EXPECT_EQ(solved.code, 0) << solved.err;
-    EXPECT_THAT(solved.err, testing::Not(HasSubstr("expected_rate")));
+    EXPECT_THAT(solved.err, Not(HasSubstr("expected_rate")));
   }
   EXPECT_EQ(fde::bench::fdebench({"choose", "decay", "--error", "1e-2"}, mine).code, 0);
-  const auto refused = fde::bench::fdebench({"solve", "wrong", "--scheme", "l1", "--steps", "8"}, mine);
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("scene wrong: its smoothness has 2 rows for 1 components"));
+  EXPECT_THAT(fde::bench::fdebench({"solve", "wrong", "--scheme", "l1", "--steps", "8"}, mine),
+              fails_with(2, HasSubstr("scene wrong: its smoothness has 2 rows for 1 components")));
 }
 
 TEST(ScenesMadeAtRunTime, AreListedSolvedAndKnown) {

@@ -14,9 +14,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 TEST(MittagLeffler, PrintsValueAndBound) {
   std::istringstream words(fdebench("mittag-leffler 1 1 -1").out);
   double re = 0.0, im = 1.0, bound = 1.0;
@@ -116,7 +113,7 @@ TEST(MittagLeffler, IsTheReciprocalGammaAtZeroToThousandsOfDigits) {
         Ends{"-2.7", "-1.0740183539887442499288", "78646324768465270063 0 "},
         Ends{"7.3", "0.00078651990848892938", "31701338256883493205 0 "}}) {
     const auto answer = fdebench("mittag-leffler 0.5 " + beta + " 0 --digits 2500");
-    EXPECT_THAT(answer.out, testing::AllOf(StartsWith(first), HasSubstr(last)));
+    EXPECT_THAT(answer.out, AllOf(StartsWith(first), HasSubstr(last)));
   }
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
 #include "fdebench/benchmarks/sweep/scene_refinements.hpp"
 #include "support/command_line_result.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
@@ -27,20 +27,18 @@ TEST(OptimalGrid, SolveIsThatOfTheGradingAndNamesIt) {
 }
 
 TEST(OptimalGrid, ResultsNameTheGradingOfEachScheme) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "optimal_grid.jsonl";
-  std::filesystem::remove(file);
-  const auto answer = fdebench(
-      "run --scene relaxation --scheme l1 --scheme product_trapezoidal --scheme "
-      "grunwald_letnikov --steps 64 --repeat 1 --grid graded:auto --out " +
-      file.string());
-  EXPECT_EQ(answer.code, 0) << answer.err;
+  const TemporaryFolder folder;
+  const auto file = folder.file("r.jsonl");
+  expect_success(
+      fdebench("run --scene relaxation --scheme l1 --scheme product_trapezoidal --scheme "
+               "grunwald_letnikov --steps 64 --repeat 1 --grid graded:auto --out " +
+               file));
   std::set<double> gradings;
   for (const Record& run : read_results(file).records) {
     EXPECT_EQ(run.ending.kind, SolveStatus::finished);
     gradings.insert(run.key.setup.grading);
   }
   EXPECT_EQ(gradings, (std::set{1.0, 2.0, 3.0}));
-  std::filesystem::remove(file);
 }
 
 // A scheme of Sweep::graded runs on two grids if every order is fractional; on one for a multi-term chain, a
@@ -67,12 +65,11 @@ TEST(OptimalGrid, OfASweepIsBesideTheUniformOne) {
 TEST(OptimalGrid, BadGridsAreOneLine) {
   for (const auto* grid :
        {"graded:best", "graded:", "graded:0.5", "graded:101", "graded:nan", "graded:autox"}) {
-    const auto solve = fdebench(std::string("solve relaxation --scheme l1 --steps 8 --grid ") + grid);
-    EXPECT_EQ(solve.code, 2);
-    EXPECT_EQ(solve.err,
-              fmt::format("fdebench: --grid = {}: must be uniform or graded:R with R in [1, 100], or "
-                          "graded:auto\n",
-                          grid));
+    EXPECT_THAT(
+        fdebench(std::string("solve relaxation --scheme l1 --steps 8 --grid ") + grid),
+        fails_with(2, fmt::format("fdebench: --grid = {}: must be uniform or graded:R with R in [1, 100], or "
+                                  "graded:auto\n",
+                                  grid)));
   }
   const auto beside = fdebench("run --scene relaxation --external a=b --steps 8 --grid graded:auto --out x");
   EXPECT_EQ(beside.code, 2);

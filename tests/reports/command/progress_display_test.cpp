@@ -9,12 +9,10 @@
 #include <sstream>
 #include <thread>
 
+#include "support/matchers.hpp"
+
 namespace fde::bench {
 namespace {
-
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 const Progress quarter{
     .part = 0.25, .done = 530, .total = 2120, .seconds_left = 151.0, .current_run = "pendulum l1 N = 64"};

@@ -6,9 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,8 +20,6 @@
 
 namespace fde::bench {
 namespace {
-
-using testing::HasSubstr;
 
 // A run of l1 on `power` with its measures.
 struct WrittenRun {
@@ -43,7 +39,7 @@ class Comparisons : public testing::Test {
     std::string text = line_of(session);
     for (const auto& made : runs) text += text_of(made);
     folder_.write(name, text);
-    return (folder_.path() / name).string();
+    return folder_.file(name);
   }
 
   [[nodiscard]] CommandOutput compare(const std::vector<WrittenRun>& before,
@@ -110,9 +106,8 @@ TEST_F(Comparisons, EndWithOneWhereMoreIsAskedOfTimesAndRuns) {
   EXPECT_EQ(fdebench({"compare", before, half}).code, 0);
   for (const auto& [file, missing] :
        {std::pair{half, "1 runs and 0 times"}, {untimed, "0 runs and 1 times"}}) {
-    const auto answer = fdebench({"compare", before, file, "--require-all"});
-    EXPECT_EQ(answer.code, 1);
-    EXPECT_EQ(answer.err, fmt::format("fdebench: {}: {} of the first are missing\n", file, missing));
+    EXPECT_THAT(fdebench({"compare", before, file, "--require-all"}),
+                fails_with(1, fmt::format("fdebench: {}: {} of the first are missing\n", file, missing)));
   }
   EXPECT_EQ(fdebench({"compare", before, before, "--require-all", "--max-slowdown", "1"}).code, 0);
   EXPECT_EQ(fdebench({"compare", before, before, "--max-slowdown", "0.5"}).code, 2);
@@ -179,12 +174,10 @@ TEST_F(Comparisons, PutTheWorstFirst) {
 }
 
 TEST_F(Comparisons, CountWhatOnlyOneHas) {
-  const auto answer = compare({{}, {.steps = 8}}, {{}, {.steps = 16}, {.steps = 32}});
-  EXPECT_EQ(answer.code, 0);
-  EXPECT_THAT(answer.out, HasSubstr("1 runs in both, 1 only in the first, 2 only in the second\n"));
-  const auto other = fdebench({"compare", write("a", {{.steps = 1}}), write("b", {{.steps = 2}})});
-  EXPECT_EQ(other.code, 2);
-  EXPECT_THAT(other.err, HasSubstr("have no run in common\n"));
+  EXPECT_THAT(printed(compare({{}, {.steps = 8}}, {{}, {.steps = 16}, {.steps = 32}})),
+              HasSubstr("1 runs in both, 1 only in the first, 2 only in the second\n"));
+  EXPECT_THAT(fdebench({"compare", write("a", {{.steps = 1}}), write("b", {{.steps = 2}})}),
+              fails_with(2, HasSubstr("have no run in common\n")));
 }
 
 TEST_F(Comparisons, SayWhereTheMachinesDiffer) {
@@ -195,26 +188,22 @@ TEST_F(Comparisons, SayWhereTheMachinesDiffer) {
 // A session alone is no run.
 TEST_F(Comparisons, PagesAndComparisonsNeedARun) {
   folder_.write("empty", "");
-  const auto empty = (folder_.path() / "empty").string(), session = write("session", {});
+  const auto empty = folder_.file("empty"), session = write("session", {});
   for (const auto& file : {empty, session}) {
     const std::string line = "fdebench: " + file + ": holds no run\n";
-    const auto page = fdebench({"report", file, "--out", (folder_.path() / "page").string()});
-    EXPECT_EQ(page.code, 2);
-    EXPECT_EQ(page.err, line);
+    EXPECT_THAT(fdebench({"report", file, "--out", folder_.file("page")}), fails_with(2, line));
     EXPECT_EQ(fdebench({"compare", file, write("full", {{}})}).err, line);
-    const auto choice = fdebench({"choose", "power", "--error", "1e-3", "--results", file});
-    EXPECT_EQ(choice.code, 2);
-    EXPECT_THAT(choice.err, HasSubstr("no run"));
+    EXPECT_THAT(fdebench({"choose", "power", "--error", "1e-3", "--results", file}),
+                fails_with(2, HasSubstr("no run")));
   }
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "page"));
 }
 
 TEST_F(Comparisons, AreOfMergedFilesToo) {
   const auto one = write("one", {{}}, "a"), other = write("other", {{.steps = 8}}, "b");
-  const auto all = (folder_.path() / "all").string();
-  const auto merged = fdebench({"merge", one, other, "--out", all});
-  EXPECT_EQ(merged.code, 0) << merged.err;
-  EXPECT_EQ(merged.out, all + "\n2 sessions, 2 rows, 0 repeated rows left out\n");
+  const auto all = folder_.file("all");
+  EXPECT_EQ(printed(fdebench({"merge", one, other, "--out", all})),
+            all + "\n2 sessions, 2 rows, 0 repeated rows left out\n");
   EXPECT_THAT(fdebench({"compare", one, all}).out, HasSubstr("1 runs in both, 0 only in the first, 1 only"));
   EXPECT_EQ(fdebench({"merge", one, "--out", all}).err,
             "fdebench: " + all + ": exists, it must be a new file\n");
@@ -254,7 +243,7 @@ TEST_F(Comparisons, ShardsTogetherAreTheWhole) {
 }
 
 TEST_F(Comparisons, DryRunsListTheRunsThatAreLeft) {
-  const auto file = (folder_.path() / "r").string();
+  const auto file = folder_.file("r");
   const std::string sweep = "run --scene power --scheme l1 --scheme adams_pc --repeat 1 --steps 16,32";
   const auto dry = fdebench(sweep + " --dry-run");
   EXPECT_EQ(dry.code, 0) << dry.err;

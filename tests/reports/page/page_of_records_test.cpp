@@ -13,11 +13,10 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "reports/page/page_section.hpp"
 #include "reports/synthetic_results.hpp"
+#include "support/matchers.hpp"
 
 namespace fde::bench {
 namespace {
-
-using testing::HasSubstr;
 
 TEST(PageOfRecords, ShowsTheSceneAsTheResultsDescribeIt) {
   const auto scene = section(page_data(read_runs(two_lines())), "scene-pendulum");
@@ -60,7 +59,7 @@ TEST(PageOfRecords, ShowsWhatThisBuildDoesNotHave) {
   EXPECT_EQ(scene["title"], "Fractional pendulum (form=new)");
   EXPECT_EQ(scene["solution"], json_of(*described_pendulum().solution));
   EXPECT_EQ(scene["runs"]["steps"].size(), 8U);
-  EXPECT_THAT(section(data, "failures").dump(), testing::AllOf(HasSubstr("went_home"), HasSubstr("early")));
+  EXPECT_THAT(section(data, "failures").dump(), AllOf(HasSubstr("went_home"), HasSubstr("early")));
   EXPECT_THAT(section(data, "schemes").dump(), HasSubstr("better_l1"));
 }
 

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,13 +10,12 @@
 #include "fdebench/reports/analysis/formulations.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 #include "reports/page/page_section.hpp"
+#include "support/matchers.hpp"
 
 namespace fde::bench {
 namespace {
 
 using testing::Each;
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 MATCHER(IsNull, "") { return arg.is_null(); }
 

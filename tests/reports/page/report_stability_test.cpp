@@ -6,11 +6,10 @@
 
 #include "fdebench/reports/page/page_data.hpp"
 #include "reports/page/page_section.hpp"
+#include "support/matchers.hpp"
 
 namespace fde::bench {
 namespace {
-
-using testing::ElementsAre;
 
 // Adds a run of a scene: its ending and, if it finished, its error and time.
 void add_run(Results& results, const SceneSettings& scene, const std::string& scheme, int steps,

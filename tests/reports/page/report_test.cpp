@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reports/page/report.hpp"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +8,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,14 +18,15 @@
 #include "fdebench/reports/page/page_data.hpp"
 #include "reports/page/page_section.hpp"
 #include "reports/synthetic_results.hpp"
+#include "support/matchers.hpp"
+#include "support/message_of.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/unpacked_page.hpp"
 
 namespace fde::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-using testing::Not;
 
 TEST(Rates, AreThoseOfExactPowers) {
   const auto rows = rates(runs_of(two_lines()));
@@ -59,9 +58,7 @@ fs::path fresh_folder() {
 }
 
 std::string written(const Results& results) {
-  std::ostringstream text;
-  text << std::ifstream(write_report(read_runs(results), fresh_folder())).rdbuf();
-  return text.str();
+  return content_of(write_report(read_runs(results), fresh_folder()));
 }
 
 // The JSON data embedded in a page.
@@ -125,9 +122,8 @@ TEST(Report, HoldsEverySceneSchemeSessionAndFailure) {
         "-O3", "0123abc", "2025-01-02T03:04:05Z"}) {
     EXPECT_THAT(shown, HasSubstr(text));
   }
-  EXPECT_THAT(section_ids(data),
-              testing::ElementsAre("answer", "regions", "scene-pendulum", "scene-brusselator", "rates",
-                                   "cost", "reference", "failures", "schemes"));
+  EXPECT_THAT(section_ids(data), ElementsAre("answer", "regions", "scene-pendulum", "scene-brusselator",
+                                             "rates", "cost", "reference", "failures", "schemes"));
 }
 
 // At the end l1 is within 1e-4 with 256 steps of 1 us, adams_pc with 128 steps of 3 us: 1.5 times as long.
@@ -325,12 +321,9 @@ TEST(Report, NamesThePathThatCannotBeWritten) {
   const fs::path folder = fresh_folder(), file = folder / "a_file";
   fs::create_directories(folder);
   std::ofstream(file) << "x";
-  try {
-    write_report(read_runs(two_lines()), file / "below");
-    FAIL() << "a folder below a file";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), HasSubstr((file / "below").string()));
-  }
+  EXPECT_THAT(
+      message_of<std::invalid_argument>([&] { write_report(read_runs(two_lines()), file / "below"); }),
+      HasSubstr((file / "below").string()));
 }
 
 }  // namespace

@@ -16,10 +16,6 @@ namespace fde::bench {
 namespace {
 
 using testing::DoubleEq;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::StartsWith;
 
 // Runs whose error in one value is so many times what they are asked for.
 struct Runs {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The boundary of linear stability regions as polylines.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

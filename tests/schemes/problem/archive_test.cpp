@@ -3,7 +3,6 @@
 
 #include "fdebench/schemes/problem/archive.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <stdexcept>
 
 #include "fdebench/schemes/problem/chain.hpp"
@@ -12,8 +11,6 @@
 
 namespace fde::bench {
 namespace {
-
-using testing::ElementsAre;
 
 const std::vector<Term> damping{{0.1, 0.5}, {0.2, 1.0}, {0.3, 1.5}};
 

@@ -7,12 +7,12 @@
 #include <stdexcept>
 
 #include "fdebench/schemes/stepping/order_splitting.hpp"
+#include "support/matchers.hpp"
 
 namespace fde::bench {
 namespace {
 
 using testing::DoubleNear;
-using testing::ElementsAre;
 using testing::Pointwise;
 
 const std::vector<Term> damping_terms{{0.1, 0.5}, {0.2, 1.0}, {0.3, 1.5}};

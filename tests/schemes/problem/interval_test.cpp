@@ -10,7 +10,6 @@
 #include <numbers>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace fde::bench {

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <cmath>
 #include <limits>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 
 #include "fdebench/benchmarks/scenes/variant.hpp"

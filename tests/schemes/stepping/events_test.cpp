@@ -164,11 +164,7 @@ TEST_P(Events, EndARunAfterTheRequestedTimes) {
 // A falling body, y'' = -1 from y = 1/2: at the ground at t = 1, with the velocity -1.
 TEST_P(Events, EndAFallAtTheGround) {
   const Problem problem{.components = {{1.0, {0.5}}, {1.0, {0.0}}},
-                        .rhs =
-                            [](double, In y, Out f) {
-                              f[0] = y[1];
-                              f[1] = -1.0;
-                            },
+                        .rhs = [](double, In y, Out f) { f << y[1], -1.0; },
                         .end = 5.0};
   Event ground = reaches(0.0);
   ground.crossing = Crossing::falling;
@@ -191,12 +187,8 @@ TEST_P(Events, DoNotChangeTheSolution) {
 
 // Events are located after jumps and switches too: y = 2 sqrt(t / pi) up to 1 at pi / 4, then D^0.5 y = 2.
 TEST_P(Events, AreLocatedAfterASwitch) {
-  const Problem problem{.components = {{0.5, {0.0}}},
-                        .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? 2.0 : 1.0; },
-                        .end = 2.0,
-                        .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
-  const double at = 1.1, level = 2.0 * (std::sqrt(at) + std::sqrt(at - M_PI / 4.0)) / std::sqrt(M_PI);
-  const auto path = run(problem, 1e-6, {.events = {reaches(level)}});
+  const double at = 1.1, level = solution_of_switching_problem(at);
+  const auto path = run(switching_problem(), 1e-6, {.events = {reaches(level)}});
   ASSERT_EQ(path.events.size(), 1U);
   EXPECT_NEAR(path.events[0].t, at, 1e-5);
 }

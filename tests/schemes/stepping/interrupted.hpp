@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include "fdebench/schemes/stepping/checkpoints.hpp"

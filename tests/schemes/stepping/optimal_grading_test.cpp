@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "fdebench/schemes/stepping/rates.hpp"
 #include "support/testing.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The undamped pendulum in closed form: first integral, equation, limits, and its own digits.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/ellint_1.hpp>

@@ -103,9 +103,8 @@ TEST_P(SphericalKnifeEdge, WithoutGravityIsALoxodrome) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, SphericalKnifeEdge,
-                         testing::Values(bench::ParameterValues{{"b", 0.0}},
-                                         bench::ParameterValues{{"b", 0.0}, {"alpha", 0.3}},
-                                         bench::ParameterValues{{"alpha", 1.0}}));
+                         testing::ValuesIn<bench::ParameterValues>(
+                             {{{"b", 0.0}}, {{"b", 0.0}, {"alpha", 0.3}}, {{"alpha", 1.0}}}));
 
 // The speed is not conserved, but a reference exists.
 TEST(ReferenceOfNoise, TakesMemoryOnASphereWithoutGravity) {

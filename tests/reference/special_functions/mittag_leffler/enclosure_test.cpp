@@ -49,16 +49,15 @@ Ball fourth_power(const Ball& s) { return s * s * s * s; }
 
 INSTANTIATE_TEST_SUITE_P(
     Certificate, EnclosureOf,
-    testing::Values(
-        Elementary{"Exponential", 1, 1, [](const Ball& s) { return exp(s); }, same},
-        Elementary{"ExponentialIntegral", 1, 2, [](const Ball& s) { return (exp(s) - Ball(1.0)) / s; }, same},
-        Elementary{"ExponentialTwiceDerived", 1, -1, [](const Ball& s) { return s * s * exp(s); }, same},
-        Elementary{"Cosine", 2, 1, [](const Ball& s) { return cos(s); }, minus_square},
-        Elementary{"Sine", 2, 2, [](const Ball& s) { return sin(s) / s; }, minus_square},
-        Elementary{"FourthOrder", 4, 1,
-                   [](const Ball& s) { return (exp(s) + exp(-s) + Ball(2.0) * cos(s)) / Ball(4.0); },
-                   fourth_power},
-        Elementary{"ErrorFunction", 0.5, 1, [](const Ball& s) { return exp(s * s) * erfc(s); }, negative}),
+    testing::ValuesIn<Elementary>(
+        {{"Exponential", 1, 1, [](const Ball& s) { return exp(s); }, same},
+         {"ExponentialIntegral", 1, 2, [](const Ball& s) { return (exp(s) - Ball(1.0)) / s; }, same},
+         {"ExponentialTwiceDerived", 1, -1, [](const Ball& s) { return s * s * exp(s); }, same},
+         {"Cosine", 2, 1, [](const Ball& s) { return cos(s); }, minus_square},
+         {"Sine", 2, 2, [](const Ball& s) { return sin(s) / s; }, minus_square},
+         {"FourthOrder", 4, 1,
+          [](const Ball& s) { return (exp(s) + exp(-s) + Ball(2.0) * cos(s)) / Ball(4.0); }, fourth_power},
+         {"ErrorFunction", 0.5, 1, [](const Ball& s) { return exp(s * s) * erfc(s); }, negative}}),
     [](const auto& test) { return std::string(test.param.name); });
 
 struct Sample {

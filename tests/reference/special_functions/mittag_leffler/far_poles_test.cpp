@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <complex>
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"

@@ -101,23 +101,20 @@ Wide erfcx(const Wide& x) { return exp(x * x) * erfc(x); }
 
 INSTANTIATE_TEST_SUITE_P(
     MittagLeffler, MittagLefflerElementary,
-    testing::Values(Elementary{"ExponentialGrowth", 1, 1, [](double x) { return x; },
-                               [](const Wide& x) { return Wide(exp(x)); }},
-                    Elementary{"ExponentialDecay", 1, 1, [](double x) { return -x; },
-                               [](const Wide& x) { return Wide(exp(-x)); }},
-                    Elementary{"ExponentialIntegral", 1, 2, [](double x) { return -x; },
-                               [](const Wide& x) { return Wide(-expm1(-x) / x); }},
-                    Elementary{"ExponentialDerivative", 1, 0, [](double x) { return -x; },
-                               [](const Wide& x) { return Wide(-x * exp(-x)); }},
-                    Elementary{"Cosine", 2, 1, [](double x) { return -x * x; },
-                               [](const Wide& x) { return Wide(cos(x)); }},
-                    Elementary{"Sine", 2, 2, [](double x) { return -x * x; },
-                               [](const Wide& x) { return Wide(sin(x) / x); }},
-                    Elementary{"HyperbolicCosine", 2, 1, [](double x) { return x * x; },
-                               [](const Wide& x) { return Wide(cosh(x)); }},
-                    Elementary{"ScaledErrorFunction", 0.5, 1, [](double x) { return -x; }, erfcx},
-                    Elementary{"ScaledErrorFunctionGrowing", 0.5, 1, [](double x) { return x; },
-                               [](const Wide& x) { return erfcx(Wide(-x)); }}),
+    testing::ValuesIn<Elementary>(
+        {{"ExponentialGrowth", 1, 1, [](double x) { return x; }, [](const Wide& x) { return Wide(exp(x)); }},
+         {"ExponentialDecay", 1, 1, [](double x) { return -x; }, [](const Wide& x) { return Wide(exp(-x)); }},
+         {"ExponentialIntegral", 1, 2, [](double x) { return -x; },
+          [](const Wide& x) { return Wide(-expm1(-x) / x); }},
+         {"ExponentialDerivative", 1, 0, [](double x) { return -x; },
+          [](const Wide& x) { return Wide(-x * exp(-x)); }},
+         {"Cosine", 2, 1, [](double x) { return -x * x; }, [](const Wide& x) { return Wide(cos(x)); }},
+         {"Sine", 2, 2, [](double x) { return -x * x; }, [](const Wide& x) { return Wide(sin(x) / x); }},
+         {"HyperbolicCosine", 2, 1, [](double x) { return x * x; },
+          [](const Wide& x) { return Wide(cosh(x)); }},
+         {"ScaledErrorFunction", 0.5, 1, [](double x) { return -x; }, erfcx},
+         {"ScaledErrorFunctionGrowing", 0.5, 1, [](double x) { return x; },
+          [](const Wide& x) { return erfcx(Wide(-x)); }}}),
     [](const auto& test) { return test.param.name; });
 
 struct Sample {

@@ -7,7 +7,6 @@
 
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar_quick.hpp"

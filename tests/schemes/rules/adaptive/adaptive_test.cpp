@@ -3,61 +3,41 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/schemes/rules/adaptive/step_control.hpp"
+#include "support/adaptive_schemes.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
 namespace {
 
-struct RequestedRun {
-  std::string scheme, scene;
-  ParameterValues values{};
-};
+constexpr std::array step_rules{"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"};
 
-// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
-void PrintTo(const RequestedRun& asked, std::ostream* out) {
-  *out << asked.scheme << ' ' << SceneVariant{&scene_maker(asked.scene), asked.values}.label();
-}
-
-class Adaptive : public testing::TestWithParam<RequestedRun> {};
-
-// The largest error relative to 1 + |y|, at about sixty of the run's own times.
-double largest_error(const Scene& scene, const Trajectory& path) {
-  const auto reference = reference_of(scene);
-  double largest = 0.0;
-  for (std::size_t i = 1; i < path.times.size(); i += 1 + path.times.size() / 60) {
-    const auto exact = reference.at(path.times[i]);
-    const Vec columns = columns_at(scene.outputs, path.times[i], path.y.col(static_cast<Eigen::Index>(i)));
-    for (Eigen::Index c = 0; c < columns.size(); ++c) {
-      const double error = std::abs(columns[c] - exact.value[c]) - exact.bound[c];
-      largest = std::max(largest, error / (1.0 + std::abs(exact.value[c])));
-    }
-  }
-  return largest;
-}
+class Adaptive : public testing::TestWithParam<AccuracyRun> {};
 
 // The error is estimated for each step; the global error stays within three times the tolerance here.
 TEST_P(Adaptive, DeliversTheAccuracy) {
   const auto& [scheme, id, values] = GetParam();
   const Scene scene = scene_of(id, values);
+  const auto reference = reference_of(scene);
   const bool third_order = scheme == "radau_exponentials";
   for (const double accuracy : {1e-3, third_order ? 1e-7 : 1e-5}) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{accuracy, accuracy}, {});
+    const auto path = solve(scheme, scene.problem, Tolerance{accuracy, accuracy});
     ASSERT_EQ(path.status, SolveStatus::finished) << accuracy;
     EXPECT_EQ(path.last_time, scene.problem.end);
     EXPECT_EQ(path.steps, std::ssize(path.times) - 1);
     EXPECT_TRUE(path.cost.rejected_steps);
-    EXPECT_LT(largest_error(scene, path), 3.0 * accuracy) << accuracy;
+    EXPECT_LT(largest_error(scene, reference, path), 3.0 * accuracy) << accuracy;
   }
 }
 
-std::vector<RequestedRun> smooth_and_singular() {
-  std::vector<RequestedRun> all;
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+std::vector<AccuracyRun> smooth_and_singular() {
+  std::vector<AccuracyRun> all;
+  for (const auto* scheme : step_rules) {
     for (const auto* scene : {"relaxation", "diethelm", "linear_system", "fractional_oscillator", "pendulum",
                               "bagley_torvik", "damped_oscillator"})
       all.push_back({scheme, scene});
@@ -69,9 +49,9 @@ std::vector<RequestedRun> smooth_and_singular() {
 }
 
 // Stiff, with constraints, and with sparse derivatives.
-std::vector<RequestedRun> hard() {
+std::vector<AccuracyRun> hard() {
   const auto multiplier = [](const char* scene) {
-    return RequestedRun{"radau_exponentials", scene, {{"formulation", "multiplier"}}};
+    return AccuracyRun{"radau_exponentials", scene, {{"formulation", "multiplier"}}};
   };
   return {{"adaptive_trapezoidal", "stiff_relaxation"},
           {"radau_exponentials", "stiff_relaxation", {{"lambda", -1e8}}},
@@ -89,13 +69,6 @@ std::vector<RequestedRun> hard() {
           multiplier("fractional_constraint_nonlinear")};
 }
 
-constexpr auto name_of_run = [](const auto& test) {
-  auto name = testing::PrintToString(test.param);
-  std::ranges::replace_if(
-      name, [](char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-};
-
 INSTANTIATE_TEST_SUITE_P(SceneRegistry, Adaptive, testing::ValuesIn(smooth_and_singular()), name_of_run);
 INSTANTIATE_TEST_SUITE_P(HardScenes, Adaptive, testing::ValuesIn(hard()), name_of_run);
 
@@ -104,7 +77,7 @@ TEST(AdaptiveRules, AreExactForTheirPolynomials) {
   const auto error_of = [](const char* scheme, double p) {
     const Problem problem{.components = {{0.5, {0.0}}},
                           .rhs = [=](double t, In, Out f) { f[0] = std::pow(t, p); }};
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-4, 1e-4}, {.output_times = {1.0}});
+    const auto path = solve(scheme, problem, Tolerance{1e-4, 1e-4}, {.output_times = {1.0}});
     return std::abs(path.y(0, 0) - std::tgamma(p + 1.0) / std::tgamma(p + 1.5));
   };
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
@@ -121,8 +94,7 @@ TEST(AdaptiveRules, TakeAsManyStepsAsTheirRateSays) {
       .components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }, .end = 10.0};
   const auto more_steps = [&](const char* scheme) {
     const auto steps = [&](double accuracy) {
-      return static_cast<double>(
-          find_scheme(scheme)->solve(problem, Tolerance{accuracy, accuracy}, {}).steps);
+      return static_cast<double>(solve(scheme, problem, Tolerance{accuracy, accuracy}).steps);
     };
     return steps(1e-8) / steps(1e-6);
   };
@@ -134,7 +106,7 @@ TEST(AdaptiveRules, TakeAsManyStepsAsTheirRateSays) {
 TEST(AdaptiveMemory, DoesNotGrowWithTheSteps) {
   const Scene scene = scene_of("brusselator");
   const auto bytes = [&](const char* scheme, double accuracy) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{accuracy, accuracy}, {});
+    const auto path = solve(scheme, scene.problem, Tolerance{accuracy, accuracy});
     return static_cast<double>(path.cost.history_bytes.value());
   };
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"})
@@ -146,8 +118,7 @@ TEST(AdaptiveStiff, KeepsTheDigitsOfWhatIsLeft) {
   const Scene scene = scene_of("stiff_relaxation");
   const double exact = reference::mittag_leffler(0.5, 1.0, -1e6);
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"}) {
-    const auto path =
-        find_scheme(scheme)->solve(scene.problem, Tolerance{1e-4, 1e-300}, {.output_times = {1.0}});
+    const auto path = solve(scheme, scene.problem, Tolerance{1e-4, 1e-300}, {.output_times = {1.0}});
     EXPECT_NEAR(path.y(0, 0) / exact, 1.0, 1e-4) << scheme;
   }
 }
@@ -156,8 +127,8 @@ TEST(AdaptiveStiff, KeepsTheDigitsOfWhatIsLeft) {
 TEST(AdaptiveEnd, IsLocatedWhereTheDomainEnds) {
   Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In, Out f) { f[0] = -1.0; }, .end = 3.0};
   problem.domain = {"y = 0", [](double, In y) { return y[0]; }};
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-3, 1e-3}, {});
+  for (const auto* scheme : step_rules) {
+    const auto path = solve(scheme, problem, Tolerance{1e-3, 1e-3});
     EXPECT_EQ(path.status, SolveStatus::left_domain) << scheme;
     EXPECT_NEAR(path.last_time, 1.0, 1e-14) << scheme;
   }
@@ -169,33 +140,29 @@ TEST(AdaptiveEnd, IsWhereARunSlidesAlongASwitch) {
                         .rhs = [](double, In y, Out f) { f[0] = y[0] > 1.0 ? -1.0 : 1.0; },
                         .end = 2.0,
                         .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
+  for (const auto* scheme : step_rules) {
+    const auto path = solve(scheme, problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
     EXPECT_EQ(path.status, SolveStatus::sliding) << scheme;
     EXPECT_NEAR(path.last_time, M_PI / 4.0, 1e-3) << scheme;
   }
 }
 
-// D^g y = y^2, y(0) = 1: for order 1, y = 1 / (1 - t); for order 0.8 it grows like (t_b - t)^-0.8, t_b =
-// 0.629.
+// For order 0.8 the solution grows like (t_b - t)^-0.8, t_b = 0.629.
 TEST(AdaptiveEnd, IsNamedWhereTheSolutionBlowsUp) {
   const auto expect = [](const char* scheme, double order, double time) {
-    const Problem problem{
-        .components = {{order, {1.0}}}, .rhs = [](double, In y, Out f) { f = y.cwiseAbs2(); }, .end = 2.0};
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{0.1, 0.1}, {.output_times = {0.5}});
+    const auto path = solve(scheme, blow_up_problem(order), Tolerance{0.1, 0.1}, {.output_times = {0.5}});
     EXPECT_EQ(path.status, SolveStatus::blow_up) << scheme << ' ' << order;
     EXPECT_NEAR(path.failure_time.value(), time, 1e-2) << scheme << ' ' << order;
   };
   expect("radau_exponentials", 1.0, 1.0);
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"})
-    expect(scheme, 0.8, 0.6288);
+  for (const auto* scheme : step_rules) expect(scheme, 0.8, 0.6288);
 }
 
 // y' = 300 y, y(0) = 1: y(1) = 1e130.
 TEST(AdaptiveEnd, IsNoneWhereTheSolutionGrowsExponentially) {
   const Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In y, Out f) { f = 300.0 * y; }};
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{1e-2, 1e-2}, {});
+  for (const auto* scheme : step_rules) {
+    const auto path = solve(scheme, problem, Tolerance{1e-2, 1e-2});
     EXPECT_EQ(path.status, SolveStatus::finished) << scheme;
   }
 }
@@ -205,7 +172,7 @@ TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable)
   const Problem problem{
       .components = {{1.0, {0.0}}}, .rhs = [](double t, In, Out f) { f[0] = 1.0 / (1.0 - t); }, .end = 2.0};
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
-    const auto path = find_scheme(scheme)->solve(problem, Tolerance{0.3, 0.3}, {.output_times = {0.5}});
+    const auto path = solve(scheme, problem, Tolerance{0.3, 0.3}, {.output_times = {0.5}});
     EXPECT_EQ(path.status, SolveStatus::step_too_small) << scheme;
     EXPECT_NEAR(path.last_time, 1.0, 1e-12) << scheme;
   }
@@ -216,28 +183,19 @@ TEST(AdaptiveEnd, IsThatNoStepIsShortEnoughWhereTheRightHandSideIsNotIntegrable)
 TEST(AdaptiveStart, MayBeShorterThanTheRootOfTheSmallestDouble) {
   const Scene scene = scene_of("fractional_diffusion", {{"gamma", 0.02}});
   for (const auto* scheme : {"adaptive_trapezoidal", "radau_exponentials"}) {
-    const auto path =
-        find_scheme(scheme)->solve(scene.problem, Tolerance{3e-6, 3e-6}, {.output_times = {0.5, 1.0}});
+    const auto path = solve(scheme, scene.problem, Tolerance{3e-6, 3e-6}, {.output_times = {0.5, 1.0}});
     ASSERT_EQ(path.status, SolveStatus::finished) << scheme;
-    EXPECT_LT(largest_error(scene, path), 3e-5) << scheme;
+    EXPECT_LT(largest_error(scene, reference_of(scene), path), 3e-5) << scheme;
   }
 }
 
-// D^0.5 y = 1 up to t = 1 and -1 after it, not listed in Problem::jump_times: y = (2 sqrt t - 4 sqrt(t - 1))
-// / sqrt pi.
 TEST(AdaptiveJumps, AreDetectedWhereTheyAreNotListed) {
-  const Problem problem{.components = {{0.5, {0.0}}},
-                        .rhs = [](double t, In, Out f) { f[0] = t <= 1.0 ? 1.0 : -1.0; },
-                        .end = 3.0};
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+  for (const auto* scheme : step_rules) {
     const auto path =
-        find_scheme(scheme)->solve(problem, Tolerance{1e-5, 1e-5}, {.output_times = {0.5, 1.25, 3.0}});
+        solve(scheme, jumping_problem({}), Tolerance{1e-5, 1e-5}, {.output_times = {0.5, 1.25, 3.0}});
     ASSERT_EQ(path.status, SolveStatus::finished) << scheme;
-    for (std::size_t i = 0; i < path.times.size(); ++i) {
-      const double t = path.times[i];
-      const double exact = (2.0 * std::sqrt(t) - 4.0 * std::sqrt(std::max(0.0, t - 1.0))) / std::sqrt(M_PI);
-      EXPECT_NEAR(path.y(0, static_cast<Eigen::Index>(i)), exact, 1e-5) << scheme << " at " << t;
-    }
+    SCOPED_TRACE(scheme);
+    expect_row(path, 0, solution_of_jumping_problem, 1e-5);
   }
 }
 
@@ -251,7 +209,7 @@ TEST(AdaptiveJumps, AreFoundOneAfterTheOther) {
   for (double jump = M_PI / 3.0; jump < 5.0; jump += M_PI / 3.0) declared.jump_times.push_back(jump);
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
     const auto y = [&](const Problem& one) {
-      const auto path = find_scheme(scheme)->solve(one, Tolerance{1e-5, 1e-5}, {.output_times = {2.0, 5.0}});
+      const auto path = solve(scheme, one, Tolerance{1e-5, 1e-5}, {.output_times = {2.0, 5.0}});
       EXPECT_EQ(path.status, SolveStatus::finished) << scheme;
       return path.y;
     };
@@ -266,11 +224,11 @@ TEST(AdaptiveStart, IsShortEnoughForRowsOfLowOrder) {
   const Scene system = scene_of(
       "linear_system",
       {{"gamma1", 0.04521}, {"gamma2", 0.962}, {"x0", 0.0}, {"y0", 0.0}, {"c1", -1.742}, {"c2", 0.7194}});
-  for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc", "radau_exponentials"}) {
+  for (const auto* scheme : step_rules) {
     for (const Scene* scene : {&pendulum, &system}) {
-      const auto path = find_scheme(scheme)->solve(scene->problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
+      const auto path = solve(scheme, scene->problem, Tolerance{1e-4, 1e-4}, {.budget = 20.0});
       ASSERT_EQ(path.status, SolveStatus::finished) << scheme << ' ' << path.last_time;
-      EXPECT_LT(largest_error(*scene, path), 1e-3) << scheme;
+      EXPECT_LT(largest_error(*scene, reference_of(*scene), path), 1e-3) << scheme;
     }
   }
 }
@@ -280,7 +238,7 @@ TEST(AdaptiveStart, IsShortEnoughForRowsOfLowOrder) {
 TEST(AdaptiveTrapezoidal, ReturnsNoGrownResultOfDiffusion) {
   const Scene scene = scene_of("fractional_diffusion", {{"start", "step"}});
   for (const auto* scheme : {"adaptive_trapezoidal", "adaptive_pc"}) {
-    const auto path = find_scheme(scheme)->solve(scene.problem, Tolerance{2e-3, 2e-3}, {.budget = 2.0});
+    const auto path = solve(scheme, scene.problem, Tolerance{2e-3, 2e-3}, {.budget = 2.0});
     EXPECT_LE(path.y.cwiseAbs().maxCoeff(), 1.1) << scheme;
   }
 }
@@ -298,8 +256,8 @@ TEST(AdaptiveTrapezoidal, AddsUpErrorsOfEachOrderByItself) {
                                                  {"dy0", 0.6468},
                                                  {"c1", -1.348},
                                                  {"c2", -1.827}});
-  const auto path = find_scheme("adaptive_trapezoidal")->solve(scene.problem, Tolerance{1e-8, 1e-8}, {});
-  EXPECT_LT(largest_error(scene, path), 3e-8);
+  const auto path = solve("adaptive_trapezoidal", scene.problem, Tolerance{1e-8, 1e-8});
+  EXPECT_LT(largest_error(scene, reference_of(scene), path), 3e-8);
 }
 
 TEST(PiController, AcceptsErrorsUpToTheTolerance) {

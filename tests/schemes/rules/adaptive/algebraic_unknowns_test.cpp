@@ -28,11 +28,7 @@ class AlgebraicUnknown : public testing::TestWithParam<const Scheme*> {
 TEST_P(AlgebraicUnknown, SolvesAbelsEquation) {
   for (const auto& [order, power] : {std::pair{0.3, 1.0}, {0.5, 1.0}, {0.7, 1.5}, {0.9, 2.5}, {1.0, 1.7}}) {
     const Problem problem{.components = {{order, {0.0}}, {0.0, {0.0}}},
-                          .rhs =
-                              [p = power](double t, In y, Out f) {
-                                f[0] = y[1];
-                                f[1] = y[0] - std::pow(t, p);
-                              },
+                          .rhs = [p = power](double t, In y, Out f) { f << y[1], y[0] - std::pow(t, p); },
                           .end = 2.0};
     for (const double accuracy : {1e-4, 1e-7}) {
       const auto path = GetParam()->solve(problem, Tolerance{accuracy, accuracy}, {.output_times = times()});

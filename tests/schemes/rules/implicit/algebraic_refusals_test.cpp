@@ -12,8 +12,6 @@
 namespace fde::bench {
 namespace {
 
-using testing::HasSubstr;
-
 TEST(AlgebraicRefusals, ExplicitSchemesRefuseWithTheReason) {
   int refused = 0;
   for (const Scheme& scheme : schemes()) {

@@ -8,18 +8,12 @@
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "support/algebraic_problems.hpp"
 #include "support/implicit_schemes.hpp"
+#include "support/scheme_test.hpp"
 
 namespace fde::bench {
 namespace {
 
-class AlgebraicRows : public testing::TestWithParam<const Scheme*> {
- protected:
-  static Trajectory run(const Problem& problem, const Grid& grid, const Options& options = {}) {
-    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
-    return GetParam()->solve(problem, grid, options);
-  }
-};
-
+class AlgebraicRows : public SchemeTest {};
 INSTANTIATE_TEST_SUITE_P(, AlgebraicRows, testing::ValuesIn(implicit_schemes()), id_of_param);
 
 TEST_P(AlgebraicRows, AnUnknownThatCanBeEliminatedChangesNothing) {
@@ -80,10 +74,8 @@ TEST_P(AlgebraicRows, LeaveTheRateAsItIs) {
 
 TEST_P(AlgebraicRows, AnImpossibleOneIsAnOutcome) {
   for (const double slope : {0.0, 1.0}) {  // 0 = 1, 0 = 1 + z^2
-    const Problem problem{.components = {{0.5, {1.0}}, {0.0, {0.5}}}, .rhs = [=](double, In y, Out f) {
-                            f[0] = -y[0];
-                            f[1] = 1.0 + slope * y[1] * y[1];
-                          }};
+    const Problem problem{.components = {{0.5, {1.0}}, {0.0, {0.5}}},
+                          .rhs = [=](double, In y, Out f) { f << -y[0], 1.0 + slope * y[1] * y[1]; }};
     const auto path = run(problem, {1.0, 8});
     EXPECT_NE(path.status, SolveStatus::finished);
     EXPECT_EQ(path.last_time, 0.0);

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
 
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 #include "support/implicit_schemes.hpp"

@@ -4,20 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "support/implicit_schemes.hpp"
+#include "support/scheme_test.hpp"
 
 namespace fde::bench {
 namespace {
 
-class Sparse : public testing::TestWithParam<const Scheme*> {
- protected:
-  static Rows run(const Problem& problem, const Grid& grid) {
-    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
-    const auto path = GetParam()->solve(problem, grid, {});
-    EXPECT_EQ(path.status, SolveStatus::finished) << path.last_time;
-    return path.y;
-  }
-};
-
+class Sparse : public SchemeTest {};
 INSTANTIATE_TEST_SUITE_P(, Sparse, testing::ValuesIn(implicit_schemes()), id_of_param);
 
 constexpr int size = 12;
@@ -46,7 +38,7 @@ TEST_P(Sparse, ALinearPartIsTheDenseOne) {
     Problem dense = problem, few = problem;
     dense.derivatives = DenseLinearPart{ring()};
     few.derivatives = SparseLinearPart{ring().sparseView()};
-    EXPECT_LT((run(dense, grid) - run(few, grid)).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_LT((values(dense, grid) - values(few, grid)).cwiseAbs().maxCoeff(), 1e-14);
   }
 }
 
@@ -60,7 +52,7 @@ TEST_P(Sparse, AJacobianIsTheDenseOne) {
   dense.derivatives = DenseJacobian{[=](double, In y, OutMatrix j) { j = jacobian(y); }};
   few.derivatives = SparseJacobian{[=](double, In y, SparseMatrix& j) { j = jacobian(y).sparseView(); }};
   for (const Grid& grid : grids_of(*GetParam(), 2.0, 100)) {
-    EXPECT_LT((run(dense, grid) - run(few, grid)).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_LT((values(dense, grid) - values(few, grid)).cwiseAbs().maxCoeff(), 1e-14);
   }
 }
 
@@ -75,9 +67,9 @@ TEST_P(Sparse, ManyUnknownsAreAsManyTimesTheWork) {
   Problem problem{.components = {static_cast<std::size_t>(many), Component{0.5, {1.0}}},
                   .rhs = [=](double, In y, Out f) { f = a * y; },
                   .derivatives = SparseLinearPart{a}};
-  const Rows linear = run(problem, {1.0, 4});
+  const Rows linear = values(problem, {1.0, 4});
   problem.derivatives = SparseJacobian{[=](double, In, SparseMatrix& j) { j = a; }};
-  EXPECT_LT((linear - run(problem, {1.0, 4})).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT((linear - values(problem, {1.0, 4})).cwiseAbs().maxCoeff(), 1e-13);
 }
 
 TEST_P(Sparse, AlgebraicRowsAreRefused) {

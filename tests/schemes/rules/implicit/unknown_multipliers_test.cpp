@@ -10,13 +10,11 @@
 #include "fdebench/schemes/problem/multipliers.hpp"
 #include "support/algebraic_problems.hpp"
 #include "support/implicit_schemes.hpp"
+#include "support/matchers.hpp"
 
 namespace fde::bench {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Optional;
 
 // x' = v, v' = -v + lambda and the constraint that x, v or a memory of order 1 - alpha of v is sin t.

@@ -149,7 +149,7 @@ const Problem logistic{
 // (y_n - y_(n-1)) / h = f at the midpoint.
 TEST(L2OneSigma, OfOrderOneIsTheMidpointRule) {
   for (const auto& grid : grids()) {
-    const auto path = find_scheme("l2_1_sigma")->solve(logistic, grid, {});
+    const auto path = solve("l2_1_sigma", logistic, grid);
     Vec f(1);
     for (int n = 1; n <= parabola_steps; ++n) {
       const double h = grid.step(n);
@@ -162,7 +162,7 @@ TEST(L2OneSigma, OfOrderOneIsTheMidpointRule) {
 // With r = h_n / h_(n-1): (y_n - y_(n-1)) (1 + 2r) / (1 + r) - (y_(n-1) - y_(n-2)) r^2 / (1 + r) = h_n f_n.
 TEST(L1Two, OfOrderOneIsBdf2AfterBackwardEuler) {
   for (const auto& grid : grids()) {
-    const auto path = find_scheme("l1_2")->solve(logistic, grid, {});
+    const auto path = solve("l1_2", logistic, grid);
     Vec f(1);
     for (int n = 1; n <= parabola_steps; ++n) {
       const double h = grid.step(n), r = n == 1 ? 0.0 : h / grid.step(n - 1);

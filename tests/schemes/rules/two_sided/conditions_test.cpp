@@ -58,11 +58,7 @@ TEST(Conditions, ANonlinearBoundaryValueProblem) {
   double a = 2.0;
   for (int k = 0; k < 200; ++k) a = 2.0 * std::cosh(a / 4);
   const Problem problem{.components = {{1.0, {0.0}}, {1.0, {}}},
-                        .rhs =
-                            [](double, In y, Out f) {
-                              f[0] = y[1];
-                              f[1] = -2.0 * std::exp(y[0]);
-                            },
+                        .rhs = [](double, In y, Out f) { f << y[1], -2.0 * std::exp(y[0]); },
                         .conditions = [](In, In at_end, Out residual) { residual[0] = at_end[0]; }};
   const auto path = solve("product_trapezoidal", problem, 2048);
   ASSERT_EQ(path.status, SolveStatus::finished);
@@ -77,11 +73,7 @@ TEST(Conditions, ANonlinearBoundaryValueProblem) {
 TEST(Conditions, AnUnknownConstant) {
   for (const auto side : {Side::left, Side::right}) {
     const Problem problem{.components = {{1.0, {0.0}}, {1.0, {}, side}},
-                          .rhs =
-                              [](double, In y, Out f) {
-                                f[0] = y[1];
-                                f[1] = 0.0;
-                              },
+                          .rhs = [](double, In y, Out f) { f << y[1], 0.0; },
                           .end = 4.0,
                           .conditions = [](In, In at_end, Out residual) { residual[0] = at_end[0] - 1.0; }};
     for (const auto* scheme : {"product_trapezoidal", "grunwald_letnikov"}) {
@@ -98,11 +90,7 @@ TEST(Conditions, AnUnknownConstant) {
 TEST(Conditions, ARegulatorOverALongTime) {
   const Problem problem{
       .components = {{1.0, {1.0}}, {1.0, {}, Side::right}},
-      .rhs =
-          [](double, In y, Out f) {
-            f[0] = -y[1];
-            f[1] = y[0];
-          },
+      .rhs = [](double, In y, Out f) { f << -y[1], y[0]; },
       .end = 60.0,
       .conditions = [](In, In at_end, Out residual) { residual[0] = at_end[1] - at_end[0]; }};
   const auto path = solve("product_trapezoidal", problem, 6000);
@@ -114,7 +102,7 @@ TEST(Conditions, ARegulatorOverALongTime) {
 }
 
 TEST(Conditions, AGradedGridServesLeftRows) {
-  const auto path = find_scheme("product_trapezoidal")->solve(sine(), Grid{pi / 2, 400, 2.0}, {});
+  const auto path = solve("product_trapezoidal", sine(), Grid{pi / 2, 400, 2.0});
   ASSERT_EQ(path.status, SolveStatus::finished);
   for (const int n : {100, 200, 300}) EXPECT_NEAR(path.y(0, n), std::sin(path.time(n)), 1e-5);
 }

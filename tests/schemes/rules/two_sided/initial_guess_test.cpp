@@ -37,15 +37,14 @@ TEST_P(LongEnd, IsSolvedByReferenceAndScheme) {
 }
 
 // Values of an independent product integration (NumPy, meshes clustered at both ends).
-INSTANTIATE_TEST_SUITE_P(Linear, LongEnd,
-                         testing::Values(LongEnds{"fractional_vakonomic",
-                                                  {{"c1", 3.0}, {"T", 5.0}},
-                                                  Vec({{-1.890325, 1.442469}}),
-                                                  0.01},
-                                         LongEnds{"two_sided_constraint",
-                                                  {{"motion", "given"}, {"k3", 0.0}, {"c1", 3.0}, {"T", 5.0}},
-                                                  Vec({{22.39794, 0.64391}}),
-                                                  0.01}));
+INSTANTIATE_TEST_SUITE_P(
+    Linear, LongEnd,
+    testing::ValuesIn<LongEnds>(
+        {{"fractional_vakonomic", {{"c1", 3.0}, {"T", 5.0}}, Vec({{-1.890325, 1.442469}}), 0.01},
+         {"two_sided_constraint",
+          {{"motion", "given"}, {"k3", 0.0}, {"c1", 3.0}, {"T", 5.0}},
+          Vec({{22.39794, 0.64391}}),
+          0.01}}));
 INSTANTIATE_TEST_SUITE_P(
     Nonlinear, LongEnd,
     testing::Values(LongEnds{

@@ -16,19 +16,11 @@ class TwoSidedAlgebraic : public testing::TestWithParam<const WeightFamily*> {};
 TEST_P(TwoSidedAlgebraic, ARowThatDefinesAnUnknownCanBeEliminated) {
   const auto z_of = [](In y) { return y[0] * y[0] + std::sin(y[1]); };
   const Problem eliminated{.components = {{0.6, {1.0}}, {0.8, {0.5}, Side::right}},
-                           .rhs = [=](double, In y, Out f) {
-                             f[0] = -y[0] + y[1];
-                             f[1] = -y[1] / 2 - z_of(y);
-                           }};
+                           .rhs = [=](double, In y, Out f) { f << -y[0] + y[1], -y[1] / 2 - z_of(y); }};
   // z(0), which depends on r(0), is determined by a condition.
   const Problem whole{
       .components = {{0.0, {}}, {0.6, {1.0}}, {0.8, {0.5}, Side::right}},
-      .rhs =
-          [=](double, In y, Out f) {
-            f[0] = y[0] - z_of(y.tail(2));
-            f[1] = -y[1] + y[2];
-            f[2] = -y[2] / 2 - y[0];
-          },
+      .rhs = [=](double, In y, Out f) { f << y[0] - z_of(y.tail(2)), -y[1] + y[2], -y[2] / 2 - y[0]; },
       .conditions = [=](In at_start, In,
                         Out residual) { residual[0] = at_start[0] - z_of(at_start.tail(2)); }};
   const auto a = solve_globally(eliminated, {1.0, 200}, {}, *GetParam());

@@ -8,6 +8,7 @@
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "fdebench/benchmarks/scenes/two_sided/manufactured_problem.hpp"
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
+#include "support/scheme_test.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
@@ -23,12 +24,10 @@ const WeightFamily& family_of(const Scheme& scheme) {
   return scheme.id == "grunwald_letnikov" ? families::grunwald_letnikov : families::trapezoid;
 }
 
-class TwoSided : public testing::TestWithParam<const Scheme*> {
+class TwoSided : public SchemeTest {
  protected:
   static Trajectory run(const Problem& problem, int steps, const Options& options = {}) {
-    const Grid grid{.end = problem.end, .steps = steps};
-    EXPECT_EQ(unsupported_reason(*GetParam(), problem, grid), std::nullopt);
-    auto path = GetParam()->solve(problem, grid, options);
+    auto path = SchemeTest::run(problem, steps, options);
     EXPECT_EQ(path.status, SolveStatus::finished);
     EXPECT_EQ(path.last_time, problem.end);
     EXPECT_EQ(path.steps, steps);
@@ -175,10 +174,7 @@ TEST_P(TwoSided, CallsAreCountedAndStepsObservedInOrder) {
 // y = known + kappa (1e6 + y^2) has no real solution.
 TEST_P(TwoSided, AnImpossibleProblemIsAnOutcome) {
   const Problem problem{.components = {{0.5, {0.0}}, {0.5, {0.25}, Side::right}},
-                        .rhs = [](double, In y, Out f) {
-                          f[0] = 1e6 + y[0] * y[0];
-                          f[1] = y[0];
-                        }};
+                        .rhs = [](double, In y, Out f) { f << 1e6 + y[0] * y[0], y[0]; }};
   const auto path = GetParam()->solve(problem, Grid{1.0, 16}, {});
   EXPECT_EQ(path.status, SolveStatus::not_converged);
   EXPECT_EQ(path.last_time, 0.0);
