@@ -32,6 +32,7 @@ struct Parameter {
   std::string description;
   std::vector<std::string> choices{};  // allowed words
   std::string default_formula{};       // formula that gives a number by default; empty: none
+  bool keeps_solution = false;         // the exact columns are the same for all its values
 
   [[nodiscard]] bool allows(const ParameterValue& given) const;
   // "a number in (0, 2]", "one of a, b", "a finite number, or a*q1"

@@ -85,6 +85,13 @@ SceneSettings SceneVariant::key() const {
   return {.id = maker->id, .values = values, .until = until, .checksum = maker->checksum};
 }
 
+SceneSettings SceneVariant::key_of_solution() const {
+  SceneSettings of_solution = key();
+  for (const Parameter& parameter : maker->parameters)
+    if (parameter.keeps_solution) of_solution.values.erase(parameter.name);
+  return of_solution;
+}
+
 Scene make_scene_unchecked(const SceneFactory& maker, const ParameterValues& values) {
   const Parameters parameters(maker.id, maker.parameters, values);
   Scene scene = maker.make(parameters);

@@ -19,6 +19,9 @@ struct SceneVariant {
   std::optional<double> until{};  // the end of the time interval
 
   [[nodiscard]] SceneSettings key() const;
+  // The key without the parameters of which the solution does not depend: the same for scenes with the same
+  // exact columns.
+  [[nodiscard]] SceneSettings key_of_solution() const;
   [[nodiscard]] std::string label() const { return label_of(key()); }
 };
 

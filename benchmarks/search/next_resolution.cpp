@@ -207,7 +207,7 @@ NextRun next_tolerance(const SearchGoal& goal, const Refinement& of, const Error
   if (best == nullptr || *best->seconds > near * quickest) return std::nullopt;
   const double at = std::get<Tolerance>(best->resolution).rtol;
   for (const double factor : {half, quarter, 1.0 / quarter, 1.0 / half}) {
-    if (factor < 1.0 && is_settled) break;
+    if (factor < 1.0 && is_settled) continue;
     if (const auto next = untried(goal, of, at * factor)) return next;
   }
   return std::nullopt;

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <atomic>
 #include <deque>
+#include <map>
+#include <memory>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/sweep/described_scene.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
@@ -30,7 +33,7 @@ struct SweptScene {
   SceneVariant variant;
   SceneSettings name;
   Scene scene;
-  MemoizedReference reference{scene};
+  std::shared_ptr<MemoizedReference> reference = std::make_shared<MemoizedReference>(scene);
   SceneRefinements refinements;
   std::vector<std::optional<Record>> current;  // the current run of each series; nullopt: not examined
 };
@@ -86,8 +89,8 @@ bool is_timed_next(const Record& run, const Sweep& sweep) {
 
 Record examine(SweptScene& of, const RefinementSeries& line) {
   if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
-    return examine(of.variant, of.scene, of.reference, **program, line.setup);
-  return examine(of.name, of.scene, of.reference, *std::get<const Scheme*>(line.solver), line.setup);
+    return examine(of.variant, of.scene, *of.reference, **program, line.setup);
+  return examine(of.name, of.scene, *of.reference, *std::get<const Scheme*>(line.solver), line.setup);
 }
 
 // Times the current run. A program may fail then; its run is examined anew.
@@ -107,10 +110,10 @@ void examine_runs(SweptScene& of, const Sweep& sweep, GuardedCallbacks& log) {
     const RefinementSeries& line = of.refinements.series[i];
     if (log.failed()) return;
     if (!line.is_due || of.current[i]) continue;
-    log.on_event(SweepEvent::Kind::examines, line.key, !of.reference.is_begun());
+    log.on_event(SweepEvent::Kind::examines, line.key, !of.reference->is_begun());
     of.current[i] = examine(of, line);
     if (!log.describes(of.name))
-      log.append(describe(of.variant, of.scene, of.reference, sweep.describes_solutions));
+      log.append(describe(of.variant, of.scene, *of.reference, sweep.describes_solutions));
     log.append(*of.current[i]);
     if (sweep.examines_only || of.current[i]->is_complete())
       log.on_event(SweepEvent::Kind::is_done, line.key);
@@ -147,24 +150,39 @@ void add_runs(SweptScene& of) {
   }
 }
 
-// The forecast seconds of the scene's current runs.
-double seconds_of_turn(const SweptScene& of, const Forecast& expected) {
+// Scenes with the same exact columns share one reference and are examined by one thread.
+using SceneGroup = std::vector<SweptScene*>;
+
+std::vector<SceneGroup> grouped_by_solution(std::deque<SweptScene>& scenes) {
+  std::map<std::pair<SceneSettings, std::vector<std::string>>, SceneGroup> groups;
+  for (auto& of : scenes) groups[{of.variant.key_of_solution(), of.scene.outputs.names}].push_back(&of);
+  std::vector<SceneGroup> all;
+  for (auto& [solution, group] : groups) {
+    for (SweptScene* of : group) of->reference = group.front()->reference;
+    all.push_back(std::move(group));
+  }
+  return all;
+}
+
+// The forecast seconds of the current runs of these scenes.
+double seconds_of_turn(const SceneGroup& group, const Forecast& expected) {
   double seconds = 0.0;
-  for (const RefinementSeries& line : of.refinements.series) {
-    const auto run = line.is_due ? expected.find(line.key) : expected.end();
-    if (run != expected.end()) seconds += run->second.total();
+  for (const SweptScene* of : group) {
+    for (const RefinementSeries& line : of->refinements.series) {
+      const auto run = line.is_due ? expected.find(line.key) : expected.end();
+      if (run != expected.end()) seconds += run->second.total();
+    }
   }
   return seconds;
 }
 
 // Longest forecast first, so that the threads finish at about the same time.
-std::vector<std::size_t> longest_first(const std::deque<SweptScene>& scenes, const Forecast& expected) {
-  std::vector<double> seconds;
-  for (const auto& of : scenes) seconds.push_back(seconds_of_turn(of, expected));
-  std::vector<std::size_t> order(scenes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return seconds[i]; });
-  return order;
+std::vector<SceneGroup> longest_first(std::vector<SceneGroup> groups, const Forecast& expected) {
+  std::map<const SweptScene*, double> seconds;
+  for (const auto& group : groups) seconds[group.front()] = seconds_of_turn(group, expected);
+  std::ranges::stable_sort(groups, std::ranges::greater{},
+                           [&](const SceneGroup& group) { return seconds.at(group.front()); });
+  return groups;
 }
 
 // Makes the next runs of all scenes. Returns whether there was any.
@@ -172,9 +190,10 @@ bool take_turn(std::deque<SweptScene>& scenes, const Sweep& sweep, const SweepCa
                const Forecast& expected, GuardedCallbacks& log) {
   bool goes_on = false;
   for (auto& of : scenes) goes_on = choose_next_runs(of, sweep.plan, callbacks, log) || goes_on;
-  const auto order = longest_first(scenes, expected);
-  in_parallel(scenes.size(), sweep.threads,
-              [&](std::size_t i) { examine_runs(scenes[order[i]], sweep, log); });
+  const auto groups = longest_first(grouped_by_solution(scenes), expected);
+  in_parallel(groups.size(), sweep.threads, [&](std::size_t i) {
+    for (SweptScene* of : groups[i]) examine_runs(*of, sweep, log);
+  });
   for (auto& of : scenes) time_runs(of, sweep, log);
   for (auto& of : scenes) add_runs(of);
   return goes_on;

@@ -38,8 +38,10 @@ Scene pair_of_points(const SceneFactory& pair, const Parameters& p, const Scene&
 
 SceneFactory nonlinear_fractional_oscillator() {
   SceneFactory file = nonlinear_fractional_oscillator_file();
-  file.parameters.insert(file.parameters.begin(), choice("form", {"reduced", "integrated", "multiplier"},
-                                                         "equation 66, or forms of 59 and 60"));
+  Parameter form =
+      choice("form", {"reduced", "integrated", "multiplier"}, "equation 66, or forms of 59 and 60");
+  form.keeps_solution = true;
+  file.parameters.insert(file.parameters.begin(), std::move(form));
   file.make = [make = file.make,
                pair = nonlinear_fractional_oscillator_pair()](const Parameters& p) -> Scene {
     Scene reduced = make(p);
