@@ -80,10 +80,6 @@ Interval whole_power(const Interval& a, double n) {
 
 Interval widened(const Interval& a) { return outward(a.low, a.high, library); }
 
-Interval hull(const Interval& a, const Interval& b) {
-  return {std::min(a.low, b.low), std::max(a.high, b.high)};
-}
-
 Interval operator+(const Interval& a, const Interval& b) { return sum(a.low + b.low, a.high + b.high); }
 Interval operator-(const Interval& a, const Interval& b) { return sum(a.low - b.high, a.high - b.low); }
 Interval operator-(const Interval& a) { return {-a.high, -a.low}; }

@@ -36,7 +36,6 @@ class StageEquations {
  private:
   [[nodiscard]] std::optional<StageSolution> newton(const Matrix& history, const std::vector<Matrix>& weights,
                                                     const Vec& times, const Matrix& guess, In size) const;
-  [[nodiscard]] double relative_change(const std::vector<Matrix>& weights, double t, In y) const;
   // Linearises at at.y, and sets at.noise.
   [[nodiscard]] LinearisedStep linearise(const Vec& times, const std::vector<Matrix>& weights,
                                          StageSolution& at) const;
