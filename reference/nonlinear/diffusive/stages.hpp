@@ -39,7 +39,6 @@ class StageEquations {
   // Linearises at at.y, and sets at.noise.
   [[nodiscard]] LinearisedStep linearise(const Vec& times, const std::vector<Matrix>& weights,
                                          StageSolution& at) const;
-  [[nodiscard]] Matrix jacobian_at(double t, const Vec& y) const;
 
   const Problem& problem_;
   Vec nodes_;
