@@ -152,6 +152,7 @@ struct Problem {
   [[nodiscard]] bool is_algebraic(Eigen::Index row) const { return fde::is_algebraic(component(row)); }
 };
 
+// Whether there are rows of order 0; these rows.
 bool has_algebraic_rows(const Problem& problem);
 std::vector<Eigen::Index> algebraic_rows(const Problem& problem);
 
