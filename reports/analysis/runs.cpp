@@ -41,8 +41,8 @@ std::tuple<int, double, double> fineness(const RunSettings& setup) {
 auto order_of(const RunKey& key) {
   RunSettings line = key.setup;
   line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrTolerance(0) : Tolerance{};
-  return std::tuple(position_of_scene(key.scene.id), key.scene,
-                    position(schemes(), key.scheme, &Scheme::id), key.scheme, line, fineness(key.setup));
+  return std::tuple(position_of_scene(key.scene.id), key.scene, position(schemes(), key.scheme, &Scheme::id),
+                    key.scheme, line, fineness(key.setup));
 }
 template <typename Same>
 std::vector<RunSpan> chunks(RunSpan runs, Same same) {
