@@ -120,7 +120,7 @@ std::optional<std::string> unsupported_reason(const Scheme& scheme, const Proble
   if (of_resolution) return of_resolution;
   if (scheme.capabilities.discretises_equations && problem.equations.empty())
     return "discretises multi-term equations, and the problem is not given in multi-term form";
-  if (has_sparse_jacobian(problem) && std::ranges::any_of(problem.components, is_algebraic)) {
+  if (has_sparse_jacobian(problem) && has_algebraic_rows(problem)) {
     return "takes algebraic rows with a dense Jacobian only";
   }
   for (std::size_t i = 0; i < problem.components.size(); ++i) {

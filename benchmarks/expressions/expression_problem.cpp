@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -145,8 +144,7 @@ IncrementForm increments_of(const Problem& problem, const std::vector<Expression
   Matrix jacobian(problem.size(), problem.size());
   evaluate_jacobian(problem, 0.0, origin, jacobian);
   if (jacobian.allFinite() || is_two_sided(problem)) return {};
-  for (Eigen::Index i = 0; i < origin.size(); ++i)
-    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) origin[i] = 0.0;
+  origin(algebraic_rows(problem)).setZero();
   const auto shifted = in_increments(rows, origin, pool);
   if (!shifted) return {};
   const auto size = problem.size();

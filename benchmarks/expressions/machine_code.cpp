@@ -2,7 +2,6 @@
 #include "fdebench/benchmarks/expressions/machine_code.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "fdebench/benchmarks/expressions/machine_code_writer.hpp"
 

@@ -111,7 +111,7 @@ Json multi_term_of(const Problem& problem, const std::vector<std::string>& rhs) 
   };
   for (Eigen::Index row = 0; row < problem.size();) {
     const auto found = std::ranges::find(problem.equations, row, &Equation::first_row);
-    const auto& [order, initial, side] = problem.components[static_cast<std::size_t>(row)];
+    const auto& [order, initial, side] = problem.component(row);
     if (found != problem.equations.end()) {
       row = add(chain_of(problem, *found), found->force_text ? found->force_text() : "");
     } else {

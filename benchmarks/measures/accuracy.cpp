@@ -2,7 +2,6 @@
 #include "fdebench/benchmarks/measures/accuracy.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace fde::bench {

@@ -108,22 +108,6 @@ class ConstantConstraint {
   double alpha_ = 0.0, alignment_ = 0.0;
 };
 
-// Rows of the memory terms of orders below 1; their variables, one a memory term, 0 for the others.
-std::vector<int> add_lower_memory(PosedEquations& equations, const MechanicalSystem& system) {
-  std::vector<int> variables;
-  for (const auto& [coordinate, order] : system.memory) {
-    variables.push_back(
-        order < 1.0 ? equations.add_row({RowKind::memory, coordinate, order}, 1.0 - order, {0.0}) : 0);
-  }
-  return variables;
-}
-
-void append_lower_rates(PosedEquations& equations, const MechanicalSystem& system,
-                        const Expressions& velocity) {
-  for (const auto& [coordinate, order] : system.memory)
-    if (order < 1.0) equations.rhs.push_back(velocity[coordinate]);
-}
-
 }  // namespace
 
 std::optional<Vec> initial_multiplier_above_one(const Dynamics& dynamics) {
@@ -160,14 +144,12 @@ PosedEquations integrated_above_one(const Dynamics& dynamics) {
                                                    {constraint.by_memory().dot(system.velocity)}));
   const auto free_memory = equations.add_rows(pool, {RowKind::free_memory, 0, order}, 2.0 - order,
                                               Vec::Zero(static_cast<Eigen::Index>(n)));
-  auto memory = add_lower_memory(equations, system);
+  const auto memory = add_memory_rows(equations, system, 1.0);
   const auto b = algebra.numbers(constraint.by_memory()), direction = algebra.numbers(constraint.direction());
   const auto alignment = algebra.number(constraint.alignment());
   const auto fixed = algebra.quotient(algebra.difference(chi, algebra.dot(b, z)), alignment);
   const auto velocity = algebra.sum(z, algebra.product(fixed, direction));
-  equations.columns = columns_from(position, velocity, std::vector<int>(memory.size(), 0), system, algebra);
-  for (std::size_t k = 0; k < memory.size(); ++k)
-    if (memory[k] != 0) equations.columns[2 * n + k] = pool.variable(memory[k]);
+  equations.columns = columns_from(position, velocity, memory, system, algebra);
   const auto rest = in_state(equations, constraint.remaining_constraint(), algebra)[0];
   const auto remembered = algebra.negative(algebra.sum(rest, fixed));  // b.w
   const auto along = algebra.quotient(algebra.difference(remembered, algebra.dot(b, free_memory)), alignment);
@@ -177,10 +159,10 @@ PosedEquations integrated_above_one(const Dynamics& dynamics) {
   }
   const auto free = in_state(equations, dynamics.projected(dynamics.free_acceleration()), algebra);
   equations.rhs = velocity;
-  equations.rhs.insert(equations.rhs.end(), free.begin(), free.end());
-  equations.rhs.push_back(remembered);
-  equations.rhs.insert(equations.rhs.end(), free.begin(), free.end());
-  append_lower_rates(equations, system, velocity);
+  equations.append(free);
+  equations.append({remembered});
+  equations.append(free);
+  append_memory_rates(equations, memory, system, velocity, {});
   return equations;
 }
 
@@ -201,22 +183,20 @@ PosedEquations multiplier_above_one(const Dynamics& dynamics) {
   for (std::size_t i = 0; i < exact.size(); ++i)
     equations.exact_initial[equations.rows.size() + i] = exact[i];
   const auto remembered = equations.add_rows(pool, {RowKind::memory, 0, order}, 2.0 - order, initial);
-  const auto memory = add_lower_memory(equations, system);
+  const auto memory = add_memory_rows(equations, system, 1.0);
   const auto lambda =
       pool.variable(equations.add_row({RowKind::multiplier}, 0.0, {guess ? (*guess)[0] : 0.0}));
-  equations.columns = columns_from(position, velocity, std::vector<int>(memory.size(), 0), system, algebra);
-  for (std::size_t k = 0; k < memory.size(); ++k) {
-    equations.columns[2 * n + k] =
-        memory[k] != 0 ? pool.variable(memory[k]) : remembered[system.memory[k].coordinate];
-  }
+  equations.columns = columns_from(position, velocity, memory, system, algebra);
+  for (std::size_t k = 0; k < memory.size(); ++k)
+    if (memory[k] == 0) equations.columns[2 * n + k] = remembered[system.memory[k].coordinate];
   const auto acceleration =
       algebra.sum(in_state(equations, dynamics.free_acceleration(), algebra),
                   algebra.product(in_state(equations, dynamics.reaction_matrix(), algebra), {lambda}));
   equations.rhs = velocity;
-  equations.rhs.insert(equations.rhs.end(), remembered.begin(), remembered.end());
-  equations.rhs.insert(equations.rhs.end(), acceleration.begin(), acceleration.end());
-  append_lower_rates(equations, system, velocity);
-  equations.rhs.push_back(in_state(equations, dynamics.constraint(), algebra)[0]);
+  equations.append(remembered);
+  equations.append(acceleration);
+  append_memory_rates(equations, memory, system, velocity, {});
+  equations.append(in_state(equations, dynamics.constraint(), algebra));
   return equations;
 }
 

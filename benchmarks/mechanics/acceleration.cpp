@@ -28,8 +28,8 @@ PosedEquations without_memory(const Dynamics& dynamics, double kappa) {
       algebra.sum(dynamics.free_acceleration(), dynamics.compensation(damped_defect(dynamics, kappa))),
       algebra);
   equations.rhs = velocity;
-  equations.rhs.insert(equations.rhs.end(), acceleration.begin(), acceleration.end());
-  append_memory_rates(equations, system, velocity, acceleration);
+  equations.append(acceleration);
+  append_memory_rates(equations, memory, system, velocity, acceleration);
   return equations;
 }
 
@@ -233,7 +233,7 @@ PosedEquations with_memory(const Dynamics& dynamics, double kappa) {
   acceleration = algebra.sum(acceleration, chains.bounded_start(equations));
   equations.rhs = velocity;
   chains.append_rates(equations, acceleration);
-  append_memory_rates(equations, system, velocity, acceleration);
+  append_memory_rates(equations, memory, system, velocity, acceleration);
   equations.loads = chains.loads(std::ssize(equations.rows));
   return equations;
 }

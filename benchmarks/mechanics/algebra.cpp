@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/mechanics/algebra.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <memory>
-
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/mechanics/mechanical_scene.hpp"
 

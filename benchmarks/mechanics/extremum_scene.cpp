@@ -2,7 +2,6 @@
 #include "fdebench/benchmarks/mechanics/extremum_scene.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "fdebench/benchmarks/expressions/expression_problem.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
@@ -134,9 +133,9 @@ ExtremumRows extremum_rows(const Dynamics& dynamics, const ExtremumEnds& ends) {
   auto rates = algebra.sum(extremum.slopes(system.q()), extremum.at_momenta(system.forces));
   if (two_sided) rates = algebra.negative(rates);
   equations.rhs = velocity;
-  append_memory_rates(equations, system, velocity, {});
+  append_memory_rates(equations, memory, system, velocity, {});
   for (const auto& more : {extremum.slopes(system.w()), rates}) {
-    for (const auto e : in_state(equations, more, algebra)) equations.rhs.push_back(e);
+    equations.append(in_state(equations, more, algebra));
   }
   equations.columns = columns_from(position, velocity, memory, system, algebra);
   return result;

@@ -80,20 +80,23 @@ ExpressionMatrix in_state(const PosedEquations& equations, ExpressionMatrix of, 
   return of;
 }
 
-std::vector<int> add_memory_rows(PosedEquations& equations, const MechanicalSystem& system) {
+std::vector<int> add_memory_rows(PosedEquations& equations, const MechanicalSystem& system, double highest) {
   std::vector<int> variables;
   for (const auto& [coordinate, order] : system.memory) {
+    const bool has_row = order != 1.0 && order <= highest;
     const double whole = order < 1.0 ? 1.0 : 2.0;
     variables.push_back(
-        order == 1.0 ? 0 : equations.add_row({RowKind::memory, coordinate, order}, whole - order, {0.0}));
+        has_row ? equations.add_row({RowKind::memory, coordinate, order}, whole - order, {0.0}) : 0);
   }
   return variables;
 }
 
-void append_memory_rates(PosedEquations& equations, const MechanicalSystem& system,
-                         const Expressions& velocity, const Expressions& acceleration) {
-  for (const auto& [coordinate, order] : system.memory) {
-    if (order != 1.0) equations.rhs.push_back(order < 1.0 ? velocity[coordinate] : acceleration[coordinate]);
+void append_memory_rates(PosedEquations& equations, const std::vector<int>& memory,
+                         const MechanicalSystem& system, const Expressions& velocity,
+                         const Expressions& acceleration) {
+  for (std::size_t k = 0; k < memory.size(); ++k) {
+    const auto& [coordinate, order] = system.memory[k];
+    if (memory[k] != 0) equations.rhs.push_back((order < 1.0 ? velocity : acceleration)[coordinate]);
   }
 }
 
@@ -158,10 +161,10 @@ PosedEquations integrated_equations(const Dynamics& dynamics) {
   const auto free = in_state(equations, dynamics.free_acceleration(), algebra);
   const auto turning = in_state(equations, turned(projection, dynamics), algebra);
   equations.rhs = velocity;
-  for (const auto e : algebra.sum(algebra.product(now, free), turning)) equations.rhs.push_back(e);
+  equations.append(algebra.sum(algebra.product(now, free), turning));
   const auto acceleration =
       algebra.sum(free, in_state(equations, dynamics.compensation(dynamics.free_defect()), algebra));
-  append_memory_rates(equations, system, velocity, acceleration);
+  append_memory_rates(equations, memory, system, velocity, acceleration);
   return equations;
 }
 
@@ -179,9 +182,9 @@ PosedEquations multiplier_equations(const Dynamics& dynamics) {
       algebra.sum(in_state(equations, dynamics.free_acceleration(), algebra),
                   algebra.product(in_state(equations, dynamics.reaction_matrix(), algebra), lambda));
   equations.rhs = velocity;
-  equations.rhs.insert(equations.rhs.end(), acceleration.begin(), acceleration.end());
-  append_memory_rates(equations, system, velocity, acceleration);
-  for (const auto e : in_state(equations, dynamics.constraint(), algebra)) equations.rhs.push_back(e);
+  equations.append(acceleration);
+  append_memory_rates(equations, memory, system, velocity, acceleration);
+  equations.append(in_state(equations, dynamics.constraint(), algebra));
   return equations;
 }
 

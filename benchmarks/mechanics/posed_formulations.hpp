@@ -49,19 +49,24 @@ struct PosedEquations {
   int add_row(const StateRow& row, double order, std::vector<double> initial);
   // Adds a row for each coordinate, with these initial values, and returns their variables.
   Expressions add_rows(ExpressionPool& pool, StateRow row, double order, const Vec& initial);
+  // Appends the right-hand sides of the next rows.
+  void append(const Expressions& rates) { rhs.insert(rhs.end(), rates.begin(), rates.end()); }
 };
 
 // The expressions in terms of the state of a formulation, from its columns.
 Expressions in_state(const PosedEquations& equations, const Expressions& of, const Algebra& algebra);
 ExpressionMatrix in_state(const PosedEquations& equations, ExpressionMatrix of, const Algebra& algebra);
 
-// Adds rows for all memory terms except those of order 1: D^(1 - order) w = v, w(0) = 0, and above order 1
-// D^(2 - order) w = v'. Their variables, one a memory term; 0 at order 1.
-std::vector<int> add_memory_rows(PosedEquations& equations, const MechanicalSystem& system);
+// Adds rows for the memory terms of orders up to `highest` except those of order 1: D^(1 - order) w = v, w(0)
+// = 0, and above order 1 D^(2 - order) w = v'. Their variables, one a memory term; 0 for the others.
+std::vector<int> add_memory_rows(PosedEquations& equations, const MechanicalSystem& system,
+                                 double highest = 2.0);
 
-// Appends the right-hand sides of these rows, where v and v' are expressions of the state.
-void append_memory_rates(PosedEquations& equations, const MechanicalSystem& system,
-                         const Expressions& velocity, const Expressions& acceleration);
+// Appends the right-hand sides of these rows, where v and v' are expressions of the state. `memory`: the
+// variables of the rows.
+void append_memory_rates(PosedEquations& equations, const std::vector<int>& memory,
+                         const MechanicalSystem& system, const Expressions& velocity,
+                         const Expressions& acceleration);
 
 // The columns from the expressions of q, v and the variables of the memory rows.
 Expressions columns_from(const Expressions& position, const Expressions& velocity,

@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "fdebench/benchmarks/records/record_validation.hpp"

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {

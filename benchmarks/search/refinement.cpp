@@ -17,11 +17,6 @@ std::map<int, const RefinementRun*> by_steps(const Refinement& of) {
   return runs;
 }
 
-double fineness(const RefinementRun& run) {
-  const auto* tolerance = std::get_if<Tolerance>(&run.resolution);
-  return tolerance != nullptr ? -std::max(tolerance->rtol, tolerance->atol) : run.steps;
-}
-
 // Errors that are all 0, as of a constant solution, or infinite do not show which algorithm has them.
 bool is_telling(const RefinementRun& run) {
   return std::ranges::any_of(
@@ -64,14 +59,6 @@ std::vector<TrialError> doubled_errors(const Refinement& of, std::size_t kind, i
   }
   std::ranges::reverse(errors);
   return errors;
-}
-
-const RefinementRun* finest_timed(const Refinement& of) {
-  const RefinementRun* finest = nullptr;
-  for (const RefinementRun& run : of.runs) {
-    if (run.seconds && (finest == nullptr || fineness(run) > fineness(*finest))) finest = &run;
-  }
-  return finest;
 }
 
 bool has_stagnated(const Refinement& of, std::size_t kind) {

@@ -63,9 +63,6 @@ const RefinementRun* quickest_within(const Refinement& of, const ErrorTarget& ta
 std::vector<TrialError> doubled_errors(const Refinement& of, std::size_t kind,
                                        int most = std::numeric_limits<int>::max());
 
-// The timed run with the most steps, or with the smallest tolerance; nullptr if there is none.
-const RefinementRun* finest_timed(const Refinement& of);
-
 // Whether the three finest errors, far below the size of the solution, no longer decrease, or the finest one
 // is known to be stagnant.
 bool has_stagnated(const Refinement& of, std::size_t kind);

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <set>
-#include <span>
 #include <stdexcept>
 #include <utility>
 

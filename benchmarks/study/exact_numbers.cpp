@@ -2,54 +2,32 @@
 #include "fdebench/benchmarks/study/exact_numbers.hpp"
 
 #include <fmt/format.h>
-#include <mpfr.h>
+
+#include <boost/multiprecision/mpfr.hpp>
 
 namespace fde::bench {
 namespace {
 
-constexpr mpfr_prec_t bits = 128;
+// 38 digits are 128 bits.
+using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<38>,
+                                           boost::multiprecision::et_off>;
 
-class Real {
- public:
-  Real() { mpfr_init2(value_, bits); }
-  explicit Real(double number) : Real() {
-    mpfr_set_str(value_, fmt::format("{}", number).c_str(), 10, MPFR_RNDN);
-  }
-  Real& operator=(Real&&) = delete;
-  ~Real() { mpfr_clear(value_); }
-
-  operator mpfr_ptr() {
-    return value_;
-  }  // NOLINT(google-explicit-constructor): the functions of MPFR take it
-
- private:
-  mpfr_t value_{};
-};
+Real exact(double number) { return Real(fmt::format("{}", number)); }
 
 // The number at this part of the way from `from` to `to`.
-double between(double from, double to, Real& part, Spacing spacing) {
-  Real a(from), b(to), rest;
-  const bool negative = spacing == Spacing::logarithmic && from < 0.0;
-  if (spacing == Spacing::logarithmic) {
-    for (mpfr_ptr end : {mpfr_ptr(a), mpfr_ptr(b)}) {
-      mpfr_abs(end, end, MPFR_RNDN);
-      mpfr_log(end, end, MPFR_RNDN);
-    }
-  }
-  mpfr_ui_sub(rest, 1, part, MPFR_RNDN);
-  mpfr_mul(a, a, rest, MPFR_RNDN);
-  mpfr_mul(b, b, part, MPFR_RNDN);
-  mpfr_add(a, a, b, MPFR_RNDN);
-  if (spacing == Spacing::logarithmic) mpfr_exp(a, a, MPFR_RNDN);
-  const double size = mpfr_get_d(a, MPFR_RNDN);
-  return negative ? -size : size;
+double between(double from, double to, const Real& part, Spacing spacing) {
+  const auto number_at = [&](const Real& a, const Real& b) { return Real(a * (1 - part) + b * part); };
+  const Real first = exact(from), last = exact(to);
+  if (spacing == Spacing::linear) return number_at(first, last).convert_to<double>();
+  const Real size = exp(number_at(log(abs(first)), log(abs(last))));
+  return (from < 0.0 ? -size : size).convert_to<double>();
 }
 
 // Uniform in (0, 1): the middles of 2^53 equal parts.
-void set_fraction(Real& fraction, std::mt19937_64& engine) {
+Real fraction(std::mt19937_64& engine) {
   constexpr unsigned unused = 11;
-  constexpr mpfr_exp_t part = -54;
-  mpfr_set_ui_2exp(fraction, 2 * (engine() >> unused) + 1, part, MPFR_RNDN);
+  constexpr int part = -54;
+  return ldexp(Real(2 * (engine() >> unused) + 1), part);
 }
 
 }  // namespace
@@ -57,33 +35,16 @@ void set_fraction(Real& fraction, std::mt19937_64& engine) {
 double spaced_number(double from, double to, int i, int count, Spacing spacing) {
   if (i == 0) return from;
   if (i == count - 1) return to;
-  Real part;
-  mpfr_set_si(part, i, MPFR_RNDN);
-  mpfr_div_si(part, part, count - 1, MPFR_RNDN);
-  return between(from, to, part, spacing);
+  return between(from, to, Real(i) / (count - 1), spacing);
 }
 
 double NumberSource::uniform(double from, double to, Spacing spacing) {
-  Real part;
-  set_fraction(part, engine_);
-  return between(from, to, part, spacing);
+  return between(from, to, fraction(engine_), spacing);
 }
 
 double NumberSource::normal(double mean, double deviation) {
-  Real radius, angle, centre(mean), scale(deviation);
-  set_fraction(radius, engine_);
-  set_fraction(angle, engine_);
-  mpfr_log(radius, radius, MPFR_RNDN);
-  mpfr_mul_si(radius, radius, -2, MPFR_RNDN);
-  mpfr_sqrt(radius, radius, MPFR_RNDN);
-  Real turn;
-  mpfr_const_pi(turn, MPFR_RNDN);
-  mpfr_mul_ui(turn, turn, 2, MPFR_RNDN);
-  mpfr_mul(angle, angle, turn, MPFR_RNDN);
-  mpfr_cos(angle, angle, MPFR_RNDN);
-  mpfr_mul(radius, radius, angle, MPFR_RNDN);
-  mpfr_fma(radius, radius, scale, centre, MPFR_RNDN);
-  return mpfr_get_d(radius, MPFR_RNDN);
+  const Real radius = sqrt(-2 * log(fraction(engine_))), turn = 2 * acos(Real(-1));
+  return Real(radius * cos(fraction(engine_) * turn) * exact(deviation) + exact(mean)).convert_to<double>();
 }
 
 }  // namespace fde::bench

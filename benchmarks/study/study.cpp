@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <utility>
 
 #include "fdebench/benchmarks/equation_files/toml_text.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"

@@ -43,7 +43,6 @@ struct LinearTermOf {
   Number order;
   Number time_scale{1};
 };
-using LinearTerm = LinearTermOf<double>;  // doubles are taken as their shortest decimals
 
 // sum_i c_i D^(order_i) u = sum_k load_k(t): Caputo derivatives from 0, orders in [0, 2],
 // u^(k)(0) = initial[k]. Terms with coefficient 0 are ignored; ceil(highest order) initial values are needed.

@@ -115,7 +115,7 @@ double length_of_small_change(const Problem& problem) {
   if (!evaluate_jacobian(problem, 0.0, taylor_part(problem, 0.0), jacobian) || !jacobian.allFinite())
     return length;
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    const double order = problem.component(i).order;
     const double rate = jacobian.row(i).cwiseAbs().sum() / std::tgamma(order + 1.0);
     if (order > 0.0 && rate > 0.0)
       length = std::min(length, std::pow(small / rate, 1.0 / order) / problem.end);
@@ -130,13 +130,10 @@ double length_of_small_change(const Problem& problem) {
 // determines the reaction, t^(2 g) remains.
 InitialLengths initial_lengths(const Problem& problem) {
   constexpr double rounding = 1e-17, before_grids = 1e-66, early = 1e-6, shortest = 1e-270;
-  double order = 1.0;
-  for (const auto& component : problem.components) {
-    if (!is_algebraic(component)) order = std::min(order, component.order);
-  }
+  const double order = smallest_order(problem);
   InitialLengths usual;
   const double unseen = std::min(usual.panel, std::pow(rounding, 1.0 / order));
-  if (std::ranges::none_of(problem.components, is_algebraic)) {
+  if (!has_algebraic_rows(problem)) {
     usual.panel = std::min(std::max(unseen, before_grids), length_of_small_change(problem));
     return usual;
   }
@@ -156,12 +153,10 @@ InitialLengths initial_lengths(const Problem& problem) {
 Vec initial_bound(const Problem& problem) {
   constexpr double infinity = std::numeric_limits<double>::infinity(), rounding = 1e-14;
   Vec bound = Vec::Zero(problem.size());
-  if (std::ranges::none_of(problem.components, is_algebraic)) return bound;
+  if (!has_algebraic_rows(problem)) return bound;
   const Vec start = taylor_part(problem, 0.0), f = rhs_at(problem, 0.0, start);
   const double size = std::max(1.0, start.lpNorm<Eigen::Infinity>());
-  std::vector<Eigen::Index> rows;
-  for (Eigen::Index i = 0; i < problem.size(); ++i)
-    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) rows.push_back(i);
+  const auto rows = algebraic_rows(problem);
   const bool held = std::ranges::all_of(rows, [&](auto i) { return std::abs(f[i]) <= rounding * size; });
   for (const auto i : held ? multipliers(problem) : rows) bound[i] = infinity;
   return bound;

@@ -74,10 +74,10 @@ double NodalResidual::norm() const {
 NodalEquations::NodalEquations(const Problem& problem, const NodalBasis& basis)
     : problem_(problem), basis_(basis) {
   std::map<KernelKey, Matrix> at_nodes;
+  if (has_algebraic_rows(problem))
+    throw std::invalid_argument("a two-sided reference takes no algebraic rows");
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    const auto& [order, initial, side] = component(i);
-    if (is_algebraic(component(i)))
-      throw std::invalid_argument("a two-sided reference takes no algebraic rows");
+    const auto& [order, initial, side] = problem_.component(i);
     for (std::size_t k = initial.size(); k < initial_count(order); ++k)
       unknown_.push_back({i, static_cast<int>(k)});
     auto& weights = at_nodes[{order, side}];
@@ -95,12 +95,8 @@ NodalEquations::NodalEquations(const Problem& problem, const NodalBasis& basis)
   }
 }
 
-const Component& NodalEquations::component(Eigen::Index i) const {
-  return problem_.components[static_cast<std::size_t>(i)];
-}
-
 double NodalEquations::time_from_side(Eigen::Index i, RelativeTime t) const {
-  return problem_.end * (component(i).side == Side::left ? t.from_start : t.from_end);
+  return problem_.end * (problem_.component(i).side == Side::left ? t.from_start : t.from_end);
 }
 
 double NodalEquations::time(RelativeTime t) const {
@@ -111,7 +107,7 @@ Vec NodalEquations::taylor_part_at(RelativeTime t, In unknown) const {
   Vec part = Vec::Zero(problem_.size());
   for (Eigen::Index i = 0; i < part.size(); ++i) {
     double term = 1.0, power = 0.0;
-    for (const double value : component(i).initial) {
+    for (const double value : problem_.component(i).initial) {
       part[i] += value * term;
       term *= time_from_side(i, t) / ++power;
     }
@@ -193,7 +189,7 @@ Vec NodalEquations::at(RelativeTime t, const Matrix& f, In unknown) const {
   for (const auto& [kind, row] : rows_) weights[kind] = row(t);
   Vec y = taylor_part_at(t, unknown);
   for (Eigen::Index i = 0; i < y.size(); ++i)
-    y[i] += weights.at({component(i).order, component(i).side}).dot(f.col(i));
+    y[i] += weights.at({problem_.component(i).order, problem_.component(i).side}).dot(f.col(i));
   return y;
 }
 

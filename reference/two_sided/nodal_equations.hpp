@@ -51,7 +51,6 @@ class NodalEquations {
 
   [[nodiscard]] Eigen::Index nodes() const { return std::ssize(basis_.nodes); }
   [[nodiscard]] RelativeTime node(Eigen::Index m) const { return basis_.nodes[static_cast<std::size_t>(m)]; }
-  [[nodiscard]] const Component& component(Eigen::Index i) const;
   [[nodiscard]] double time_from_side(Eigen::Index i, RelativeTime t) const;
   [[nodiscard]] double time(RelativeTime t) const;
   [[nodiscard]] Vec taylor_part_at(RelativeTime t, In unknown) const;

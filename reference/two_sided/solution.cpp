@@ -23,10 +23,7 @@ constexpr double roundings = 64 * 0x1p-53;
 // stronger clustering would leave too few panels for the middle.
 ClusteringMap time_of(const Problem& problem) {
   constexpr double smooth = 4.0, usual = 8.0, most = 32.0;
-  double smallest = 1.0;
-  for (const auto& component : problem.components)
-    if (!is_algebraic(component)) smallest = std::min(smallest, component.order);
-  return ClusteringMap(std::clamp(smooth / smallest, usual, most));
+  return ClusteringMap(std::clamp(smooth / smallest_order(problem), usual, most));
 }
 
 // Number of panels, `usual` for the power 8: for a larger power t(x) is steeper between the ends and the

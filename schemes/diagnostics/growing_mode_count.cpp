@@ -57,7 +57,7 @@ Symbol symbol_of(const Scheme& scheme, const Problem& problem, double length) {
   if (!scheme.symbol) reject("the scheme has no symbol");
   if (!is_linear(problem)) reject("the problem has no linear part");
   if (is_two_sided(problem)) reject("the problem is posed at both ends");
-  if (std::ranges::any_of(problem.components, is_algebraic)) reject("the problem has an algebraic row");
+  if (has_algebraic_rows(problem)) reject("the problem has an algebraic row");
   if (const auto reason = unsupported_reason(scheme, problem, Grid{length, 1})) reject(*reason);
   return scheme.symbol(problem, length);
 }

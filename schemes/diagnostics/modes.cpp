@@ -25,9 +25,7 @@ using Spectrum = std::vector<ComplexValue>;
 
 constexpr Eigen::Index largest_dense = 64;  // eigenvalues of larger matrices would take longer than the run
 
-bool has_modes(const Problem& problem) {
-  return !is_two_sided(problem) && std::ranges::none_of(problem.components, is_algebraic);
-}
+bool has_modes(const Problem& problem) { return !is_two_sided(problem) && !has_algebraic_rows(problem); }
 
 // The order of all rows; nullopt: they differ.
 std::optional<double> common_order(const Problem& problem) {
@@ -171,9 +169,7 @@ bool has_oscillation(const Problem& problem, const Matrix& jacobian, double leas
   constexpr double most = 30.0, turn_of_row = 0.3,
                    turn_of_all = 3.0;  // change of log |s|; radians on a piece
   constexpr double quarter = 0.25 * std::numbers::pi;
-  Vec orders(problem.size());
-  for (Eigen::Index i = 0; i < orders.size(); ++i)
-    orders[i] = problem.components[static_cast<std::size_t>(i)].order;
+  const Vec orders = orders_of(problem);
   const double first = std::log(least), last = first + most;
   const auto log_f = [&](double log_size, double angle) {
     ComplexMatrix matrix = -jacobian.cast<ComplexValue>();
@@ -239,7 +235,7 @@ std::optional<std::string> growth_of_its_own(const SolvedRun& run) {
     load = load.cwiseMax(f.cwiseAbs());
     double expected = initial;
     for (Eigen::Index i = 0; i < load.size(); ++i) {
-      const double order = problem.components[static_cast<std::size_t>(i)].order;
+      const double order = problem.component(i).order;
       expected += std::pow(run.grid.end, order) / std::tgamma(order + 1.0) * load[i];
     }
     return !(reached > many_times * expected);

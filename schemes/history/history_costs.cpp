@@ -98,7 +98,7 @@ double exact_weights_cost(const WeightTable& whole, const WeightTable& part, dou
 
 // A multiply-add of a dot product with samples that are read once a step: from the first to the second cache,
 // and beyond.
-double multiply_add(double bytes) {
+double multiply_add_cost(double bytes) {
   if (bytes > 1.2e7) return 0.4;
   if (bytes > 1.5e6) return 0.17;
   return 0.06 + 0.035 * std::clamp(std::log2(bytes / 0x1p14) / 3.0, 0.0, 1.0);
@@ -107,7 +107,7 @@ double multiply_add(double bytes) {
 // Every step is a dot product with all samples before it.
 double direct_cost(const WeightTables& tables, double steps) {
   const auto components = static_cast<double>(tables.front().size());
-  const double each = multiply_add(sizeof(double) * components * steps);
+  const double each = multiply_add_cost(sizeof(double) * components * steps);
   double cost = 800.0 + 10.0 * components + steps * (8.0 + components) + first_touch(steps * components);
   for (const auto& [table, uses] : counted(tables, has_constant_weight)) {
     const bool own_start = table.family->first_sample_coefficient != nullptr;

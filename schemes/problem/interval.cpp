@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 
 namespace fde {
@@ -79,10 +78,6 @@ Interval whole_power(const Interval& a, double n) {
 }  // namespace
 
 Interval widened(const Interval& a) { return outward(a.low, a.high, library); }
-
-Interval hull(const Interval& a, const Interval& b) {
-  return {std::min(a.low, b.low), std::max(a.high, b.high)};
-}
 
 Interval operator+(const Interval& a, const Interval& b) { return sum(a.low + b.low, a.high + b.high); }
 Interval operator-(const Interval& a, const Interval& b) { return sum(a.low - b.high, a.high - b.low); }

@@ -30,9 +30,6 @@ struct Interval {
 // With both ends moved outwards by eight units in the last place.
 Interval widened(const Interval& a);
 
-// The smallest interval that contains both.
-Interval hull(const Interval& a, const Interval& b);
-
 Interval operator+(const Interval& a, const Interval& b);
 Interval operator-(const Interval& a, const Interval& b);
 Interval operator*(const Interval& a, const Interval& b);

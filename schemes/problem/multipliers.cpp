@@ -11,27 +11,13 @@
 namespace fde {
 namespace {
 
-Vec rhs_at(const Problem& problem, double t, const Vec& y) {
-  Vec f(problem.size());
-  problem.rhs(t, y, f);
-  return f;
-}
-
-std::vector<Eigen::Index> algebraic_rows(const Problem& problem) {
-  std::vector<Eigen::Index> rows;
-  for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) rows.push_back(i);
-  }
-  return rows;
-}
-
 // The change of all unknowns for a unit residual of each constraint, one column a constraint, where integrals
 // over a step of this length replace the derivatives.
 Matrix answers(const Problem& problem, const Matrix& jacobian, const std::vector<Eigen::Index>& constraints,
                double length) {
   Vec mass = Vec::Ones(problem.size()), scale(problem.size());
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    const double order = problem.component(i).order;
     scale[i] = std::pow(length, order) / std::tgamma(order + 1.0);
   }
   for (const auto i : constraints) mass[i] = 0.0;

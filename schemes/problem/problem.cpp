@@ -33,6 +33,27 @@ void evaluate(const SparseLinearPart& given, double /*t*/, In /*y*/, OutMatrix j
 
 }  // namespace
 
+bool has_algebraic_rows(const Problem& problem) {
+  return std::ranges::any_of(problem.components, is_algebraic);
+}
+
+std::vector<Eigen::Index> algebraic_rows(const Problem& problem) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < problem.size(); ++i)
+    if (problem.is_algebraic(i)) rows.push_back(i);
+  return rows;
+}
+
+Vec orders_of(const Problem& problem) {
+  return Vec::NullaryExpr(problem.size(), [&](Eigen::Index i) { return problem.component(i).order; });
+}
+
+Vec rhs_at(const Problem& problem, double t, In y) {
+  Vec f(problem.size());
+  problem.rhs(t, y, f);
+  return f;
+}
+
 bool is_linear(const Problem& problem) {
   return problem.switching_functions.empty() && tells<DenseLinearPart, SparseLinearPart>(problem);
 }
@@ -44,6 +65,14 @@ bool has_jacobian(const Problem& problem) { return !tells<NoDerivatives>(problem
 bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobian) {
   std::visit([&](const auto& given) { evaluate(given, t, y, jacobian); }, problem.derivatives);
   return has_jacobian(problem);
+}
+
+const SparseMatrix& sparse_jacobian_at(const Problem& problem, double t, In y, SparseMatrix& buffer) {
+  if (const auto* part = std::get_if<SparseLinearPart>(&problem.derivatives)) return part->matrix;
+  buffer.resize(y.size(), y.size());
+  std::get<SparseJacobian>(problem.derivatives).at(t, y, buffer);
+  buffer.makeCompressed();
+  return buffer;
 }
 
 double longest_step(const Problem& problem, double t) {
@@ -82,7 +111,7 @@ TaylorPart::TaylorPart(const Problem& problem) {
   for (const auto& component : problem.components) powers = std::max(powers, component.initial.size());
   coefficients_.setZero(problem.size(), static_cast<Eigen::Index>(powers));
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    const auto& initial = problem.components[static_cast<std::size_t>(i)].initial;
+    const auto& initial = problem.component(i).initial;
     double factorial = 1.0;
     for (std::size_t k = 0; k < initial.size(); factorial *= static_cast<double>(++k)) {
       coefficients_(i, static_cast<Eigen::Index>(k)) = initial[k] / factorial;
@@ -105,7 +134,7 @@ Vec taylor_part(const Problem& problem, double t) {
   part.at(t, value);
   part.at(problem.end - t, right);
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (problem.components[static_cast<std::size_t>(i)].side == Side::right) value[i] = right[i];
+    if (problem.component(i).side == Side::right) value[i] = right[i];
   }
   return value;
 }

@@ -146,7 +146,21 @@ struct Problem {
   RangeOfRhs range{};  // empty: f is known at points only
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
+  [[nodiscard]] const Component& component(Eigen::Index i) const {
+    return components[static_cast<std::size_t>(i)];
+  }
+  [[nodiscard]] bool is_algebraic(Eigen::Index row) const { return fde::is_algebraic(component(row)); }
 };
+
+// Whether there are rows of order 0; these rows.
+bool has_algebraic_rows(const Problem& problem);
+std::vector<Eigen::Index> algebraic_rows(const Problem& problem);
+
+// The orders of all rows.
+Vec orders_of(const Problem& problem);
+
+// f(t, y).
+Vec rhs_at(const Problem& problem, double t, In y);
 
 // Whether f = A y + b(t) with a given A and no switching functions; whether df/dy is given as a sparse
 // matrix; whether df/dy is given at all.
@@ -156,6 +170,10 @@ bool has_jacobian(const Problem& problem);
 
 // Writes the dense df/dy to `jacobian`, size() x size(). False, and no change, where the problem has none.
 bool evaluate_jacobian(const Problem& problem, double t, In y, OutMatrix jacobian);
+
+// The sparse df/dy: the constant matrix of a linear problem, otherwise `buffer` with the values at (t, y).
+// Precondition: has_sparse_jacobian(problem).
+const SparseMatrix& sparse_jacobian_at(const Problem& problem, double t, In y, SparseMatrix& buffer);
 
 // The longest step from t that keeps the step limits: one that ends before an interval, or is short enough
 // for it.

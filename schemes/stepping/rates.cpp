@@ -56,7 +56,7 @@ double smallest_at_first_step(const RateTheory& theory, const Problem& problem, 
 double smallest_at_jumps(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness) {
   double rate = exact_power;
   for (const auto i : smoothness.jumps) {
-    const auto& component = problem.components[static_cast<std::size_t>(i)];
+    const auto& component = problem.component(i);
     if (is_algebraic(component)) continue;
     if (!theory.evaluates_inside_steps) {
       const bool cancels = component.order == 1.0;

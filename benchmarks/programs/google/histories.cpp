@@ -32,40 +32,34 @@ benchmark::Counter per_iteration(Eigen::Index count) {
           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert};
 }
 
-// A whole run of the history.
-void steps(benchmark::State& state, HistoryKind kind, const Grid& grid, double tolerance) {
-  Vec sample = Vec::LinSpaced(components, 0.5, 1.5), sum(components);
+// Whole runs of a history.
+void run_history(benchmark::State& state, HistoryKind kind, const WeightTables& tables, const Grid& grid,
+                 double tolerance) {
+  const auto count = std::ssize(tables.front());
+  Vec sample = Vec::LinSpaced(count, 0.5, 1.5), sum(count);
   for (auto _ : state) {
-    const auto history = make_history(kind, predictor_corrector(), step_plan(grid), tolerance);
+    const auto history = make_history(kind, tables, step_plan(grid), tolerance);
     double t = 0.0;
     for (int n = 1; n <= grid.steps; ++n) {
       history->push(t, sample);
       t = grid.time(n);
-      history->convolve(t, 0, sum);
-      history->convolve(t, 1, sum);
+      for (std::size_t i = 0; i < tables.size(); ++i) history->convolve(t, i, sum);
       sample[0] = 1.0 + 1e-9 * sum[0];
     }
     benchmark::DoNotOptimize(sum.data());
   }
+}
+
+void steps(benchmark::State& state, HistoryKind kind, const Grid& grid, double tolerance) {
+  run_history(state, kind, predictor_corrector(), grid, tolerance);
   state.counters["per_step"] = per_iteration(grid.steps);
 }
 
-// A whole run of the history of several components, for each family of one sum.
+// The history of several components, for each family of one sum.
 void choice(benchmark::State& state, HistoryKind kind, const WeightFamily& family, Eigen::Index count,
             const Grid& grid) {
   const WeightTables tables{std::vector<WeightTable>(static_cast<std::size_t>(count), {&family, order})};
-  Vec sample = Vec::LinSpaced(count, 0.5, 1.5), sum(count);
-  for (auto _ : state) {
-    const auto history = make_history(kind, tables, step_plan(grid), full);
-    double t = 0.0;
-    for (int n = 1; n <= grid.steps; ++n) {
-      history->push(t, sample);
-      t = grid.time(n);
-      history->convolve(t, 0, sum);
-      sample[0] = 1.0 + 1e-9 * sum[0];
-    }
-    benchmark::DoNotOptimize(sum.data());
-  }
+  run_history(state, kind, tables, grid, full);
   state.SetLabel(std::string(name(resolved_kind(kind, tables, step_plan(grid), full))));
 }
 

@@ -7,7 +7,6 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <list>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"

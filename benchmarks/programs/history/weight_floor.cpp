@@ -24,7 +24,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "fdebench/benchmarks/programs/figures.hpp"
@@ -43,8 +42,7 @@ struct Relaxation {
 };
 
 Relaxation relaxation() {
-  const auto maker = std::ranges::find(built_in_scenes(), std::string_view("relaxation"), &SceneFactory::id);
-  Scene scene = make_scene(*maker);
+  Scene scene = make_scene(built_in_scenes().named("relaxation"));
   const Component component = scene.problem.components.front();
   const double rate = std::get<DenseLinearPart>(scene.problem.derivatives).matrix(0, 0);
   const double end_value = scene.reference.at(scene.problem.end).value[0];

@@ -8,17 +8,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <limits>
 #include <random>
-#include <span>
 #include <stdexcept>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "fdebench/benchmarks/programs/figures.hpp"

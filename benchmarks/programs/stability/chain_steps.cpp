@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -22,9 +21,8 @@ namespace fde::bench::figures {
 namespace {
 
 Problem oscillator(double alpha, double beta, double mu, double nu) {
-  const auto maker =
-      std::ranges::find(built_in_scenes(), std::string_view("damped_oscillator"), &SceneFactory::id);
-  return make_scene(*maker, {{"alpha", alpha}, {"beta", beta}, {"mu", mu}, {"nu", nu}}).problem;
+  const auto& maker = built_in_scenes().named("damped_oscillator");
+  return make_scene(maker, {{"alpha", alpha}, {"beta", beta}, {"mu", mu}, {"nu", nu}}).problem;
 }
 
 double largest_step(const Problem& problem) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <numbers>
-
 #include "fdebench/benchmarks/scenes/with_reference.hpp"
 #include "fdebench/reference/linear/closed_forms/closed_form.hpp"
 

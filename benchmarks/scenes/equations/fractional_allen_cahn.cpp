@@ -56,20 +56,12 @@ void NoFluxCells::apply_laplacian(In u, Out f) const {
 }
 
 SparseMatrix NoFluxCells::matrix() const {
-  const Eigen::Index n = shape_.points, size = shape_.size();
-  SparseMatrix result(size, size);
-  result.reserve(Eigen::VectorXi::Constant(static_cast<int>(size), 2 * shape_.dimensions + 1));
-  for (Eigen::Index place = 0; place < size; ++place) {
-    const bool left = place % n > 0, right = place % n + 1 < n, below = place >= n, above = place + n < size;
-    const std::array<bool, 4> sides{left, right, below, above};
-    if (below) result.insert(place - n, place) = coupling_;
-    if (left) result.insert(place - 1, place) = coupling_;
-    result.insert(place, place) = -coupling_ * static_cast<double>(std::ranges::count(sides, true));
-    if (right) result.insert(place + 1, place) = coupling_;
-    if (above) result.insert(place + n, place) = coupling_;
-  }
-  result.makeCompressed();
-  return result;
+  const Eigen::Index n = shape_.points;
+  const Vec beside = Vec::Constant(n + 1, coupling_);
+  return five_point_matrix(shape_, beside, beside, [&](Eigen::Index place) {
+    const std::array sides{place % n > 0, place % n + 1 < n, place >= n, place + n < shape_.size()};
+    return -coupling_ * static_cast<double>(std::ranges::count(sides, true));
+  });
 }
 
 constexpr double longest_side = 1000.0;

@@ -88,6 +88,23 @@ std::vector<int> output_points(const FieldShape& shape) {
   return some;
 }
 
+SparseMatrix five_point_matrix(const FieldShape& shape, const Vec& x_coupling, const Vec& y_coupling,
+                               const std::function<double(Eigen::Index place)>& diagonal) {
+  const Eigen::Index n = shape.points, size = shape.size();
+  SparseMatrix result(size, size);
+  result.reserve(Eigen::VectorXi::Constant(static_cast<int>(size), 2 * shape.dimensions + 1));
+  for (Eigen::Index place = 0; place < size; ++place) {
+    const Eigen::Index i = place % n;
+    if (place >= n) result.insert(place - n, place) = y_coupling[i];
+    if (i > 0) result.insert(place - 1, place) = x_coupling[i];
+    result.insert(place, place) = diagonal(place);
+    if (i + 1 < n) result.insert(place + 1, place) = x_coupling[i + 1];
+    if (place + n < size) result.insert(place + n, place) = y_coupling[i];
+  }
+  result.makeCompressed();
+  return result;
+}
+
 Outputs field_outputs(const FieldShape& shape, double intervals, bool with_maximum) {
   auto [names, components] = output_points_of(shape);
   if (outputs_all_points(shape)) return {.names = std::move(names)};

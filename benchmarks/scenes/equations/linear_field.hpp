@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,11 @@ std::vector<int> output_points(const FieldShape& shape);
 // = sqrt(sum u^2 / intervals^dimensions), where 1 / intervals is the distance of points; and, with
 // with_maximum, max, the largest |u| of all points.
 Outputs field_outputs(const FieldShape& shape, double intervals, bool with_maximum);
+
+// The symmetric matrix that couples each point with its neighbours: point i of a line with i - 1 by
+// x_coupling[i], and with point i of the next line by y_coupling[i]; diagonal(k) is entry (k, k).
+SparseMatrix five_point_matrix(const FieldShape& shape, const Vec& x_coupling, const Vec& y_coupling,
+                               const std::function<double(Eigen::Index place)>& diagonal);
 
 // D^order u = A u at the points of a field, with A symmetric and sparse. u(0) is a product of functions of
 // one axis each, and u'(0) = 0.

@@ -81,20 +81,10 @@ SineField::SineField(SineGrid points, InitialField initial_values_on_axis, int d
 double SineField::coupling() const { return diffusivity_ * points_.intervals() * points_.intervals(); }
 
 SparseMatrix SineField::matrix() const {
-  const Eigen::Index n = points_.points;
-  SparseMatrix result(shape_.size(), shape_.size());
-  result.reserve(Eigen::VectorXi::Constant(static_cast<int>(shape_.size()), 2 * shape_.dimensions + 1));
   const double c = coupling();
-  for (Eigen::Index i = 0; i < shape_.size(); ++i) {
-    const bool first = i % n == 0, last = i % n == n - 1;
-    if (i >= n) result.insert(i - n, i) = c;
-    if (!first) result.insert(i - 1, i) = c;
-    result.insert(i, i) = -2.0 * shape_.dimensions * c;
-    if (!last) result.insert(i + 1, i) = c;
-    if (i + n < shape_.size()) result.insert(i + n, i) = c;
-  }
-  result.makeCompressed();
-  return result;
+  const Vec beside = Vec::Constant(points_.points + 1, c);
+  return five_point_matrix(shape_, beside, beside,
+                           [&](Eigen::Index) { return -2.0 * shape_.dimensions * c; });
 }
 
 void SineField::apply(In u, Out f) const {

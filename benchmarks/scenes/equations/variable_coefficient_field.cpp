@@ -38,19 +38,8 @@ VariableCoefficientField::VariableCoefficientField(SineGrid points, InitialField
 }
 
 SparseMatrix VariableCoefficientField::matrix() const {
-  const Eigen::Index n = points_.points, size = shape_.size();
-  SparseMatrix result(size, size);
-  result.reserve(Eigen::VectorXi::Constant(static_cast<int>(size), 2 * shape_.dimensions + 1));
-  for (Eigen::Index place = 0; place < size; ++place) {
-    const Eigen::Index i = place % n;
-    if (place >= n) result.insert(place - n, place) = y_coupling_[i];
-    if (i > 0) result.insert(place - 1, place) = x_coupling_[i];
-    result.insert(place, place) = diagonal_[i];
-    if (i + 1 < n) result.insert(place + 1, place) = x_coupling_[i + 1];
-    if (place + n < size) result.insert(place + n, place) = y_coupling_[i];
-  }
-  result.makeCompressed();
-  return result;
+  return five_point_matrix(shape_, x_coupling_, y_coupling_,
+                           [&](Eigen::Index place) { return diagonal_[place % points_.points]; });
 }
 
 void VariableCoefficientField::apply(In u, Out f) const {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
-
 #include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 
 namespace fde::bench {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace fde::bench {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <cmath>
 
 #include "fdebench/benchmarks/scenes/two_sided/plane_mechanics.hpp"
 

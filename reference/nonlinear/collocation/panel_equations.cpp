@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/collocation/panel_equations.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -47,7 +46,7 @@ std::optional<PanelEquations::Solution> PanelEquations::solve(const Matrix& hist
   Matrix guess = history + integrate(first_rhs.transpose().replicate(basis_.points(), 1), length);
   double part = 1.0;
   if (from == 0.0 || jumps_at(problem_, from)) {
-    part = first_part(problem_, weights(length), jacobian_at(times[0], history.row(0).transpose()));
+    part = first_part(problem_, weights(length), jacobian_at(problem_, times[0], history.row(0).transpose()));
     if (part < 1.0) guess = history;
   }
   for (; part < 1.0; part *= 2.0) {
@@ -97,7 +96,7 @@ LinearisedStep PanelEquations::linearise(const Step& step, const MagnitudeScales
   const Matrix y = at.values.topRows(step.times.size());
   std::vector<Matrix> jacobians;
   for (Eigen::Index k = 0; k < step.times.size(); ++k) {
-    jacobians.push_back(jacobian_at(step.times[k], y.row(k).transpose()));
+    jacobians.push_back(jacobian_at(problem_, step.times[k], y.row(k).transpose()));
   }
   at.sizes = updated_scales(without_unbounded_scales(before, problem_), y, at.rhs, jacobians);
   at.increment = unit_increment(problem_, step.length).cwiseProduct(at.sizes.rhs.cwiseMax(at.sizes.forcing));
@@ -117,27 +116,9 @@ LinearisedStep PanelEquations::linearise(const Step& step, const MagnitudeScales
 // The unknowns of algebraic rows are kept, and extrapolated to the end of the panel.
 Matrix PanelEquations::right_hand_side(const Step& step, const Solution& from) const {
   Matrix next = step.history + step.part * integrate(from.rhs, step.length);
-  for (Eigen::Index i = 0; i < problem_.size(); ++i) {
-    if (is_algebraic(problem_.components[static_cast<std::size_t>(i)]))
-      next.col(i) = basis_.at_targets * from.values.col(i).head(basis_.points());
-  }
+  for (const auto i : algebraic_rows(problem_))
+    next.col(i) = basis_.at_targets * from.values.col(i).head(basis_.points());
   return next;
-}
-
-Matrix PanelEquations::jacobian_at(double t, In y) const {
-  Matrix jacobian(y.size(), y.size());
-  if (evaluate_jacobian(problem_, t, y, jacobian)) {
-    return jacobian;
-  }
-  Vec moved = y, f(y.size()), f_moved(y.size());
-  problem_.rhs(t, y, f);
-  for (Eigen::Index l = 0; l < y.size(); ++l) {
-    moved[l] = y[l] + std::sqrt(rounding) * std::max(1.0, std::abs(y[l]));
-    problem_.rhs(t, moved, f_moved);
-    jacobian.col(l) = (f_moved - f) / (moved[l] - y[l]);
-    moved[l] = y[l];
-  }
-  return jacobian;
 }
 
 Matrix PanelEquations::integrate(const Matrix& rhs, double length) const {
@@ -159,11 +140,9 @@ std::vector<Matrix> PanelEquations::weights(double length) const {
 }
 
 MagnitudeScales without_unbounded_scales(MagnitudeScales sizes, const Problem& problem) {
-  if (std::ranges::none_of(problem.components, is_algebraic)) return sizes;
+  if (!has_algebraic_rows(problem)) return sizes;
   sizes.rhs.setZero();
-  for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) sizes.values[i] = 0.0;
-  }
+  sizes.values(algebraic_rows(problem)).setZero();
   return sizes;
 }
 

@@ -70,7 +70,6 @@ class PanelEquations {
   [[nodiscard]] LinearisedStep linearise(const Step& step, const MagnitudeScales& before, Solution& at) const;
   // The right-hand sides of the equations for the values and f of `from`.
   [[nodiscard]] Matrix right_hand_side(const Step& step, const Solution& from) const;
-  [[nodiscard]] Matrix jacobian_at(double t, In y) const;
   [[nodiscard]] Matrix integrate(const Matrix& rhs, double length) const;  // from the start to the targets
   [[nodiscard]] std::vector<Matrix> weights(double length) const;          // from the start to the nodes
 

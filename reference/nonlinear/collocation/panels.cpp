@@ -60,7 +60,7 @@ Vec PanelBasis::interpolate(const Matrix& values, double x) const {
 
 HistoryTerm::HistoryTerm(const Problem& problem, const PanelBasis& basis) : problem_(problem), basis_(basis) {
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    const double order = problem.component(i).order;
     if (order == 0.0) continue;
     auto kernel = std::ranges::find(kernels_, order, &Kernel::order);
     if (kernel == kernels_.end()) {
@@ -85,10 +85,9 @@ Matrix HistoryTerm::at_targets(const std::vector<Panel>& panels, double from, do
   for (Eigen::Index k = 0; k < offset.size(); ++k) {
     sum.row(k) += taylor_part(problem_, from + offset[k]);
   }
-  for (Eigen::Index i = 0; i < problem_.size() && !panels.empty(); ++i) {
-    if (is_algebraic(problem_.components[static_cast<std::size_t>(i)]))
-      sum.col(i).setConstant(panels.back().values.bottomRows<1>()[i]);
-  }
+  if (panels.empty()) return sum;
+  for (const auto i : algebraic_rows(problem_))
+    sum.col(i).setConstant(panels.back().values.bottomRows<1>()[i]);
   return sum;
 }
 

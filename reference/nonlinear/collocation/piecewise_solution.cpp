@@ -48,7 +48,7 @@ double panel_end(double from, double length, double end) {
 }
 
 PanelPoints points_for(const Problem& problem) {
-  return std::ranges::any_of(problem.components, is_algebraic) ? PanelPoints::radau : PanelPoints::legendre;
+  return has_algebraic_rows(problem) ? PanelPoints::radau : PanelPoints::legendre;
 }
 
 class CollocationSolver {

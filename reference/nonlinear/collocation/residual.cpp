@@ -127,14 +127,12 @@ class ResidualTest {
 
   // The change of y_i up to the end by a residual 1 in row i during this length before t.
   [[nodiscard]] double effect(Eigen::Index i, double length, double t) const {
-    const double order = problem_.components[static_cast<std::size_t>(i)].order;
+    const double order = problem_.component(i).order;
     const double lever = order > 1.0 ? std::max(length, problem_.end - t) : length;
     return length * std::pow(lever, order - 1.0) / std::tgamma(order + 1.0);
   }
 
-  [[nodiscard]] bool is_examined(Eigen::Index i) const {
-    return !is_algebraic(problem_.components[static_cast<std::size_t>(i)]);
-  }
+  [[nodiscard]] bool is_examined(Eigen::Index i) const { return !problem_.is_algebraic(i); }
 
   [[nodiscard]] bool is_small(Eigen::Index i, double residual, double length, double t, const Scales& scales,
                               double part) const {

@@ -95,10 +95,7 @@ class DiffusiveIntegrator {
   // The history term at the stages; for algebraic rows the last value.
   [[nodiscard]] Matrix history(double length) {
     Matrix history = memory_.history_term(length);
-    for (Eigen::Index i = 0; i < problem_.size(); ++i) {
-      if (is_algebraic(problem_.components[static_cast<std::size_t>(i)]))
-        history.col(i).setConstant(value_[i]);
-    }
+    for (const auto i : algebraic_rows(problem_)) history.col(i).setConstant(value_[i]);
     return history;
   }
 

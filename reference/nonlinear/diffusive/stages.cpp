@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/diffusive/stages.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <random>
 #include <utility>
@@ -49,7 +47,7 @@ std::optional<StageSolution> StageEquations::solve(const Matrix& history, const 
                                                    double from, double length, In last_value, In last_rhs,
                                                    In size) const {
   const Vec times = node_times(problem_, from, length, nodes_);
-  double part = first_part(problem_, weights, jacobian_at(from, last_value));
+  double part = first_part(problem_, weights, jacobian_at(problem_, from, last_value));
   if (part == 1.0) {
     const Matrix predicted = history + weighted(weights, last_rhs.transpose().replicate(nodes_.size(), 1));
     return newton(history, weights, times, predicted, size);
@@ -75,9 +73,7 @@ std::optional<StageSolution> StageEquations::newton(const Matrix& history, const
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     found.rhs = rhs_at(problem_, times, found.y);
     Matrix next = history + weighted(weights, found.rhs);
-    for (Eigen::Index i = 0; i < problem_.size(); ++i) {
-      if (is_algebraic(problem_.components[static_cast<std::size_t>(i)])) next.col(i) = found.y.col(i);
-    }
+    for (const auto i : algebraic_rows(problem_)) next.col(i) = found.y.col(i);
     if (correction_size < rounding ||
         (correction_size < nearly_converged && correction_size > last_size / 2)) {
       found.y = next;
@@ -105,7 +101,7 @@ LinearisedStep StageEquations::linearise(const Vec& times, const std::vector<Mat
                                          StageSolution& at) const {
   std::vector<Matrix> jacobians;
   for (Eigen::Index k = 0; k < times.size(); ++k) {
-    jacobians.push_back(jacobian_at(times[k], at.y.row(k).transpose()));
+    jacobians.push_back(jacobian_at(problem_, times[k], at.y.row(k).transpose()));
   }
   LinearisedStep step(problem_, weights, std::move(jacobians));
   const auto integral = [&](const Matrix& rhs) { return weighted(weights, rhs); };
@@ -113,24 +109,6 @@ LinearisedStep StageEquations::linearise(const Vec& times, const std::vector<Mat
   at.noise = propagated_noise(step, integral, at.y, at.rhs, forcing_ + (rhs_noise_ + of_times) / rounding,
                               with_signs);
   return step;
-}
-
-Matrix StageEquations::jacobian_at(double t, const Vec& y) const {
-  Matrix jacobian(y.size(), y.size());
-  if (evaluate_jacobian(problem_, t, y, jacobian)) {
-    return jacobian;
-  }
-  Vec moved = y;
-  for (Eigen::Index l = 0; l < y.size(); ++l) {
-    const double shift = std::cbrt(rounding) * std::max(1.0, std::abs(y[l]));
-    moved[l] = y[l] + shift;
-    const Vec above = rhs_at(problem_, t, moved);
-    moved[l] = y[l] - shift;
-    const Vec below = rhs_at(problem_, t, moved);
-    moved[l] = y[l];
-    jacobian.col(l) = (above - below) / (2 * shift);
-  }
-  return jacobian;
 }
 
 Vec StageNoise::above_noise(const Vec& coefficients, const Vec& noise) {

@@ -36,11 +36,9 @@ class StageEquations {
  private:
   [[nodiscard]] std::optional<StageSolution> newton(const Matrix& history, const std::vector<Matrix>& weights,
                                                     const Vec& times, const Matrix& guess, In size) const;
-  [[nodiscard]] double relative_change(const std::vector<Matrix>& weights, double t, In y) const;
   // Linearises at at.y, and sets at.noise.
   [[nodiscard]] LinearisedStep linearise(const Vec& times, const std::vector<Matrix>& weights,
                                          StageSolution& at) const;
-  [[nodiscard]] Matrix jacobian_at(double t, const Vec& y) const;
 
   const Problem& problem_;
   Vec nodes_;

@@ -11,9 +11,8 @@ namespace fde::reference {
 namespace {
 
 Vec masses(const Problem& problem) {
-  Vec mass(problem.size());
-  for (Eigen::Index i = 0; i < problem.size(); ++i)
-    mass[i] = is_algebraic(problem.components[static_cast<std::size_t>(i)]) ? 0.0 : 1.0;
+  Vec mass = Vec::Ones(problem.size());
+  mass(algebraic_rows(problem)).setZero();
   return mass;
 }
 
@@ -58,9 +57,7 @@ Matrix LinearisedStep::terms_of(const Matrix& y_size) const {
 
 Matrix residual_of(const Problem& problem, const Matrix& next, const Matrix& y, const Matrix& rhs) {
   Matrix residual = next - y;
-  for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) residual.col(i) = rhs.col(i);
-  }
+  for (const auto i : algebraic_rows(problem)) residual.col(i) = rhs.col(i);
   return residual;
 }
 
@@ -80,7 +77,7 @@ double first_part(const Problem& problem, const std::vector<Matrix>& weights, co
   constexpr double small = 0.1;
   double change = 0.0;
   for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
-    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
+    if (problem.is_algebraic(i)) continue;
     const Matrix& weight = weights[static_cast<std::size_t>(i)];
     change =
         std::max(change, jacobian.row(i).cwiseAbs().sum() * weight.cwiseAbs().rowwise().sum().maxCoeff());
@@ -98,7 +95,7 @@ std::vector<Matrix> reduced(const Problem& problem, std::vector<Matrix> weights,
 Vec unit_increment(const Problem& problem, double length) {
   Vec increment(problem.size());
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    const double order = problem.component(i).order;
     increment[i] = std::pow(length, order) / std::tgamma(order + 1.0);
   }
   return increment;

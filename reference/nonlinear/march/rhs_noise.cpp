@@ -84,12 +84,6 @@ void RhsNoise::update_after_step(const Vec& times, const Matrix& y, In explained
   }
 }
 
-Vec rhs_at(const Problem& problem, double t, In y) {
-  Vec f(problem.size());
-  problem.rhs(t, y, f);
-  return f;
-}
-
 Matrix rhs_at(const Problem& problem, const Vec& times, const Matrix& y) {
   Matrix rhs(times.size(), problem.size());
   for (Eigen::Index k = 0; k < times.size(); ++k) {

@@ -36,8 +36,6 @@ class RhsNoise {
   Vec allowance_;
 };
 
-Vec rhs_at(const Problem& problem, double t, In y);
-
 // y and the returned f have one row per time.
 Matrix rhs_at(const Problem& problem, const Vec& times, const Matrix& y);
 

@@ -2,10 +2,8 @@
 #include "fdebench/reference/special_functions/laplace/contour_bound.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "fdebench/reference/special_functions/numbers/constants.hpp"
 #include "fdebench/reference/special_functions/numbers/reciprocal_gamma.hpp"

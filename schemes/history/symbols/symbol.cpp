@@ -63,7 +63,7 @@ std::function<Kernel(double order)> kernels_of(const WeightFamily& family) {
 // The step factor kappa of every row.
 Vec step_factors(const Problem& problem, const WeightFamily& family, double length) {
   return Vec::NullaryExpr(problem.size(), [&](Eigen::Index i) {
-    return step_factor({&family, problem.components[static_cast<std::size_t>(i)].order}, length);
+    return step_factor({&family, problem.component(i).order}, length);
   });
 }
 

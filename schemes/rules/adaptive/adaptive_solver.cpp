@@ -38,7 +38,7 @@ class AdaptiveSolver {
                  const StepperFactory& make)
       : problem_(problem),
         accuracy_(accuracy),
-        has_algebraic_rows_(std::ranges::any_of(problem.components, is_algebraic)),
+        has_algebraic_rows_(has_algebraic_rows(problem)),
         run_(problem, options),
         blow_up_(run_.start()) {
     const auto ends = stretches(problem);
@@ -145,9 +145,8 @@ class AdaptiveSolver {
     double error = 0.0;
     for (Eigen::Index i = 0; i < within.size(); ++i) {
       const double y = steps_->result()[i], off = std::abs(within[i] - y);
-      const double allowed = is_algebraic(problem_.components[static_cast<std::size_t>(i)])
-                                 ? limit[i]
-                                 : accuracy_.atol + accuracy_.rtol * std::abs(y);
+      const double allowed =
+          problem_.is_algebraic(i) ? limit[i] : accuracy_.atol + accuracy_.rtol * std::abs(y);
       if (off > 0.0) error = std::max(error, off / allowed);
     }
     steps_->attempt(run_, t);

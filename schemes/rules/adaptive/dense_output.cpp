@@ -2,7 +2,6 @@
 #include "fdebench/schemes/rules/adaptive/dense_output.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fdebench/schemes/history/weights/kernel_moments.hpp"
 
@@ -22,7 +21,7 @@ DerivativePolynomials legendre(const DerivativePolynomials& powers) {
 
 DenseOutput::DenseOutput(const Problem& problem) : taylor_(problem), size_(problem.size()) {
   for (Eigen::Index i = 0; i < size_; ++i) {
-    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    const double order = problem.component(i).order;
     auto found = std::ranges::find(groups_, order, &OrderGroup::order);
     if (found == groups_.end()) found = groups_.insert(found, {order, {}});
     found->rows.push_back(i);

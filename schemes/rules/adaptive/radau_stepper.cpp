@@ -4,8 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace fde {
 namespace {
@@ -108,7 +106,7 @@ RadauStepper::RadauStepper(const Problem& problem, const Tolerance& accuracy, co
     row = Row{static_cast<std::size_t>(found - kernels_.begin()), found->integrals.add_function()};
   }
   for (auto& kernel : kernels_) kernel.integrals.begin();
-  has_algebraic_rows_ = std::ranges::any_of(problem.components, is_algebraic);
+  has_algebraic_rows_ = has_algebraic_rows(problem);
 }
 
 double RadauStepper::rate() const {

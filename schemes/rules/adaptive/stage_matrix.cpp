@@ -7,6 +7,7 @@
 #include "fdebench/schemes/rules/implicit/difference_jacobian.hpp"
 #include "fdebench/schemes/solvers/dense_factors.hpp"
 #include "fdebench/schemes/solvers/sparse_lu.hpp"
+#include "fdebench/schemes/solvers/sylvester_factors.hpp"
 
 namespace fde {
 
@@ -23,7 +24,7 @@ class DenseStageMatrix final : public StageMatrix {
     const auto size = y.size();
     matrix_.setIdentity(stages * size, stages * size);
     for (Eigen::Index row = 0; row < size; ++row) {
-      const bool without_past = is_algebraic(problem_.components[static_cast<std::size_t>(row)]);
+      const bool without_past = problem_.is_algebraic(row);
       for (Eigen::Index i = 0; i < stages; ++i) {
         if (without_past) matrix_(i * size + row, i * size + row) = 0.0;
         for (Eigen::Index j = 0; j < stages; ++j) {
@@ -50,13 +51,7 @@ class SparseStageMatrix final : public StageMatrix {
   explicit SparseStageMatrix(const Problem& problem) : problem_(problem) {}
 
   void factorise(Run& /*run*/, double t, In y, In /*f*/, const StageWeights& weights) override {
-    if (const auto* sparse = std::get_if<SparseJacobian>(&problem_.derivatives)) {
-      jacobian_.resize(y.size(), y.size());
-      sparse->at(t, y, jacobian_);
-      assemble(jacobian_, weights);
-    } else {
-      assemble(std::get<SparseLinearPart>(problem_.derivatives).matrix, weights);
-    }
+    assemble(sparse_jacobian_at(problem_, t, y, jacobian_), weights);
     factors_.compute(matrix_);
   }
 
@@ -95,6 +90,32 @@ class SparseStageMatrix final : public StageMatrix {
   SparseLu factors_;
 };
 
+// The iteration matrix of a step where all components have one order, hence the same weights K, and df/dy = A
+// is sparse: Y - A Y K^T = B, Y and B with one column a stage. For all orders up to 1, K has one real
+// eigenvalue and one complex pair, and their real parts are positive (Hairer & Wanner, section IV.8).
+class DecoupledStageMatrix final : public StageMatrix {
+ public:
+  explicit DecoupledStageMatrix(const Problem& problem) : problem_(problem) {}
+
+  void factorise(Run& /*run*/, double t, In y, In /*f*/, const StageWeights& weights) override {
+    solvable_ = factors_.factorise(sparse_jacobian_at(problem_, t, y, jacobian_), weights.front());
+  }
+  void solve(Vec& b) const override {
+    if (solvable_) {
+      factors_.solve(b);
+    } else {
+      b.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  [[nodiscard]] std::string_view solver() const override { return factors_.method(); }
+
+ private:
+  const Problem& problem_;
+  SparseMatrix jacobian_;
+  SylvesterFactors factors_;
+  bool solvable_ = false;
+};
+
 }  // namespace
 
 std::unique_ptr<StageMatrix> make_stage_matrix(const Problem& problem) {
@@ -104,26 +125,6 @@ std::unique_ptr<StageMatrix> make_stage_matrix(const Problem& problem) {
   if (has_sparse_jacobian(problem) && one_order) return std::make_unique<DecoupledStageMatrix>(problem);
   if (has_sparse_jacobian(problem)) return std::make_unique<SparseStageMatrix>(problem);
   return std::make_unique<DenseStageMatrix>(problem);
-}
-
-void DecoupledStageMatrix::factorise(Run& /*run*/, double t, In y, In /*f*/, const StageWeights& weights) {
-  const SparseMatrix* derivatives = &jacobian_;
-  if (const auto* sparse = std::get_if<SparseJacobian>(&problem_.derivatives)) {
-    jacobian_.resize(y.size(), y.size());
-    sparse->at(t, y, jacobian_);
-    jacobian_.makeCompressed();
-  } else {
-    derivatives = &std::get<SparseLinearPart>(problem_.derivatives).matrix;
-  }
-  solvable_ = factors_.factorise(*derivatives, weights.front());
-}
-
-void DecoupledStageMatrix::solve(Vec& b) const {
-  if (solvable_) {
-    factors_.solve(b);
-  } else {
-    b.setConstant(std::numeric_limits<double>::quiet_NaN());
-  }
 }
 
 }  // namespace fde

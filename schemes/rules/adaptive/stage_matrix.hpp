@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string_view>
+#include <vector>
 
-#include "fdebench/schemes/solvers/sylvester_factors.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {
@@ -36,23 +35,5 @@ class StageMatrix {
 
 // A matrix for the problem's kind of derivatives. The problem must outlive it.
 std::unique_ptr<StageMatrix> make_stage_matrix(const Problem& problem);
-
-// The iteration matrix of a step where all components have one order, hence the same weights K, and df/dy = A
-// is sparse: Y - A Y K^T = B, Y and B with one column a stage. For all orders up to 1, K has one real
-// eigenvalue and one complex pair, and their real parts are positive (Hairer & Wanner, section IV.8).
-class DecoupledStageMatrix final : public StageMatrix {
- public:
-  explicit DecoupledStageMatrix(const Problem& problem) : problem_(problem) {}
-
-  void factorise(Run& run, double t, In y, In f, const StageWeights& weights) override;
-  void solve(Vec& b) const override;
-  [[nodiscard]] std::string_view solver() const override { return factors_.method(); }
-
- private:
-  const Problem& problem_;
-  SparseMatrix jacobian_;
-  SylvesterFactors factors_;
-  bool solvable_ = false;
-};
 
 }  // namespace fde

@@ -51,7 +51,7 @@ bool PiController::update(double error, double length) {
 bool exempt_from_relative_tolerance(const Problem& problem, In start, double part_of_end) {
   bool any = false;
   for (Eigen::Index i = 0; i < start.size(); ++i) {
-    const auto& component = problem.components[static_cast<std::size_t>(i)];
+    const auto& component = problem.component(i);
     if (start[i] != 0.0 || is_algebraic(component)) continue;
     if (asks_digits(component, part_of_end)) return false;
     any = true;
@@ -71,7 +71,7 @@ double initial_step_size(const Problem& problem, const Tolerance& accuracy, Run&
     if (length <= shortest_first * problem.end) return length;
     taylor.at(length, y);
     for (Eigen::Index i = 0; i < unit.size(); ++i) {
-      const double order = problem.components[static_cast<std::size_t>(i)].order;
+      const double order = problem.component(i).order;
       unit[i] = order > 0.0 ? std::pow(length, order) / std::tgamma(order + 1.0) : 0.0;
     }
     y += unit.cwiseProduct(f);
@@ -79,7 +79,7 @@ double initial_step_size(const Problem& problem, const Tolerance& accuracy, Run&
     const Vec change = unit.cwiseProduct(run.rhs(length, y) - f).cwiseAbs();
     const Vec limit = allowed.on_step(y.cwiseAbs().cwiseMax(start.cwiseAbs()), y.cwiseAbs());
     const auto passes = [&](Eigen::Index i) {
-      const auto& component = problem.components[static_cast<std::size_t>(i)];
+      const auto& component = problem.component(i);
       return change[i] <= limit[i] ||
              (start[i] == 0.0 && std::isfinite(change[i]) && !asks_digits(component, length / problem.end));
     };

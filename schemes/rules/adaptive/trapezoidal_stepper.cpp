@@ -98,7 +98,7 @@ TrapezoidalStepper::TrapezoidalStepper(const Problem& problem, const Tolerance& 
       factors_(weight_tables(problem, families::trapezoid)),
       history_(history_for(problem, options, shortest)),
       solver_(std::move(solver)),
-      orders_(problem.size()),
+      orders_(orders_of(problem)),
       newest_{0.0, run.rhs(0.0, run.start())},
       next_(newest_),
       rhs_error_(problem.size()),
@@ -106,8 +106,6 @@ TrapezoidalStepper::TrapezoidalStepper(const Problem& problem, const Tolerance& 
       y_(previous_),
       convolved_(previous_),
       known_(previous_) {
-  for (Eigen::Index i = 0; i < orders_.size(); ++i)
-    orders_[i] = problem.components[static_cast<std::size_t>(i)].order;
   for (Eigen::Index i = 0; i < orders_.size(); ++i)
     first_of_same_order_.push_back(std::ranges::find(orders_, orders_[i]) - orders_.begin());
   history_->push(0.0, newest_.f);

@@ -20,15 +20,11 @@ Vec gershgorin_bound_of(const SparseLinearPart& part) {
 }  // namespace
 
 GrowthCheck::GrowthCheck(const Problem& problem)
-    : orders_(problem.size()), largest_accepted_kappa_(Vec::Zero(problem.size())) {
+    : orders_(orders_of(problem)), largest_accepted_kappa_(Vec::Zero(problem.size())) {
   const auto* dense = std::get_if<DenseLinearPart>(&problem.derivatives);
   gershgorin_bound_ = dense != nullptr ? gershgorin_bound_of(*dense)
                                        : gershgorin_bound_of(std::get<SparseLinearPart>(problem.derivatives));
-  for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    const Component& component = problem.components[static_cast<std::size_t>(i)];
-    orders_[i] = component.order;
-    if (is_algebraic(component)) gershgorin_bound_[i] = std::numeric_limits<double>::infinity();
-  }
+  gershgorin_bound_(algebraic_rows(problem)).setConstant(std::numeric_limits<double>::infinity());
 }
 
 bool GrowthCheck::is_step_too_large(NewtonMatrix& matrix, const Vec& kappa, bool solvable) {

@@ -23,7 +23,6 @@ class JacobianReuse {
 
   // Whether the factors are to be recomputed.
   [[nodiscard]] bool is_stale() const { return stale_; }
-  void mark_stale() { stale_ = true; }
   // The factors have been recomputed.
   void reset() {
     stale_ = false;

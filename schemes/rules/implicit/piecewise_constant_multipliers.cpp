@@ -20,7 +20,7 @@ std::vector<Eigen::Index> rows_with_multipliers(const Problem& problem,
   const auto* linear = std::get_if<DenseLinearPart>(&problem.derivatives);
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (is_algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
+    if (problem.is_algebraic(i)) continue;
     const auto in_row = [&](Eigen::Index j) { return linear->matrix(i, j) != 0.0; };
     if (linear == nullptr || std::ranges::any_of(multipliers, in_row)) rows.push_back(i);
   }
@@ -43,13 +43,10 @@ class StepwiseMultipliers {
         grid_(grid),
         taylor_(problem),
         constants_(problem, rows_with_multipliers(problem, multipliers), grid, options),
-        orders_(problem.size()),
+        orders_(orders_of(problem)),
         continuous_(Vec::Zero(problem.size())),
         slopes_(Matrix::Zero(problem.size(), std::ssize(multipliers))),
-        f_(problem.size()) {
-    for (Eigen::Index i = 0; i < problem.size(); ++i)
-      orders_[i] = problem.components[static_cast<std::size_t>(i)].order;
-  }
+        f_(problem.size()) {}
 
   // The problem with f + g p in place of f, to be solved by solve_implicit with rule().
   [[nodiscard]] Problem stepped() {
@@ -161,7 +158,7 @@ std::optional<std::string> unsupported_multiplier_rows_reason(const Problem& pro
     moved[j] += std::max(1.0, std::abs(start[j]));
     problem.rhs(0.0, moved, f);
     for (Eigen::Index i = 0; i < problem.size(); ++i) {
-      const double order = problem.components[static_cast<std::size_t>(i)].order;
+      const double order = problem.component(i).order;
       if (order > 1.0 && f[i] != at_start[i]) {
         return fmt::format("takes no multiplier in a row of order above 1: component {} is in that of {}", j,
                            i);
@@ -174,7 +171,7 @@ std::optional<std::string> unsupported_multiplier_rows_reason(const Problem& pro
 }  // namespace
 
 Trajectory solve_product_trapezoidal(const Problem& problem, const Grid& grid, const Options& options) {
-  if (std::ranges::none_of(problem.components, is_algebraic))
+  if (!has_algebraic_rows(problem))
     return solve_implicit(problem, grid, options, integral_rule(problem, families::trapezoid));
   std::int64_t calls = 0;
   Problem counted = problem;
@@ -220,7 +217,7 @@ PiecewiseConstantIntegrals::PiecewiseConstantIntegrals(const Problem& problem,
                                                        const Grid& grid, const Options& options)
     : totals_(problem.size()) {
   for (const auto i : components) {
-    const double order = problem.components[static_cast<std::size_t>(i)].order;
+    const double order = problem.component(i).order;
     if (order < 1.0) tables_.push_back({&families::l1, 1.0 - order});
     (order < 1.0 ? below_ : order > 1.0 ? above_ : whole_).push_back(i);
   }

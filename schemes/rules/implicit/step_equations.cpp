@@ -16,12 +16,11 @@ double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 }  // namespace
 
 RowScales::RowScales(const Problem& problem)
-    : mass(Vec::Ones(problem.size())), scale(problem.size()), weight(Vec::Ones(problem.size())) {
-  for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    if (!fde::is_algebraic(problem.components[static_cast<std::size_t>(i)])) continue;
-    algebraic.push_back(i);
-    mass[i] = 0.0;
-  }
+    : algebraic(algebraic_rows(problem)),
+      mass(Vec::Ones(problem.size())),
+      scale(problem.size()),
+      weight(Vec::Ones(problem.size())) {
+  mass(algebraic).setZero();
 }
 
 void compute_residual(const StepEquations& step, const RowScales& rows, In f, In y, Out rest) {

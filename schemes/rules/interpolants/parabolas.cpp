@@ -38,7 +38,7 @@ BackwardParabolas::BackwardParabolas(const Problem& problem, const Grid& grid, c
       increment_(Vec::Zero(problem.size())),
       bend_(Vec::Zero(problem.size())) {
   for (Eigen::Index i = 0; i < second_difference_ratio_.size(); ++i) {
-    const double g = problem.components[static_cast<std::size_t>(i)].order;
+    const double g = problem.component(i).order;
     second_difference_ratio_[i] = g / (2.0 - g);
   }
   lines_.push(0.0, increment_);

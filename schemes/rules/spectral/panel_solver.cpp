@@ -211,13 +211,10 @@ void PanelSolver::differentiate(Run& run, double t, In sizes) {
 bool PanelSolver::has_growing_mode(Run& run, const PanelSystem& task, const Matrix& rows, double folds) {
   const double rate = folds / (task.times[rows.rows() - 1] - task.times[0]);
   if (rate >= growth_rate_bound_) return false;
-  const Vec orders = Vec::NullaryExpr(problem_.size(), [&](Eigen::Index i) {
-    return problem_.components[static_cast<std::size_t>(i)].order;
-  });
   const Eigen::Index middle = rows.rows() / 2;
   y_ = rows.row(middle);
   differentiate(run, task.times[middle], task.term_sizes);
-  if (!jacobian_.allFinite() || grows_faster(jacobian_, orders, rate)) return true;
+  if (!jacobian_.allFinite() || grows_faster(jacobian_, orders_of(problem_), rate)) return true;
   if (is_linear(problem_)) growth_rate_bound_ = rate;
   return false;
 }

@@ -51,7 +51,9 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
                                                                 Vec& y) const {
   constexpr double stagnation = 1e-10;  // smaller increments may have stopped shrinking because of rounding
   constexpr int most_iterations = 20, few_setbacks = 3;
-  const SparseMatrix middle = sparse_jacobian(y, (steps() + 1) / 2);
+  const Eigen::Index half = (steps() + 1) / 2;
+  SparseMatrix buffer;
+  const SparseMatrix& middle = sparse_jacobian_at(problem_, time(half), step(y, half), buffer);
   SylvesterFactors factors;
   if (!factors.factorise(middle, weights_of_steps())) return std::nullopt;
   double last = std::numeric_limits<double>::infinity();
@@ -79,8 +81,10 @@ Vec StartingProcedure::with_all_jacobians(const SylvesterFactors& factors, const
   const auto most_vectors = std::clamp<Eigen::Index>(most_values / b.size(), 6, 30);
   const Matrix coupling = weights_of_steps().transpose();
   Matrix f(size_, steps());
+  SparseMatrix buffer;
   const auto apply = [&](const Vec& x) {
-    for (Eigen::Index j = 1; j <= steps(); ++j) f.col(j - 1) = sparse_jacobian(y, j) * step(x, j);
+    for (Eigen::Index j = 1; j <= steps(); ++j)
+      f.col(j - 1) = sparse_jacobian_at(problem_, time(j), step(y, j), buffer) * step(x, j);
     Vec rest = x;
     rest.reshaped(size_, steps()).noalias() -= f * coupling;
     factors.solve(rest);
@@ -182,17 +186,11 @@ void StartingProcedure::differentiate(In y, OutMatrix jacobian) const {
   }
 }
 
-SparseMatrix StartingProcedure::sparse_jacobian(In y, Eigen::Index j) const {
-  if (const auto* part = std::get_if<SparseLinearPart>(&problem_.derivatives)) return part->matrix;
-  SparseMatrix jacobian(size_, size_);
-  std::get<SparseJacobian>(problem_.derivatives).at(time(j), step(y, j), jacobian);
-  return jacobian;
-}
-
 void StartingProcedure::differentiate_sparse(In y, SparseMatrix& jacobian) const {
   std::vector<Eigen::Triplet<double>> entries;
+  SparseMatrix buffer;
   for (Eigen::Index j = 1; j <= steps(); ++j) {
-    const SparseMatrix of_step = sparse_jacobian(y, j);
+    const SparseMatrix& of_step = sparse_jacobian_at(problem_, time(j), step(y, j), buffer);
     for (Eigen::Index column = 0; column < of_step.outerSize(); ++column) {
       for (SparseMatrix::InnerIterator entry(of_step, column); entry; ++entry) {
         for (Eigen::Index n = 1; n <= steps(); ++n) {

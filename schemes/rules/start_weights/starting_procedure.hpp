@@ -75,8 +75,6 @@ class StartingProcedure {
   [[nodiscard]] Vec residual(const Vec& known, const Vec& y) const;
   void differentiate(In y, OutMatrix jacobian) const;
   void differentiate_sparse(In y, SparseMatrix& jacobian) const;
-  // df/dy at step j.
-  [[nodiscard]] SparseMatrix sparse_jacobian(In y, Eigen::Index j) const;
   SolveStatus solve_linear(Run& run, const Vec& known, Vec& y) const;
   SolveStatus solve_by_newton(Run& run, double tolerance, const Vec& known, Vec& y) const;
 

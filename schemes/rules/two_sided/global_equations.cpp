@@ -60,7 +60,7 @@ void GlobalEquations::add_unknown(In unknown, Rows& y) const {
 
 UnknownInitialValues::UnknownInitialValues(const Problem& problem) {
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    const auto& component = problem.components[static_cast<std::size_t>(i)];
+    const auto& component = problem.component(i);
     const auto needed = initial_count(component.order);
     for (std::size_t k = component.initial.size(); k < needed; ++k)
       unknowns_.push_back({i, component.side, k, is_algebraic(component)});

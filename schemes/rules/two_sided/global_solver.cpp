@@ -2,7 +2,6 @@
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "fdebench/schemes/problem/initial_guess.hpp"

@@ -24,7 +24,7 @@ SideRule::SideRule(const Problem& problem, Side side, const WeightFamily& family
   std::vector<WeightTable> own;
   std::vector<Eigen::Index> algebraic;
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
-    const auto& component = problem.components[static_cast<std::size_t>(i)];
+    const auto& component = problem.component(i);
     if (component.side != side) continue;
     if (fde::is_algebraic(component)) {
       algebraic.push_back(i);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <numbers>
-
 #include "fdebench/schemes/history/weights/families/multistep_family.hpp"
 
 namespace fde {
