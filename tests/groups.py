@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The tests of GoogleTest programs as tests of ctest, in its language: groups.py ALONE BY_PARAMETER SECONDS PROGRAM...
+"""The tests of GoogleTest programs as tests of ctest, in its language: groups.py ALONE BY_PARAMETER LONG SECONDS PROGRAM...
 
 A test of ctest is a suite, in one process: processes start more slowly than most cases run. A case whose name has a match of the
 regular expression ALONE is a test by itself, under its own name; a suite that matches BY_PARAMETER is a test for each value of its
-parameter, SUITE/VALUE. SECONDS limit a group and so each of its cases.
+parameter, SUITE/VALUE. ctest begins with the suites that match LONG. SECONDS limit a group and so each of its cases.
 """
 
 import json
@@ -38,7 +38,7 @@ def groups(program, alone, by_parameter):
             yield suite, f"{suite}.*" + ("-" + ":".join(single) if single else "")
 
 
-def main(alone, by_parameter, seconds, *programs):
+def main(alone, by_parameter, long, seconds, *programs):
     for program in programs:
         if not Path(program).exists():
             print(f"add_test({Path(program).name}_NOT_BUILT {program})")
@@ -46,7 +46,8 @@ def main(alone, by_parameter, seconds, *programs):
         for name, pattern in groups(program, alone, by_parameter):
             print(f"add_test([==[{name}]==] [==[{program}]==] [==[--gtest_filter={pattern}]==])")
             skipped = r" SKIP_REGULAR_EXPRESSION [==[\[  SKIPPED \]]==]" if name == pattern else ""
-            print(f"set_tests_properties([==[{name}]==] PROPERTIES TIMEOUT {seconds}{skipped})")
+            cost = " COST 30" if re.search(long, name) else ""
+            print(f"set_tests_properties([==[{name}]==] PROPERTIES TIMEOUT {seconds}{skipped}{cost})")
 
 
 main(*sys.argv[1:])

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -30,11 +31,21 @@ Scene without_reference(const Scene& scene) {
 }
 
 class EstimatedErrors : public testing::TestWithParam<SearchCase> {
+ private:
+  // A search takes seconds: once for the tests of a case.
+  const SearchReference& found() {
+    static std::map<std::string, SearchReference> known;
+    const std::string scene = GetParam().scene;
+    if (!known.contains(scene))
+      known[scene] = estimated_reference(unknown_, question_, "it is taken away", 30.0, silence);
+    return known[scene];
+  }
+
  protected:
   const Scene scene_ = make_scene(parse_variant(GetParam().scene));
   const AccuracyTarget question_ = question_of(scene_, GetParam());
   const Scene unknown_ = without_reference(scene_);
-  const SearchReference found_ = estimated_reference(unknown_, question_, "it is taken away", 30.0, silence);
+  const SearchReference& found_ = found();
 };
 
 // The error of the run that replaces the reference is at most the estimate.
