@@ -230,8 +230,13 @@ class TargetSearch {
                double quickest, ForecastMemo& memo)
       : goal_(goal), of_scene_(of_scene), target_(target), quickest_(quickest), memo_(memo) {}
 
-  NextRun next(const Refinement& of) {
-    const auto out_of_reach = [&](double next_seconds) { return is_out_of_reach(of, next_seconds); };
+  [[nodiscard]] bool is_reached() const { return quickest_ < never; }
+
+  // by_forecasts: without configurations that are forecast to be slower than another.
+  NextRun next(const Refinement& of, bool by_forecasts) {
+    const auto out_of_reach = [&](double next_seconds) {
+      return by_forecasts && is_out_of_reach(of, next_seconds);
+    };
     if (of.is_adaptive) return next_tolerance(goal_, of, target_, quickest_, out_of_reach);
     const StepsSearch search(goal_, of, target_, quickest_, least_step());
     return search.is_reached() ? search.narrowed(out_of_reach) : search.refined(out_of_reach);
@@ -313,18 +318,24 @@ std::vector<std::optional<StepsOrTolerance>> next_resolutions(const SearchGoal& 
   std::vector<TargetSearch> searches;
   for (std::size_t k = 0; k < goal.targets.size(); ++k)
     searches.emplace_back(goal, of_scene, goal.targets[k], quickest[k], memo);
-  std::vector<NextRun> next(of_scene.size());
-  for (std::size_t i = 0; i < of_scene.size(); ++i) {
-    const Refinement& of = of_scene[i];
-    if (of.is_closed) continue;
-    if (of.runs.empty()) {
-      next[i] = first_of(goal, of);
-      continue;
-    }
+  const auto next_of = [&](const Refinement& of, bool by_forecasts) -> NextRun {
+    if (of.is_closed) return std::nullopt;
+    if (of.runs.empty()) return first_of(goal, of);
     const bool is_hopeless = !of.is_adaptive && of.runs.back().fails_with_more_steps;
-    if (is_hopeless || is_repeated(of_scene, of)) continue;
-    for (auto search = searches.begin(); search != searches.end() && !next[i]; ++search)
-      next[i] = search->next(of);
+    if (is_hopeless || is_repeated(of_scene, of)) return std::nullopt;
+    for (TargetSearch& search : searches) {
+      if (!by_forecasts && search.is_reached()) continue;
+      if (const auto run = search.next(of, by_forecasts)) return run;
+    }
+    return std::nullopt;
+  };
+  // A forecast may be of a configuration that does not keep it: before the search ends, those that it held
+  // back try the targets that no run has reached.
+  std::vector<NextRun> next(of_scene.size());
+  for (const bool by_forecasts : {true, false}) {
+    std::ranges::transform(of_scene, next.begin(),
+                           [&](const Refinement& of) { return next_of(of, by_forecasts); });
+    if (std::ranges::any_of(next, &NextRun::has_value)) break;
   }
   return next;
 }

@@ -49,7 +49,8 @@ using ForecastMemo =
 //     run that failed counts with the cheapest step of any configuration;
 //   - if its errors stagnate outside the target;
 //   - if by its errors so far, which decrease, it needs more than `margin` times what another one is measured
-//     or forecast to need; this is asked only before runs that take longer than long_run;
+//     or forecast to need; this is asked only before runs that take longer than long_run, and no more where
+//     no run is left that may reach a target that none has reached;
 //   - if it is the same algorithm as one listed before.
 // A function of the runs alone: a sweep that is continued, or told of better times, goes on from the runs.
 // `memo`: of the same configurations, whose runs have only become more since an earlier call.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace fde::bench {
 namespace {
@@ -29,6 +30,7 @@ RefinementRun run_of(const Model& model, int steps) {
   return {.resolution = steps,
           .steps = steps,
           .seconds = 1e-6 + model.seconds_a_step * steps,
+          .fails_with_more_steps = std::isinf(error),
           .errors = {{.value = std::abs(error), .baseline = 1.0, .signed_value = error}}};
 }
 
@@ -145,6 +147,20 @@ TEST(NextResolutions, LeaveALongConfigurationByItsForecast) {
   EXPECT_EQ(fewest_steps(found[0]), 0);
   EXPECT_LE(finest(found[0]), 1024);
   EXPECT_NEAR(fewest_steps(found[1]), 1000, 20);
+}
+
+// 0.1 s for 1000 steps are forecast, and no run has as many; 1 s of the other configuration is no longer too
+// long.
+TEST(NextResolutions, ReachWhatAConfigurationThatFailsWasForecastToReach) {
+  constexpr double wanted = 1e-4;
+  const Model failing{[](double steps) {
+                        return steps < 512.0 ? 100.0 / (steps * steps)
+                                             : std::numeric_limits<double>::infinity();
+                      },
+                      1e-4};
+  const auto found = searched(goal_for(wanted), {failing, power(1.0, 1.0, 1e-4)});
+  EXPECT_EQ(fewest_steps(found[0], wanted), 0);
+  EXPECT_NEAR(fewest_steps(found[1], wanted), 10000, 200);
 }
 
 TEST(NextResolutions, AreNoLongerThanTheMostSeconds) {
