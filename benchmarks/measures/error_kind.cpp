@@ -103,19 +103,26 @@ double error_of(Norm norm, const Rows& values, const Rows& reference, const Rows
 
 bool is_constant(const Rows& reference, const Rows& bounds) {
   constexpr double rounding = 1e-15;
-  const Rows first = reference.col(0).replicate(1, reference.cols());
-  const Rows least = bounds + bounds.col(0).replicate(1, bounds.cols()) + rounding * first.cwiseAbs();
-  return ((reference - first).cwiseAbs().array() <= least.array()).all();
+  const auto first = reference.col(0).array();
+  const Vec least = bounds.col(0).array() + rounding * first.abs();
+  for (Eigen::Index c = 0; c < reference.cols(); ++c) {
+    const auto away = (reference.col(c).array() - first).abs();
+    if (!(away <= least.array() + bounds.col(c).array()).all()) return false;
+  }
+  return true;
 }
 
 double constant_solution_error(Norm norm, const std::vector<double>& times, const Rows& reference,
                                const Rows& divisors) {
   const bool from_start = times.front() == 0.0 && times.size() > 1;
   const Eigen::Index later = reference.cols() - (from_start ? 1 : 0);
-  const Rows seen = reference.rightCols(later), by = divisors.rightCols(later);
-  const double zero = error_of(norm, Rows::Zero(seen.rows(), later), seen, by);
-  if (!from_start) return zero;
-  return std::min(zero, error_of(norm, reference.col(0).replicate(1, later), seen, by));
+  const auto error_with = [&](const auto& constant) {
+    const auto parts =
+        (reference.rightCols(later) - constant).cwiseAbs().cwiseQuotient(divisors.rightCols(later));
+    return norm == Norm::end ? parts.rightCols(1).maxCoeff() : parts.maxCoeff();
+  };
+  const double zero = error_with(Rows::Zero(reference.rows(), later));
+  return from_start ? std::min(zero, error_with(reference.col(0).replicate(1, later))) : zero;
 }
 
 }  // namespace fde::bench
