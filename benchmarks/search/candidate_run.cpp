@@ -77,7 +77,8 @@ CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const St
 }
 
 bool RunEvaluator::is_accurate(const CandidateRun& attempt) {
-  return attempt.error + reference_bound() <= question_.accuracy && attempt.error < attempt.baseline_error;
+  return attempt.error + attempt.reference_bound <= question_.accuracy &&
+         attempt.error < attempt.baseline_error;
 }
 
 void RunEvaluator::compare_at_own_steps(const Configuration& configuration, CandidateRun& run) {
@@ -90,6 +91,7 @@ void RunEvaluator::compare_at_own_steps(const Configuration& configuration, Cand
   CandidateRun at_steps;
   measure_maximum_error(values(Eigen::all, steps), times, at_steps);
   run.baseline_error = std::max(run.baseline_error, at_steps.baseline_error);
+  run.reference_bound = std::max(run.reference_bound, at_steps.reference_bound);
   if (at_steps.error > run.error) {
     run.error = at_steps.error;
     run.column = at_steps.column;
@@ -139,6 +141,7 @@ void RunEvaluator::measure_maximum_error(const Rows& values, const std::vector<d
   Eigen::Index row = 0, column = 0;
   attempt.error = (values - reference).cwiseAbs().cwiseQuotient(by).maxCoeff(&row, &column);
   attempt.baseline_error = constant_solution_error(Norm::maximum, times, reference, by);
+  attempt.reference_bound = compared_columns(reference_.bounds(times)).cwiseQuotient(by).maxCoeff();
   attempt.column = question_.columns[static_cast<std::size_t>(row)];
   attempt.time = times[static_cast<std::size_t>(column)];
 }
@@ -149,6 +152,16 @@ bool RunEvaluator::is_constant() {
   const auto times = comparison_times(scene_.problem, steps);
   const Rows bounds = compared_columns(reference_.bounds(times));
   return is_constant_.emplace(bench::is_constant(finite_reference(times), bounds));
+}
+
+double RunEvaluator::reference_bound() {
+  if (question_.kind.norm == Norm::end) return at_end().bound;
+  if (largest_bound_) return *largest_bound_;
+  constexpr int evenly = 64;
+  const auto times = comparison_times(scene_.problem, evenly);
+  const Rows by = divisors(question_.kind.scale, times, finite_reference(times));
+  const Rows bounds = compared_columns(reference_.bounds(times));
+  return largest_bound_.emplace(bounds.cwiseQuotient(by).maxCoeff());
 }
 
 const TotalVariation& RunEvaluator::variation() {
@@ -166,6 +179,7 @@ void RunEvaluator::measure_end_error(const Rows& values, CandidateRun& attempt) 
   Eigen::Index row = 0;
   attempt.error = difference.cwiseAbs().cwiseQuotient(by.rightCols(1)).maxCoeff(&row);
   attempt.baseline_error = baseline;
+  attempt.reference_bound = bound;
   attempt.column = question_.columns[static_cast<std::size_t>(row)];
   attempt.time = scene_.problem.end;
   if (difference.size() == 1) attempt.signed_error = difference[0];

@@ -22,13 +22,14 @@ struct CandidateRun {
   double error = std::numeric_limits<double>::infinity();  // infinity: the run did not reach the end time
   // The error of the baseline y = 0 or y = y(0); infinity where the solution is constant.
   double baseline_error = 0.0;
-  Eigen::Index column = 0;      // index of the scene's column with the largest error
-  double time = 0.0;            // of the largest error
-  double signed_error = 0.0;    // at the end time, where exactly one column is compared
-  bool meets_accuracy = false;  // error + bound of the reference <= accuracy, and error < baseline_error
-  double seconds = 0.0;         // wall time of one solve, as the question counts it
-  double setup_seconds = 0.0;   // by which the first solve of a process takes longer
-  bool first_run = false;       // `seconds` is of the first solve of a process, otherwise of a later one
+  Eigen::Index column = 0;       // index of the scene's column with the largest error
+  double time = 0.0;             // of the largest error
+  double signed_error = 0.0;     // at the end time, where exactly one column is compared
+  double reference_bound = 0.0;  // of the compared values, the largest, on the scale of the question
+  bool meets_accuracy = false;   // error + reference_bound <= accuracy, and error < baseline_error
+  double seconds = 0.0;          // wall time of one solve, as the question counts it
+  double setup_seconds = 0.0;    // by which the first solve of a process takes longer
+  bool first_run = false;        // `seconds` is of the first solve of a process, otherwise of a later one
   RunOutcome ending{};
 
   // The part of `seconds` that does not grow with the steps.
@@ -70,8 +71,9 @@ class RunEvaluator {
   // baseline y = y(0) is then correct, so `baseline_error` does not apply.
   bool is_constant();
 
-  // Error bound of the reference at the end time, on the scale of the question. It is added to every error.
-  double reference_bound() { return at_end().bound; }
+  // Error bound of the reference on the scale of the question: at the end time, or the largest at times that
+  // are independent of any grid.
+  double reference_bound();
 
  private:
   Rows finite_reference(const std::vector<double>& times);
@@ -94,6 +96,7 @@ class RunEvaluator {
   const EndComparison& at_end();
   std::optional<EndComparison> at_end_{};
   std::optional<bool> is_constant_{};
+  std::optional<double> largest_bound_{};
   // Of the reference, on the scale of the question, at times that are independent of any grid.
   const TotalVariation& variation();
   std::optional<TotalVariation> variation_{};

@@ -37,14 +37,15 @@ struct Recommendation {
   SceneSettings scene{};
   ErrorKind kind{};
   double accuracy = 0.0;
-  std::vector<std::string> columns{};       // the compared columns; empty: all
-  std::vector<SmallColumn> small{};         // for which the accuracy is coarse
-  std::vector<RecommendedRun> options{};    // within the accuracy, the quickest first
-  std::vector<RecommendedRun> expected{};   // predictions for other schemes, which are slower
-  std::vector<RejectedScheme> rejected{};   // the schemes without an option
-  std::vector<std::string> missing{};       // without options: the best error, and what would be needed
-  bool constant = false;                    // the solution equals its initial value at all times
-  std::optional<double> reference_bound{};  // of the reference at the end time; nullopt: not known here
+  std::vector<std::string> columns{};      // the compared columns; empty: all
+  std::vector<SmallColumn> small{};        // for which the accuracy is coarse
+  std::vector<RecommendedRun> options{};   // within the accuracy, the quickest first
+  std::vector<RecommendedRun> expected{};  // predictions for other schemes, which are slower
+  std::vector<RejectedScheme> rejected{};  // the schemes without an option
+  std::vector<std::string> missing{};      // without options: the best error, and what would be needed
+  bool constant = false;                   // the solution equals its initial value at all times
+  std::optional<double>
+      reference_bound{};  // at the times at which the quickest run is compared; nullopt: not known here
   bool examined_at_points_only = false;     // the reference; see is_examined_at_points_only
   std::optional<ErrorEstimate> estimate{};  // the basis of all errors; nullopt: there is a reference
 };

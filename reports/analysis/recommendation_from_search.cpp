@@ -169,6 +169,7 @@ Recommendation recommend(const std::vector<SearchCandidate>& searched, const Sce
   for (const SearchCandidate& of : searched) {
     if (of.outcome != SearchOutcome::accuracy_reached) continue;
     made.options.push_back(option_of(of));
+    if (!made.reference_bound) made.reference_bound = of.best.reference_bound;
     made.constant = std::isinf(of.best.baseline_error);
   }
   made.options.empty() ? tell_shortfall(searched, columns, made) : tell_others(searched, made);

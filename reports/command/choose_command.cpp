@@ -76,8 +76,6 @@ Recommendation searched(const SceneVariant& variant, Scene scene, const Accuracy
   const auto found = search(scene, question, std::max(0.0, seconds - taken.count()), tell);
   auto made = recommend(found, variant.key(), scene.outputs.names, question, known.estimate);
   made.small = small_columns(scene, question);
-  const Vec bounds = scene.reference.at(scene.problem.end).bound;
-  if (bounds.size() > 0) made.reference_bound = bounds.maxCoeff();
   made.examined_at_points_only = at_points_only;
   return made;
 }

@@ -210,20 +210,27 @@ TEST(Search, RefusesAnAccuracyThatTheReferenceDoesNotHave) {
       "the reference is known up to 1.0e-05 only, which is no less than 1.0e-06");
 }
 
+// At the end time, and for the maximum at every time: there the reference is exact at the end.
 TEST(Search, CountsWhatIsNotKnownOfTheReferenceAsError) {
-  const auto within = [](double bound) {
-    Scene scene = scene_of("relaxation");
-    const reference::Reference exact = scene.reference;
-    scene.reference = {[=](double t) {
-      return reference::ReferenceValue{exact.at(t).value, Vec::Constant(1, bound)};
-    }};
-    RunEvaluator evaluator(scene, {{Norm::end, Scale::absolute}, 1e-4, all_columns(scene)});
-    return evaluator.evaluate({find_scheme("adams_pc"), 1.0}, 64, 64, 10.0);
-  };
-  const auto exactly = within(0.0);
-  EXPECT_TRUE(exactly.meets_accuracy);
-  EXPECT_FALSE(within(1.01 * (1e-4 - exactly.error)).meets_accuracy);
-  EXPECT_TRUE(within(0.99 * (1e-4 - exactly.error)).meets_accuracy);
+  for (const Norm norm : {Norm::end, Norm::maximum}) {
+    const double accuracy = norm == Norm::end ? 1e-4 : 0.1;
+    const auto within = [&](double bound) {
+      Scene scene = scene_of("relaxation");
+      const reference::Reference exact = scene.reference;
+      const double end = scene.problem.end;
+      scene.reference = {[=](double t) {
+        const bool is_known = norm == Norm::maximum && std::abs(t - 0.5 * end) > 0.1 * end;
+        return reference::ReferenceValue{exact.at(t).value, Vec::Constant(1, is_known ? 0.0 : bound)};
+      }};
+      RunEvaluator evaluator(scene, {{norm, Scale::absolute}, accuracy, all_columns(scene)});
+      EXPECT_EQ(evaluator.reference_bound(), bound);
+      return evaluator.evaluate({find_scheme("adams_pc"), 1.0}, 64, 64, 10.0);
+    };
+    const auto exactly = within(0.0);
+    EXPECT_TRUE(exactly.meets_accuracy) << exactly.error;
+    EXPECT_FALSE(within(1.01 * (accuracy - exactly.error)).meets_accuracy);
+    EXPECT_TRUE(within(0.99 * (accuracy - exactly.error)).meets_accuracy);
+  }
 }
 
 // D^g y ~ t^g near 0, and the error of the trapezoidal rule on a uniform grid is h^(2g) at the first step and
