@@ -2,16 +2,13 @@
 // The site, opened from the disk.
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { after, before, describe, test } from "node:test";
+import { describe, test } from "node:test";
 import { violations } from "../browser/accessible.js";
-import { SCREENSHOTS, start, stop, withPage } from "../browser/browser.js";
+import { SCREENSHOTS, withPage } from "../browser/browser.js";
 
 const { SITE } = process.env;
 const pages = ["index", "docs/tutorial", "docs/schemes", "api/python", "map", "reference/data/index"];
 const sizes = { 1280: 900, 390: 844 };
-
-before(start);
-after(stop);
 
 // Frames scroll what is wider than they are.
 const widerThanTheWindow = (page) =>
