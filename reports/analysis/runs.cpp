@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
-#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/scene_ids.hpp"
 #include "fdebench/reports/analysis/compared_columns.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
@@ -21,12 +21,6 @@ namespace {
 template <class List, class Id = std::identity>
 std::ptrdiff_t position(const List& list, const std::string& of, Id id = {}) {
   return std::ranges::find(list, of, id) - list.begin();
-}
-
-// Of a scene among those that are compiled in.
-std::ptrdiff_t position_of_scene(const std::string& id) {
-  static const auto ids = built_in_scenes().ids();
-  return position(ids, id);
 }
 
 // Increases with resolution: more steps, or a smaller tolerance.
@@ -40,8 +34,8 @@ std::tuple<int, double, double> fineness(const RunSettings& setup) {
 auto order_of(const RunKey& key) {
   RunSettings line = key.setup;
   line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrTolerance(0) : Tolerance{};
-  return std::tuple(position_of_scene(key.scene.id), key.scene, position(schemes(), key.scheme, &Scheme::id),
-                    key.scheme, line, fineness(key.setup));
+  return std::tuple(position(scene_ids(), key.scene.id), key.scene,
+                    position(schemes(), key.scheme, &Scheme::id), key.scheme, line, fineness(key.setup));
 }
 template <typename Same>
 std::vector<RunSpan> chunks(RunSpan runs, Same same) {
@@ -57,7 +51,7 @@ std::vector<RunSpan> chunks(RunSpan runs, Same same) {
 
 // Whether the runs of a scene come before those of the other.
 bool precedes(const SceneSettings& a, const SceneSettings& b) {
-  const auto place_of_a = position_of_scene(a.id), place_of_b = position_of_scene(b.id);
+  const auto place_of_a = position(scene_ids(), a.id), place_of_b = position(scene_ids(), b.id);
   return std::tie(place_of_a, a) < std::tie(place_of_b, b);
 }
 
