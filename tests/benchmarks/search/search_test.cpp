@@ -98,15 +98,19 @@ TEST(SearchOverGrids, CallsNoSchemeSlowerWithoutARunThatShowsIt) {
 }
 
 // bdf6 takes about 20 microseconds, and its start weights 100 more in the first run of a process.
-TEST(Search, RanksByTheFirstRunWhereThatIsAsked) {
+TEST(Search, CountsTheStartWeightsOfTheFirstRunWhereThatIsAsked) {
   const Scene scene = scene_of("relaxation");
   auto question = question_of(scene, {"", {Norm::end, Scale::mixed}, 1e-12});
-  const auto best = [&] { return search(scene, question, 100.0, [](const std::string&, double) {}).front(); };
-  const auto later = best();
+  const auto found = [&] {
+    std::vector<CandidateRun> runs;
+    for (const auto& candidate : search(scene, question, 100.0, [](const std::string&, double) {}))
+      if (candidate.outcome == SearchOutcome::accuracy_reached) runs.push_back(candidate.best);
+    return runs;
+  };
+  const CandidateRun later = found().front();
+  EXPECT_GT(later.setup_seconds, 2.0 * later.seconds);
   question.first_run = true;
-  const auto first = best();
-  EXPECT_GT(later.best.setup_seconds, 2.0 * later.best.seconds);
-  EXPECT_LT(first.best.seconds, later.best.seconds + later.best.setup_seconds);
+  for (const CandidateRun& run : found()) EXPECT_GT(run.seconds, run.setup_seconds);
 }
 
 INSTANTIATE_TEST_SUITE_P(SceneRegistry, SearchFor,

@@ -106,12 +106,13 @@ TEST_P(Multiplier, DependentConstraintsAreAnOutcome) {
                       },
                   .derivatives = DenseLinearPart{linear}};
     twice.components.push_back({0.0, {0.0}});
-    Problem untold = twice;
-    untold.derivatives = NoDerivatives{};
     for (int steps = 100; steps < 120; ++steps) {
-      EXPECT_NE(run(twice, steps).status, SolveStatus::finished);
-      if (second == 3.0) continue;  // Newton's method may find one of the many multipliers
-      EXPECT_NE(run(untold, steps).status, SolveStatus::finished);
+      EXPECT_NE(GetParam()->solve(twice, Grid{2.0, steps}, {}).status, SolveStatus::finished);
+    }
+    twice.derivatives = NoDerivatives{};
+    if (second == 3.0) continue;  // Newton's method may find one of the many multipliers
+    for (int steps = 100; steps < 120; ++steps) {
+      EXPECT_NE(GetParam()->solve(twice, Grid{2.0, steps}, {}).status, SolveStatus::finished);
     }
   }
 }
