@@ -76,7 +76,7 @@ CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const St
   return attempt;
 }
 
-bool RunEvaluator::is_accurate(const CandidateRun& attempt) {
+bool RunEvaluator::is_accurate(const CandidateRun& attempt) const {
   return attempt.error + attempt.reference_bound <= question_.accuracy &&
          attempt.error < attempt.baseline_error;
 }

@@ -79,7 +79,7 @@ class RunEvaluator {
   Rows finite_reference(const std::vector<double>& times);
   void measure_maximum_error(const Rows& values, const std::vector<double>& times, CandidateRun& attempt);
   void measure_end_error(const Rows& values, CandidateRun& attempt);
-  [[nodiscard]] bool is_accurate(const CandidateRun& attempt);
+  [[nodiscard]] bool is_accurate(const CandidateRun& attempt) const;
   [[nodiscard]] Rows compared_columns(const Rows& columns) const;
   [[nodiscard]] std::vector<double> compared_times(const Configuration& configuration,
                                                    const StepsOrTolerance& resolution, int compared) const;

@@ -287,35 +287,39 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fde {
 
-#define FDE_KERNEL(name)     \
-  HWY_EXPORT(name##_kernel); \
-  decltype(name) name;
-FDE_KERNEL(multiply_add)
-FDE_KERNEL(add_outer_product)
-FDE_KERNEL(weighted_sum)
-FDE_KERNEL(advance_states)
-FDE_KERNEL(advance_columns)
-FDE_KERNEL(advance_integrals)
-FDE_KERNEL(apply_decay)
-FDE_KERNEL(dot_product)
-FDE_KERNEL(phi_functions)
-#undef FDE_KERNEL
+HWY_EXPORT(multiply_add_kernel);
+HWY_EXPORT(add_outer_product_kernel);
+HWY_EXPORT(weighted_sum_kernel);
+HWY_EXPORT(advance_states_kernel);
+HWY_EXPORT(advance_columns_kernel);
+HWY_EXPORT(advance_integrals_kernel);
+HWY_EXPORT(apply_decay_kernel);
+HWY_EXPORT(dot_product_kernel);
+HWY_EXPORT(phi_functions_kernel);
 
 namespace {
 
-void select_target(std::int64_t targets) {
+// The functions of the selected target.
+struct Kernels {
+  decltype(&multiply_add) multiplying;
+  decltype(&add_outer_product) scattering;
+  decltype(&weighted_sum) weighing;
+  decltype(&advance_states) advancing;
+  decltype(&advance_columns) advancing_columns;
+  decltype(&advance_integrals) advancing_integrals;
+  decltype(&apply_decay) decaying;
+  decltype(&dot_product) multiplying_arrays;
+  decltype(&phi_functions) integrating;
+};
+Kernels kernels_of(std::int64_t targets) {
   hwy::GetChosenTarget().Update(targets);
-  multiply_add = HWY_DYNAMIC_DISPATCH(multiply_add_kernel);
-  add_outer_product = HWY_DYNAMIC_DISPATCH(add_outer_product_kernel);
-  weighted_sum = HWY_DYNAMIC_DISPATCH(weighted_sum_kernel);
-  advance_states = HWY_DYNAMIC_DISPATCH(advance_states_kernel);
-  advance_columns = HWY_DYNAMIC_DISPATCH(advance_columns_kernel);
-  advance_integrals = HWY_DYNAMIC_DISPATCH(advance_integrals_kernel);
-  apply_decay = HWY_DYNAMIC_DISPATCH(apply_decay_kernel);
-  dot_product = HWY_DYNAMIC_DISPATCH(dot_product_kernel);
-  phi_functions = HWY_DYNAMIC_DISPATCH(phi_functions_kernel);
+  return {HWY_DYNAMIC_DISPATCH(multiply_add_kernel),    HWY_DYNAMIC_DISPATCH(add_outer_product_kernel),
+          HWY_DYNAMIC_DISPATCH(weighted_sum_kernel),    HWY_DYNAMIC_DISPATCH(advance_states_kernel),
+          HWY_DYNAMIC_DISPATCH(advance_columns_kernel), HWY_DYNAMIC_DISPATCH(advance_integrals_kernel),
+          HWY_DYNAMIC_DISPATCH(apply_decay_kernel),     HWY_DYNAMIC_DISPATCH(dot_product_kernel),
+          HWY_DYNAMIC_DISPATCH(phi_functions_kernel)};
 }
-[[maybe_unused]] const bool has_selected = (select_target(hwy::SupportedTargets()), true);
+Kernels kernels = kernels_of(hwy::SupportedTargets());
 
 }  // namespace
 
@@ -323,6 +327,49 @@ Vec padded(const Vec& values, double fill) {
   Vec result = Vec::Constant((values.size() + lanes - 1) / lanes * lanes, fill);
   result.head(values.size()) = values;
   return result;
+}
+
+void multiply_add(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, ConstBlock a, ConstBlock b,
+                  Block c) {
+  kernels.multiplying(rows, inner, columns, a, b, c);
+}
+
+void add_outer_product(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns,
+                       Eigen::Index below, Block c) {
+  kernels.scattering(tables, a, b, columns, below, c);
+}
+
+void weighted_sum(Eigen::Index rows, const double* factors, const double* values, double scale,
+                  const double* others, double* result) {
+  kernels.weighing(rows, factors, values, scale, others, result);
+}
+
+void advance_states(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
+                    Block state, Block carry) {
+  kernels.advancing(rows, columns, decay_minus_one, input, state, carry);
+}
+
+void advance_columns(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
+                     Block state, Block carry) {
+  kernels.advancing_columns(rows, columns, decay_minus_one, input, state, carry);
+}
+
+void advance_integrals(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock phi,
+                       ConstBlock polynomials, Block state, Block carry) {
+  kernels.advancing_integrals(rows, columns, decay_minus_one, phi, polynomials, state, carry);
+}
+
+void apply_decay(Eigen::Index rows, const double* values, const double* decay_minus_one, double* decayed) {
+  kernels.decaying(rows, values, decay_minus_one, decayed);
+}
+
+double dot_product(const double* a, const double* b, Eigen::Index length) {
+  return kernels.multiplying_arrays(a, b, length);
+}
+
+void phi_functions(Eigen::Index rows, double length, const double* nodes, Block phi,
+                   double* decay_minus_one) {
+  kernels.integrating(rows, length, nodes, phi, decay_minus_one);
 }
 
 std::vector<std::string_view> vector_targets() {
@@ -335,7 +382,8 @@ std::vector<std::string_view> vector_targets() {
 void select_vector_target(std::string_view name) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     if (hwy::TargetName(target) != name) continue;
-    return select_target(target);
+    kernels = kernels_of(target);
+    return;
   }
   throw std::invalid_argument("no vector target " + std::string(name));
 }

@@ -8,10 +8,10 @@
 
 namespace fde {
 
-// The inner loops of the histories, compiled for every vector width of the architecture. Each is a pointer to
-// the code of the target selected once at run time (Highway), so that no -march flag is needed. Each entry of
-// a result adds its terms in the same order for every width: all widths with a fused multiply-add give the
-// same bits; without one the results differ by rounding.
+// The inner loops of the histories, compiled for every vector width of the architecture and selected once at
+// run time (Highway), so that no -march flag is needed. Each entry of a result adds its terms in the same
+// order for every width: all widths with a fused multiply-add give the same bits; without one the results
+// differ by rounding.
 //
 // Preconditions: matrices are stored by columns, the number of rows is a multiple of lanes, and columns are
 // aligned to 64 bytes.
@@ -40,44 +40,42 @@ struct ConstBlock {
 Vec padded(const Vec& values, double fill);
 
 // c += a b for a of size rows x inner and b of size inner x columns.
-extern void (*multiply_add)(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, ConstBlock a,
-                            ConstBlock b, Block c);
+void multiply_add(Eigen::Index rows, Eigen::Index inner, Eigen::Index columns, ConstBlock a, ConstBlock b,
+                  Block c);
 
 // Adds a[8 i ... 8 i + 7] * b[j] to the eight rows of c from row i * below on, in every column j < columns,
 // for i = 0 ... tables - 1.
-extern void (*add_outer_product)(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns,
-                                 Eigen::Index below, Block c);
+void add_outer_product(Eigen::Index tables, const double* a, const double* b, Eigen::Index columns,
+                       Eigen::Index below, Block c);
 
 // result = factors * values + scale * others, entry by entry, `rows` entries each; every product is rounded.
-extern void (*weighted_sum)(Eigen::Index rows, const double* factors, const double* values, double scale,
-                            const double* others, double* result);
+void weighted_sum(Eigen::Index rows, const double* factors, const double* values, double scale,
+                  const double* others, double* result);
 
 // Compensated update state + carry += state * (decay - 1) + input: state is the rounded sum and carry its
 // rounding error, so that slow decays lose no accuracy over many calls. decay_minus_one and the columns of
 // the other arguments have `rows` entries.
-extern void (*advance_states)(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one,
-                              ConstBlock input, Block state, Block carry);
+void advance_states(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
+                    Block state, Block carry);
 
 // The same with one decay per column.
-extern void (*advance_columns)(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one,
-                               ConstBlock input, Block state, Block carry);
+void advance_columns(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock input,
+                     Block state, Block carry);
 
 // As advance_states, with the input sum_k phi_k p_k in each column; phi is rows x 3, polynomials 3 x columns.
-extern void (*advance_integrals)(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one,
-                                 ConstBlock phi, ConstBlock polynomials, Block state, Block carry);
+void advance_integrals(Eigen::Index rows, Eigen::Index columns, const double* decay_minus_one, ConstBlock phi,
+                       ConstBlock polynomials, Block state, Block carry);
 
 // decayed = values * decay, entry by entry.
-extern void (*apply_decay)(Eigen::Index rows, const double* values, const double* decay_minus_one,
-                           double* decayed);
+void apply_decay(Eigen::Index rows, const double* values, const double* decay_minus_one, double* decayed);
 
 // The dot product of two arrays of any length and alignment.
-extern double (*dot_product)(const double* a, const double* b, Eigen::Index length);
+double dot_product(const double* a, const double* b, Eigen::Index length);
 
 // phi_k(x) = sum_i (-x)^i / (i + k)!, k = 1, 2, 3, at x = length * node: the integrals of exp(-x (1 - w))
 // w^(k-1) / (k-1)! over w in [0, 1], one column of phi per k; and exp(-x) - 1. Accurate to a few units in the
 // last place. Precondition: nodes are nonnegative and do not decrease.
-extern void (*phi_functions)(Eigen::Index rows, double length, const double* nodes, Block phi,
-                             double* decay_minus_one);
+void phi_functions(Eigen::Index rows, double length, const double* nodes, Block phi, double* decay_minus_one);
 
 // The instruction sets that this build has code for and this machine supports, the widest first. The first is
 // the default.
