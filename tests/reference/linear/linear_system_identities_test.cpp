@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Linear systems compared with each other and with linear equations.
 
+#include <fmt/format.h>
+
 #include "support/linear_system_testing.hpp"
 
 namespace fde::reference {

@@ -2,6 +2,8 @@
 // Linear systems compared with their power series, with an inversion without determinants, and with their own
 // bounds.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <random>
 
