@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -112,7 +113,7 @@ class ExpressionPool {
   [[nodiscard]] bool is(Expression e, int whole) const;
 
   NumberStorage numbers_;
-  std::vector<Node> entries_{};
+  std::deque<Node> entries_{};  // of which none moves: a reference to one is kept while others are added
   std::map<Key, Expression> known_{};
   std::map<std::pair<long double, std::string>, Expression> known_numbers_{};
   std::map<double, Expression> constants_{};

@@ -91,6 +91,15 @@ TEST(ExpressionPool, AreMadeOnce) {
   EXPECT_EQ(read_formula("sin(x)*y", names, pool), read_formula("(sin( x ))*y", names, pool));
 }
 
+// What adds the parts of an expression reads it meanwhile.
+TEST(ExpressionPool, AreNotMovedByOthers) {
+  ExpressionPool pool(NumberStorage::values);
+  const auto first = pool.number(1);
+  const auto* before = &pool[first];
+  for (int other = 2; other < 5000; ++other) pool.number(other);
+  EXPECT_EQ(&pool[first], before);
+}
+
 // (((x + x)^2)^2)^2 ...: expanded, it would have 2^(2^60) as its coefficient.
 TEST(ExpressionPool, ArePowersNotMultipliedOut) {
   std::string text = "x + x";
