@@ -149,16 +149,16 @@ TEST(NextResolutions, LeaveALongConfigurationByItsForecast) {
   EXPECT_NEAR(fewest_steps(found[1]), 1000, 20);
 }
 
-// 0.1 s for 1000 steps are forecast, and no run has as many; 1 s of the other configuration is no longer too
-// long.
+// 0.01 s for 1000 steps are forecast, and no run has as many; 0.1 s of the other configuration is no longer
+// too long.
 TEST(NextResolutions, ReachWhatAConfigurationThatFailsWasForecastToReach) {
   constexpr double wanted = 1e-4;
   const Model failing{[](double steps) {
                         return steps < 512.0 ? 100.0 / (steps * steps)
                                              : std::numeric_limits<double>::infinity();
                       },
-                      1e-4};
-  const auto found = searched(goal_for(wanted), {failing, power(1.0, 1.0, 1e-4)});
+                      1e-5};
+  const auto found = searched(goal_for(wanted), {failing, power(1.0, 1.0, 1e-5)});
   EXPECT_EQ(fewest_steps(found[0], wanted), 0);
   EXPECT_NEAR(fewest_steps(found[1], wanted), 10000, 200);
 }
