@@ -193,7 +193,7 @@ std::vector<Parameter> formulation_parameters(const EquationText& text) {
                     chosen));
   }
   std::rotate(fitting.begin(), first, first + 1);
-  auto all = mechanics::with_formulations({}, fitting);
+  auto all = mechanics::choice_of_formulation(fitting);
   all.insert(all.end(), added.begin(), added.end());
   return all;
 }

@@ -56,15 +56,13 @@ const std::vector<Formulation>& unprojected_formulations() {
   return all;
 }
 
-std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
-                                         const std::vector<Formulation>& fitting) {
+std::vector<Parameter> choice_of_formulation(const std::vector<Formulation>& fitting) {
   std::vector<std::string> choices;
   for (const auto formulation : fitting) choices.push_back(name_of(formulation));
-  const std::size_t given = parameters.size();
-  parameters.push_back(choice("formulation", choices, "how the constraint enters"));
+  std::vector<Parameter> parameters{choice("formulation", choices, "how the constraint enters")};
   if (std::ranges::find(fitting, Formulation::stabilised) != fitting.end())
     parameters.push_back({"kappa", 10.0, not_negative, "rate at which the stabilised form damps the drift"});
-  for (std::size_t i = given; i < parameters.size(); ++i) parameters[i].keeps_solution = true;
+  for (auto& parameter : parameters) parameter.keeps_solution = true;
   return parameters;
 }
 

@@ -82,10 +82,9 @@ const std::vector<Formulation>& all_formulations();
 // The formulations for any constraint: all except integrated.
 const std::vector<Formulation>& unprojected_formulations();
 
-// The parameters of a scene, followed by `formulation`, a choice from `fitting` (the first is the default),
-// and, if stabilised is among them, `kappa`.
-std::vector<Parameter> with_formulations(std::vector<Parameter> parameters,
-                                         const std::vector<Formulation>& fitting);
+// The parameter `formulation`, a choice from `fitting` (the first is the default), and, if stabilised is
+// among them, `kappa`.
+std::vector<Parameter> choice_of_formulation(const std::vector<Formulation>& fitting);
 
 // The formulation that such parameters select.
 struct FormulationChoice {

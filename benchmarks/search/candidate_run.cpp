@@ -69,8 +69,8 @@ CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const St
     attempt.baseline_error = std::numeric_limits<double>::infinity();
   if (!at_end && !configuration.is_adaptive()) {
     const Grid grid{.end = scene_.problem.end, .steps = attempt.steps, .grading = configuration.grading};
-    attempt.error = std::max(
-        attempt.error, variation().unresolved_variation(grid, smallest_order(scene_.problem)).maxCoeff());
+    const Vec unresolved = samples().variation.unresolved_variation(grid, smallest_order(scene_.problem));
+    attempt.error = std::max(attempt.error, unresolved.maxCoeff());
   }
   attempt.meets_accuracy = is_accurate(attempt);
   return attempt;
@@ -146,31 +146,23 @@ void RunEvaluator::measure_maximum_error(const Rows& values, const std::vector<d
   attempt.time = times[static_cast<std::size_t>(column)];
 }
 
-bool RunEvaluator::is_constant() {
-  if (is_constant_) return *is_constant_;
-  constexpr int steps = 64;
-  const auto times = comparison_times(scene_.problem, steps);
-  const Rows bounds = compared_columns(reference_.bounds(times));
-  return is_constant_.emplace(bench::is_constant(finite_reference(times), bounds));
+const RunEvaluator::Samples& RunEvaluator::samples() {
+  if (samples_) return *samples_;
+  constexpr int evenly = 64;
+  auto times = comparison_times(scene_.problem, evenly);
+  Rows reference = finite_reference(times);
+  Rows by = divisors(question_.kind.scale, times, reference);
+  Rows bounds = compared_columns(reference_.bounds(times));
+  TotalVariation variation(std::move(times), reference, by);
+  return samples_.emplace(
+      Samples{std::move(reference), std::move(bounds), std::move(by), std::move(variation)});
 }
+
+bool RunEvaluator::is_constant() { return bench::is_constant(samples().reference, samples().bounds); }
 
 double RunEvaluator::reference_bound() {
   if (question_.kind.norm == Norm::end) return at_end().bound;
-  if (largest_bound_) return *largest_bound_;
-  constexpr int evenly = 64;
-  const auto times = comparison_times(scene_.problem, evenly);
-  const Rows by = divisors(question_.kind.scale, times, finite_reference(times));
-  const Rows bounds = compared_columns(reference_.bounds(times));
-  return largest_bound_.emplace(bounds.cwiseQuotient(by).maxCoeff());
-}
-
-const TotalVariation& RunEvaluator::variation() {
-  if (variation_) return *variation_;
-  constexpr int evenly = 64;
-  auto times = comparison_times(scene_.problem, evenly);
-  const Rows values = finite_reference(times);
-  const Rows by = divisors(question_.kind.scale, times, values);
-  return variation_.emplace(std::move(times), values, by);
+  return samples().bounds.cwiseQuotient(samples().divisors).maxCoeff();
 }
 
 void RunEvaluator::measure_end_error(const Rows& values, CandidateRun& attempt) {

@@ -95,11 +95,13 @@ class RunEvaluator {
   };
   const EndComparison& at_end();
   std::optional<EndComparison> at_end_{};
-  std::optional<bool> is_constant_{};
-  std::optional<double> largest_bound_{};
-  // Of the reference, on the scale of the question, at times that are independent of any grid.
-  const TotalVariation& variation();
-  std::optional<TotalVariation> variation_{};
+  // The reference at times that are independent of any grid; its variation is on the scale of the question.
+  struct Samples {
+    Rows reference, bounds, divisors;
+    TotalVariation variation;
+  };
+  const Samples& samples();
+  std::optional<Samples> samples_{};
 };
 
 }  // namespace fde::bench

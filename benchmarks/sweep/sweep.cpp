@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -177,22 +178,23 @@ double seconds_of_turn(const SceneGroup& group, const Forecast& expected) {
 }
 
 // Longest forecast first, so that the threads finish at about the same time.
-std::vector<SceneGroup> longest_first(std::vector<SceneGroup> groups, const Forecast& expected) {
-  std::map<const SweptScene*, double> seconds;
-  for (const auto& group : groups) seconds[group.front()] = seconds_of_turn(group, expected);
-  std::ranges::stable_sort(groups, std::ranges::greater{},
-                           [&](const SceneGroup& group) { return seconds.at(group.front()); });
-  return groups;
+std::vector<std::size_t> longest_first(const std::vector<SceneGroup>& groups, const Forecast& expected) {
+  std::vector<double> seconds;
+  for (const auto& group : groups) seconds.push_back(seconds_of_turn(group, expected));
+  std::vector<std::size_t> order(groups.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return seconds[i]; });
+  return order;
 }
 
 // Makes the next runs of all scenes. Returns whether there was any.
-bool take_turn(std::deque<SweptScene>& scenes, const Sweep& sweep, const SweepCallbacks& callbacks,
-               const Forecast& expected, GuardedCallbacks& log) {
+bool take_turn(std::deque<SweptScene>& scenes, const std::vector<SceneGroup>& groups, const Sweep& sweep,
+               const SweepCallbacks& callbacks, const Forecast& expected, GuardedCallbacks& log) {
   bool goes_on = false;
   for (auto& of : scenes) goes_on = choose_next_runs(of, sweep.plan, callbacks, log) || goes_on;
-  const auto groups = longest_first(grouped_by_solution(scenes), expected);
+  const auto order = longest_first(groups, expected);
   in_parallel(groups.size(), sweep.threads, [&](std::size_t i) {
-    for (SweptScene* of : groups[i]) examine_runs(*of, sweep, log);
+    for (SweptScene* of : groups[order[i]]) examine_runs(*of, sweep, log);
   });
   for (auto& of : scenes) time_runs(of, sweep, log);
   for (auto& of : scenes) add_runs(of);
@@ -215,7 +217,8 @@ void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Fo
     std::deque<SweptScene> scenes;
     for (auto i = begin; i < std::min(begin + scenes_at_once, sweep.scenes.size()); ++i)
       scenes.emplace_back(sweep.scenes[i], sweep);
-    while (take_turn(scenes, sweep, callbacks, expected, log)) {
+    const auto groups = grouped_by_solution(scenes);
+    while (take_turn(scenes, groups, sweep, callbacks, expected, log)) {
     }
   }
 }

@@ -73,14 +73,14 @@ struct SweepCallbacks {
 inline constexpr int most_timings = 3;
 
 // Makes each run that is not recorded yet, once. In turns: the next runs, with a goal the shortest ones of
-// each scene, are examined, one thread per scene; their solves are timed, one at a time; then the plan
-// decides, from recorded and new runs alike, which run of each refinement is the next, so that a resumed
-// sweep makes the same runs. A run is passed to `append` as soon as it is examined, and to `append_times`
-// when it is timed; before the first run of a scene its description is passed to `append_scene`, unless it is
-// recorded. At one resolution the runs of a scene keep the order of the schemes; those of different scenes
-// interleave, the scene with the longest forecast first; only scenes_at_once scenes are in memory. The number
-// of threads and the forecast change nothing but the times. An exception of one of the outputs ends the sweep
-// and is rethrown.
+// each scene, are examined, one thread for all scenes with the same exact columns, which share a reference;
+// their solves are timed, one at a time; then the plan decides, from recorded and new runs alike, which run
+// of each refinement is the next, so that a resumed sweep makes the same runs. A run is passed to `append` as
+// soon as it is examined, and to `append_times` when it is timed; before the first run of a scene its
+// description is passed to `append_scene`, unless it is recorded. At one resolution the runs of a scene keep
+// the order of the schemes; those of different scenes interleave, the scene with the longest forecast first;
+// only scenes_at_once scenes are in memory. The number of threads and the forecast change nothing but the
+// times. An exception of one of the outputs ends the sweep and is rethrown.
 inline constexpr std::size_t scenes_at_once = 256;
 void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Forecast& expected = {});
 

@@ -212,7 +212,8 @@ TEST(Remainings, AreUnknownWhileAReferenceIsComputed) {
   EXPECT_TRUE(remaining.seconds_left(0.0));
 }
 
-TEST(Sweeps, SayWhichExaminationComputesTheReference) {
+// For each examination of a sweep, whether it is said to compute the reference.
+std::vector<bool> examinations_with_reference(const Sweep& sweep) {
   std::vector<bool> said;
   SweepCallbacks hooks{.recorded = [](const RunKey& /*run*/) { return std::optional<Record>(); },
                        .append = [](const auto& /*run*/) {},
@@ -222,12 +223,49 @@ TEST(Sweeps, SayWhichExaminationComputesTheReference) {
                              if (event.kind == SweepEvent::Kind::examines)
                                said.push_back(event.with_reference);
                            }};
+  run_sweep(sweep, hooks);
+  return said;
+}
+
+TEST(Sweeps, SayWhichExaminationComputesTheReference) {
   Sweep sweep = sweep_of_power();
   sweep.plan = {.resolutions = {16, 64}};
-  run_sweep(sweep, hooks);
+  const auto said = examinations_with_reference(sweep);
   ASSERT_GE(said.size(), 2U);
   EXPECT_EQ(std::ranges::count(said, true), 1);
   EXPECT_TRUE(said.front());
+}
+
+// Two formulations of one motion, and another motion.
+TEST(Sweeps, ComputeTheReferenceOfAMotionOnce) {
+  Sweep sweep = sweep_of_power();
+  sweep.plan = {.resolutions = {16}};
+  sweep.scenes = {parse_variant("fractional_constraint_2d"),
+                  parse_variant("fractional_constraint_2d:formulation=multiplier"),
+                  parse_variant("fractional_constraint_2d:alpha=0.3")};
+  const auto said = examinations_with_reference(sweep);
+  EXPECT_GE(said.size(), 3U);
+  EXPECT_EQ(std::ranges::count(said, true), 2);
+}
+
+// What a sweep takes for the same solution is the same, by a scheme that knows neither reference.
+TEST(Sweeps, TakeOnlyEqualSolutionsForOne) {
+  constexpr double accuracy = 1e-9, apart = 1e-7;
+  std::map<SceneSettings, Vec> ends;
+  for (const SceneVariant& variant : sweep_scenes()) {
+    const SceneSettings solution = variant.key_of_solution();
+    const Scene scene = make_scene(variant);
+    const Scheme& scheme = *find_scheme("radau_exponentials");
+    if (unsupported_reason(scheme, scene.problem, Tolerance{accuracy, accuracy})) continue;
+    if (std::ranges::none_of(variant.maker->parameters, &Parameter::keeps_solution)) continue;
+    const auto path = scheme.solve(scene.problem, Tolerance{accuracy, accuracy}, {});
+    ASSERT_EQ(path.status, SolveStatus::finished) << variant.label();
+    const Vec columns = columns_of(scene.outputs, path).rightCols(1);
+    const auto [first, is_first] = ends.try_emplace(solution, columns);
+    const double most = apart * (1.0 + columns.cwiseAbs().maxCoeff());
+    EXPECT_LE((columns - first->second).cwiseAbs().maxCoeff(), is_first ? 0.0 : most) << variant.label();
+  }
+  EXPECT_GT(ends.size(), 5U);
 }
 
 }  // namespace
