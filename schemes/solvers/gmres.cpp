@@ -62,12 +62,19 @@ namespace fde {
 
 Vec gmres(const std::function<Vec(const Vec&)>& apply, const Vec& b, double tolerance, Eigen::Index most) {
   const LinearOperator matrix(apply, b.size());
-  Eigen::GMRES<LinearOperator, Eigen::IdentityPreconditioner> solver(matrix);
   const Eigen::Index applications = std::min(most, b.size());
-  solver.set_restart(applications);
-  solver.setMaxIterations(applications);
-  solver.setTolerance(tolerance);
-  return solver.solve(b);
+  // Eigen sets all its vectors to 0 before the first application, which can take longer than the solution: few
+  // vectors are tried first.
+  Eigen::Index vectors = std::min<Eigen::Index>(applications, 16);
+  while (true) {
+    Eigen::GMRES<LinearOperator, Eigen::IdentityPreconditioner> solver(matrix);
+    solver.set_restart(vectors);
+    solver.setMaxIterations(vectors);
+    solver.setTolerance(tolerance);
+    Vec x = solver.solve(b);
+    if (vectors == applications || solver.info() == Eigen::Success) return x;
+    vectors = applications;
+  }
 }
 
 Eigen::Index max_krylov_vectors(Eigen::Index length) {

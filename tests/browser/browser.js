@@ -72,6 +72,10 @@ async function open({ width = 1280, height = 900, dark = false, address = "", ch
   }
   await page.goto(`file://${file}${address}`);
   await page.locator("main:not([aria-busy])").waitFor({ state: "attached" });
+  await page.waitForFunction(() => {
+    const section = document.getElementById(addressOf().place);
+    return section === null || section.hidden || section.querySelector(".waiting") === null;
+  });
   return { page, complaints };
 }
 

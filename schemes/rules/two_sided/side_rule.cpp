@@ -6,9 +6,12 @@
 #include <cmath>
 
 #include "fdebench/schemes/history/weights/weights.hpp"
+#include "fdebench/schemes/problem/progress/progress.hpp"
 
 namespace fde {
 namespace {
+
+constexpr Eigen::Index steps_between_reports = 1024;
 
 // The matrix stored in a column; the last column is for all later times too.
 auto square(const Matrix& columns, Eigen::Index column, std::size_t size) {
@@ -54,6 +57,7 @@ void SideRule::for_each_own_time(Step step) const {
   Vec sum = Vec::Zero(kappa_.rows()), f(kappa_.rows());
   double t = 0.0;
   for (Eigen::Index m = 0; m <= steps_; ++m) {
+    if (m % steps_between_reports == 0) report_progress(0);
     if (m > 0 && history) {
       history->push(t, f.head(differential_count_));
       t = time_from_side(m);
