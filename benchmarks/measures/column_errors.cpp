@@ -16,15 +16,9 @@ namespace {
 
 constexpr int digits_of_errors = 6;
 
-// Of each column alone, by a function of the rows of its values, reference and divisors.
-template <class Function>
-std::vector<double> of_columns(const FinishedRun& run, const Rows& by, const Function& of_column) {
+std::vector<double> rounded_errors(const Vec& errors) {
   std::vector<double> values;
-  for (Eigen::Index i = 0; i < run.values.rows(); ++i) {
-    values.push_back(
-        rounded(of_column(i, Rows(run.values.row(i)), Rows(run.reference.row(i)), Rows(by.row(i))),
-                digits_of_errors));
-  }
+  for (const double error : errors) values.push_back(rounded(error, digits_of_errors));
   return values;
 }
 
@@ -45,24 +39,25 @@ using Value = std::optional<double>;
 bool has_reference(const FinishedRun& run) { return run.reference.cols() > 0; }
 bool has_rounding(const FinishedRun& run) { return run.observed.rounded.cols() > 0; }
 
+// y = y(0) is no worse than a solution that is constant.
+bool is_constant_from_start(const FinishedRun& run, const Rows& reference, const Rows& bounds) {
+  return run.path.times.size() > 1 && run.path.times.front() == 0.0 && is_constant(reference, bounds);
+}
+
 template <std::size_t kind>
 Value error(const FinishedRun& run) {
   if (!has_reference(run)) return std::nullopt;
-  const auto [norm, scale] = error_kinds[kind];
-  return error_of(norm, run.values, run.reference, divisors(scale, run.path.times, run.reference));
+  return run.errors.run.col(kind).maxCoeff();
 }
 
 // The constant-solution baseline, if the run is not better.
 template <std::size_t kind>
 Value baseline(const FinishedRun& run) {
-  const bool from_start = run.path.times.size() > 1 && run.path.times.front() == 0.0;
-  if (!has_reference(run) || (from_start && is_constant(run.reference, run.reference_bounds)))
-    return std::nullopt;
-  const auto [norm, scale] = error_kinds[kind];
-  const auto& times = run.path.times;
-  const double least =
-      constant_solution_error(norm, times, run.reference, divisors(scale, times, run.reference));
-  return least <= *error<kind>(run) ? Value(least) : std::nullopt;
+  if (!has_reference(run)) return std::nullopt;
+  const double least = std::min(run.errors.zero.col(kind).maxCoeff(), run.errors.start.col(kind).maxCoeff());
+  const bool is_better = !(least <= *error<kind>(run));
+  if (is_better || is_constant_from_start(run, run.reference, run.reference_bounds)) return std::nullopt;
+  return least;
 }
 
 // The variation within one step, where it is more than the maximum error at the steps.
@@ -120,32 +115,42 @@ Value bound(const FinishedRun& run) {
 
 }  // namespace
 
+ErrorTable error_table(const std::vector<double>& times, const Rows& values, const Rows& reference) {
+  if (reference.cols() == 0) return {};
+  constexpr auto kinds = static_cast<Eigen::Index>(error_kinds.size());
+  ErrorTable table{Matrix(values.rows(), kinds), Matrix(values.rows(), kinds), Matrix(values.rows(), kinds)};
+  for (const Scale scale : error_scales) {
+    const Rows by = divisors(scale, times, reference);
+    for (const Norm norm : {Norm::end, Norm::maximum}) {
+      const auto kind = std::ranges::find(error_kinds, ErrorKind{norm, scale}) - error_kinds.begin();
+      const auto [zero, start] = constant_errors(norm, times, reference, by);
+      table.run.col(kind) = errors_of(norm, values, reference, by);
+      table.zero.col(kind) = zero;
+      table.start.col(kind) = start;
+    }
+  }
+  return table;
+}
+
 ColumnErrors column_errors(const FinishedRun& run, std::vector<std::string> names, bool is_part) {
   ColumnErrors columns{.names = std::move(names), .is_part = is_part};
   if (columns.names.size() > most_single_columns || run.reference.cols() == 0) return columns;
-  const auto& times = run.path.times;
-  const bool from_start = times.size() > 1 && times.front() == 0.0;
-  for (const ErrorKind& kind : error_kinds) {
-    const Rows by = divisors(kind.scale, times, run.reference);
-    auto errors =
-        of_columns(run, by, [&](auto, const Rows& values, const Rows& reference, const Rows& divisor) {
-          return error_of(kind.norm, values, reference, divisor);
-        });
-    auto baselines =
-        of_columns(run, by, [&](auto i, const Rows&, const Rows& reference, const Rows& divisor) {
-          if (from_start && is_constant(reference, run.reference_bounds.row(i))) return 0.0;
-          return constant_solution_error(kind.norm, times, reference, divisor);
-        });
+  Matrix constant = run.errors.zero.cwiseMin(run.errors.start);
+  for (Eigen::Index i = 0; i < constant.rows(); ++i)
+    if (is_constant_from_start(run, run.reference.row(i), run.reference_bounds.row(i)))
+      constant.row(i).setZero();
+  for (std::size_t k = 0; k < error_kinds.size(); ++k) {
+    auto errors = rounded_errors(run.errors.run.col(static_cast<Eigen::Index>(k))),
+         baselines = rounded_errors(constant.col(static_cast<Eigen::Index>(k)));
     if (can_matter(baselines, errors))
-      columns.values[std::string(baseline_measure(kind))] = std::move(baselines);
-    columns.values[std::string(error_measure(kind))] = std::move(errors);
+      columns.values[std::string(baseline_measure(error_kinds[k]))] = std::move(baselines);
+    columns.values[std::string(error_measure(error_kinds[k]))] = std::move(errors);
   }
   for (const Scale scale : error_scales) {
     const Vec& hidden = run.observed.unresolved.at(static_cast<std::size_t>(scale));
     if (hidden.size() != run.values.rows()) continue;
     const auto& errors = columns.values[std::string(error_measure({Norm::maximum, scale}))];
-    std::vector<double> variations;
-    for (const double value : hidden) variations.push_back(rounded(value, digits_of_errors));
+    auto variations = rounded_errors(hidden);
     if (!std::ranges::equal(variations, errors, std::ranges::less_equal{}))
       columns.values[std::string(unresolved_measure(scale))] = std::move(variations);
   }

@@ -96,9 +96,10 @@ Rows divisors(Scale scale, const std::vector<double>& times, const Rows& referen
   throw std::logic_error("a scale without divisors");
 }
 
-double error_of(Norm norm, const Rows& values, const Rows& reference, const Rows& divisors) {
+Vec errors_of(Norm norm, const Rows& values, const Rows& reference, const Rows& divisors) {
   const auto parts = (values - reference).cwiseAbs().cwiseQuotient(divisors);
-  return norm == Norm::end ? parts.rightCols(1).maxCoeff() : parts.maxCoeff();
+  if (norm == Norm::end) return parts.rightCols(1);
+  return parts.rowwise().maxCoeff();
 }
 
 bool is_constant(const Rows& reference, const Rows& bounds) {
@@ -112,17 +113,25 @@ bool is_constant(const Rows& reference, const Rows& bounds) {
   return true;
 }
 
-double constant_solution_error(Norm norm, const std::vector<double>& times, const Rows& reference,
+ConstantErrors constant_errors(Norm norm, const std::vector<double>& times, const Rows& reference,
                                const Rows& divisors) {
   const bool from_start = times.front() == 0.0 && times.size() > 1;
   const Eigen::Index later = reference.cols() - (from_start ? 1 : 0);
-  const auto error_with = [&](const auto& constant) {
+  const auto errors_with = [&](const Vec& constant) -> Vec {
     const auto parts =
-        (reference.rightCols(later) - constant).cwiseAbs().cwiseQuotient(divisors.rightCols(later));
-    return norm == Norm::end ? parts.rightCols(1).maxCoeff() : parts.maxCoeff();
+        (reference.rightCols(later).colwise() - constant).cwiseAbs().cwiseQuotient(divisors.rightCols(later));
+    if (norm == Norm::end) return parts.rightCols(1);
+    return parts.rowwise().maxCoeff();
   };
-  const double zero = error_with(Rows::Zero(reference.rows(), later));
-  return from_start ? std::min(zero, error_with(reference.col(0).replicate(1, later))) : zero;
+  Vec zero = errors_with(Vec::Zero(reference.rows())), start = zero;
+  if (from_start) start = errors_with(reference.col(0));
+  return {std::move(zero), std::move(start)};
+}
+
+double constant_solution_error(Norm norm, const std::vector<double>& times, const Rows& reference,
+                               const Rows& divisors) {
+  const auto [zero, start] = constant_errors(norm, times, reference, divisors);
+  return std::min(zero.maxCoeff(), start.maxCoeff());
 }
 
 }  // namespace fde::bench

@@ -71,15 +71,23 @@ constexpr std::string_view unresolved_measure(Scale scale) {
 // Precondition: the times increase.
 Rows divisors(Scale scale, const std::vector<double>& times, const Rows& reference);
 
-// max |values - reference| / divisor over the columns of the scene, at the last time or over all times.
-double error_of(Norm norm, const Rows& values, const Rows& reference, const Rows& divisors);
+// |values - reference| / divisor of each column of the scene, at the last time or the maximum over all times.
+Vec errors_of(Norm norm, const Rows& values, const Rows& reference, const Rows& divisors);
 
 // Whether the reference equals its first value at all times, to its bounds and rounding: the constant y =
 // y(0) is then right, and a run is no worse for being as good.
 bool is_constant(const Rows& reference, const Rows& bounds);
 
-// The constant-solution baseline: the error for t > 0 of y = 0 or, if the times begin at 0, of the better of
-// y = 0 and y = y(0). A run that is no better is useless.
+// The errors of each column for t > 0 of y = 0 and, if the times begin at 0, of y = y(0); otherwise both are
+// those of y = 0.
+struct ConstantErrors {
+  Vec zero, start;
+};
+ConstantErrors constant_errors(Norm norm, const std::vector<double>& times, const Rows& reference,
+                               const Rows& divisors);
+
+// The constant-solution baseline: the largest error over the columns of the better of y = 0 and y = y(0). A
+// run that is no better is useless.
 double constant_solution_error(Norm norm, const std::vector<double>& times, const Rows& reference,
                                const Rows& divisors);
 

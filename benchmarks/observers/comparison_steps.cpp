@@ -2,6 +2,7 @@
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,11 @@ std::vector<int> comparison_steps(int steps, int most) {
   for (auto& n : compared) n = static_cast<int>(std::int64_t{n} * steps / most);
   for (int n = 0; n <= first; ++n) compared.push_back(n);
   return increasing(std::move(compared));
+}
+
+int comparison_steps_for(std::size_t columns) {
+  constexpr std::size_t most_values = 1U << 18U, least = 1024, most = max_comparison_steps;
+  return static_cast<int>(std::clamp(std::bit_floor(most_values / columns), least, most));
 }
 
 std::vector<double> comparison_times(const Grid& grid, int most) {

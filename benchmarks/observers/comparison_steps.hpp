@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "fdebench/schemes/problem/grid.hpp"
@@ -12,6 +13,10 @@ namespace fde::bench {
 // `most`, otherwise the first 16 and `most` evenly spaced ones.
 constexpr int max_comparison_steps = 8192;
 std::vector<int> comparison_steps(int steps, int most = max_comparison_steps);
+
+// The number of steps at which a run of a scene with so many columns is compared: max_comparison_steps up to
+// 32 columns, fewer of more, so that at most 2^18 values are compared, but at least 1024.
+int comparison_steps_for(std::size_t columns);
 
 // Their times.
 std::vector<double> comparison_times(const Grid& grid, int most = max_comparison_steps);

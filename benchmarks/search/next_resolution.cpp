@@ -232,10 +232,11 @@ class TargetSearch {
 
   [[nodiscard]] bool is_reached() const { return quickest_ < never; }
 
-  // by_forecasts: without configurations that are forecast to be slower than another.
+  // by_forecasts: without configurations that are forecast to be slower than another; otherwise only without
+  // those that are forecast to take longer than any run may.
   NextRun next(const Refinement& of, bool by_forecasts) {
     const auto out_of_reach = [&](double next_seconds) {
-      return by_forecasts && is_out_of_reach(of, next_seconds);
+      return is_out_of_reach(of, next_seconds, by_forecasts);
     };
     if (of.is_adaptive) return next_tolerance(goal_, of, target_, quickest_, out_of_reach);
     const StepsSearch search(goal_, of, target_, quickest_, least_step());
@@ -244,20 +245,25 @@ class TargetSearch {
 
  private:
   // Whether even the shortest forecast, or without one the next run, takes longer than another configuration
-  // needs, by the margin.
-  bool is_out_of_reach(const Refinement& of, double next_seconds) {
+  // needs, by the margin, or than a run may.
+  bool is_out_of_reach(const Refinement& of, double next_seconds, bool by_others) {
     constexpr double hope = 0.8;
-    if (next_seconds < goal_.long_run) return false;
+    if (next_seconds < (of.is_adaptive ? goal_.long_run : goal_.long_run_over_grid)) return false;
     const auto own = forecast(of);
     const double least = own ? hope * own->low : next_seconds;
-    return least > goal_.margin * least_forecast();
+    return least > (by_others ? goal_.margin * least_forecast() : goal_.most_seconds);
   }
 
   const std::optional<Prediction>& forecast(const Refinement& of) {
     const auto i = static_cast<std::size_t>(&of - of_scene_.data());
-    const auto [known, is_new] = memo_.try_emplace({i, of.runs.size(), target_.kind, target_.error});
-    if (is_new) known->second = forecast_seconds(of, target_);
-    return known->second;
+    const std::tuple key{i, of.runs.size(), target_.kind};
+    auto known = memo_.find(key);
+    if (known == memo_.end())
+      known = memo_.emplace(key, ConfigurationForecast{error_model(of, target_.kind)}).first;
+    auto& [model, seconds] = known->second;
+    const auto [forecast, is_new] = seconds.try_emplace(target_.error);
+    if (is_new) forecast->second = forecast_seconds(of, target_, model);
+    return forecast->second;
   }
 
   // The least seconds that a configuration is measured or forecast to need, at the end of its interval.

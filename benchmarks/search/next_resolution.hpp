@@ -22,7 +22,9 @@ struct SearchGoal {
   double most_seconds = 0.3;               // of a solve; slower runs are not made
   // A configuration is left once its runs outside a target take this multiple of the quickest run within it.
   double margin = 1.5;
-  double long_run = 5e-3;    // seconds; longer runs are made only where a forecast expects something of them
+  // Seconds; longer runs are made only where a forecast expects something of them. Over grids, where errors
+  // follow their rate, forecasts hold from shorter runs on.
+  double long_run = 5e-3, long_run_over_grid = 5e-3;
   double short_run = 5e-5;   // seconds; shorter runs are not put off for shorter ones
   int binary_digits = 31;    // significant ones of numbers of steps: runs with few share comparison times
   double closeness = 1.015;  // ratio of the fewest steps within a target and the most outside it
@@ -34,10 +36,13 @@ struct SearchGoal {
 // The seconds of the quickest run of all configurations within each target; infinity where there is none.
 std::vector<double> quickest_seconds(const SearchGoal& goal, std::span<const Refinement> of_scene);
 
-// Forecasts of the configurations of one scene: by the number of the configuration, its number of runs, the
-// kind of error and the error.
-using ForecastMemo =
-    std::map<std::tuple<std::size_t, std::size_t, std::size_t, double>, std::optional<Prediction>>;
+// Forecasts of the configurations of one scene, by the number of the configuration, its number of runs and
+// the kind of error; then by the error.
+struct ConfigurationForecast {
+  ErrorModel model;
+  std::map<double, std::optional<Prediction>> seconds{};
+};
+using ForecastMemo = std::map<std::tuple<std::size_t, std::size_t, std::size_t>, ConfigurationForecast>;
 
 // The next run of each configuration of a scene that can change which run is the cheapest within some target;
 // nullopt where there is none. The steps are doubled, from coarsest_steps on, until a run is within the
@@ -49,8 +54,8 @@ using ForecastMemo =
 //     run that failed counts with the cheapest step of any configuration;
 //   - if its errors stagnate outside the target;
 //   - if by its errors so far, which decrease, it needs more than `margin` times what another one is measured
-//     or forecast to need; this is asked only before runs that take longer than long_run, and no more where
-//     no run is left that may reach a target that none has reached;
+//     or forecast to need; this is asked only before runs that take longer than long_run, and where no run is
+//     left that may reach a target that none has reached, it may need as long as most_seconds;
 //   - if it is the same algorithm as one listed before.
 // A function of the runs alone: a sweep that is continued, or told of better times, goes on from the runs.
 // `memo`: of the same configurations, whose runs have only become more since an earlier call.

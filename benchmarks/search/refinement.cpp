@@ -120,18 +120,20 @@ std::optional<double> seconds_with(const Refinement& of, double steps) {
 
 namespace {
 
-// With tolerances the time is a power of the error, by the two runs with the smallest errors, to a factor of
-// two.
+// With tolerances the time is a power of the error, to a factor of two: by the run with the smallest error
+// and the one with the smallest error that is far enough from it, because both error and time scatter.
 std::optional<Prediction> forecast_by_tolerances(const Refinement& of, const ErrorTarget& target) {
-  constexpr double uncertainty = 2.0;
+  constexpr double uncertainty = 2.0, far = 30.0;
   std::map<double, double> seconds;  // by error
   for (const RefinementRun& run : of.runs) {
     const double error = error_of(run, target.kind).value;
     if (run.seconds && error > 0.0 && std::isfinite(error)) seconds.insert_or_assign(error, *run.seconds);
   }
-  if (seconds.size() < 2) return std::nullopt;
+  if (seconds.empty()) return std::nullopt;
   const auto [fine, fine_seconds] = *seconds.begin();
-  const auto [coarse, coarse_seconds] = *std::next(seconds.begin());
+  const auto other = seconds.lower_bound(far * fine);
+  if (other == seconds.end()) return std::nullopt;
+  const auto [coarse, coarse_seconds] = *other;
   const double power =
       std::clamp(std::log(fine_seconds / coarse_seconds) / std::log(coarse / fine), 0.0, 1.0);
   const double value = fine_seconds * std::pow(fine / target.error, power);
@@ -140,12 +142,16 @@ std::optional<Prediction> forecast_by_tolerances(const Refinement& of, const Err
 
 }  // namespace
 
-std::optional<Prediction> forecast_seconds(const Refinement& of, const ErrorTarget& target) {
-  if (of.is_adaptive) return forecast_by_tolerances(of, target);
+ErrorModel error_model(const Refinement& of, std::size_t kind) {
   constexpr std::size_t fewest = 3;
-  const auto errors = doubled_errors(of, target.kind);
-  const ErrorModel model(errors);
-  if (errors.size() < fewest || model.empty() || !seconds_with(of, 1.0)) return std::nullopt;
+  const auto errors = of.is_adaptive ? std::vector<TrialError>() : doubled_errors(of, kind);
+  return errors.size() < fewest ? ErrorModel({}) : ErrorModel(errors);
+}
+
+std::optional<Prediction> forecast_seconds(const Refinement& of, const ErrorTarget& target,
+                                           const ErrorModel& model) {
+  if (of.is_adaptive) return forecast_by_tolerances(of, target);
+  if (model.empty() || !seconds_with(of, 1.0)) return std::nullopt;
   const Prediction steps = model.steps(target.error);
   return Prediction{*seconds_with(of, steps.value), *seconds_with(of, steps.low),
                     *seconds_with(of, steps.high)};

@@ -77,10 +77,15 @@ double start_seconds(const Refinement& of);
 // timed.
 std::optional<double> seconds_with(const Refinement& of, double steps);
 
-// The forecast seconds of the quickest run within the target: by the error model and seconds_with(); with
-// tolerances as a power of the error. nullopt if there are fewer than three (two) errors above rounding, or
-// none decreases.
-std::optional<Prediction> forecast_seconds(const Refinement& of, const ErrorTarget& target);
+// The model of the errors of one kind over grids; empty with fewer than three above rounding, or if none
+// decreases.
+ErrorModel error_model(const Refinement& of, std::size_t kind);
+
+// The forecast seconds of the quickest run within the target: over grids by this model of errors of the
+// target's kind and by seconds_with(); with tolerances as a power of the error. nullopt without a model, or
+// without two errors that are far enough apart.
+std::optional<Prediction> forecast_seconds(const Refinement& of, const ErrorTarget& target,
+                                           const ErrorModel& model);
 
 // Whether two configurations are one algorithm on this scene: their errors are equal bit for bit, and not 0,
 // at every number of steps that both were run with, at least `fewest`.

@@ -58,6 +58,7 @@ SweepPlan default_plan() {
                   .most_seconds = 0.2,
                   .margin = 1.2,
                   .long_run = 1e-3,
+                  .long_run_over_grid = 1e-4,
                   .short_run = 1e-3,
                   .binary_digits = 5,
                   .closeness = 1.05};

@@ -114,7 +114,9 @@ Examined solve_and_judge(const Scene& scene, MemoizedReference& reference, const
   RunObservations observed;
   if (const auto* grid = std::get_if<Grid>(&resolution)) observed.grid = *grid;
   Options options = setup.options();
-  options.output_times = observed.grid ? comparison_times(*observed.grid) : comparison_times(scene.problem);
+  const int compared = comparison_steps_for(scene.outputs.names.size());
+  options.output_times =
+      observed.grid ? comparison_times(*observed.grid, compared) : comparison_times(scene.problem);
   Options observing = options;
   Observers observers(scene, observed.grid);
   if (!observers.empty()) observing.observer = [&](double t, In y) { observers.observe(t, y); };

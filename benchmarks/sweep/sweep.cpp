@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -152,50 +152,39 @@ void add_runs(SweptScene& of) {
 }
 
 // Scenes with the same exact columns share one reference and are examined by one thread.
-using SceneGroup = std::vector<SweptScene*>;
+struct SceneGroup {
+  std::vector<SweptScene*> scenes{};
+  double seconds = 0.0;  // of the examinations of the last turn
+};
 
 std::vector<SceneGroup> grouped_by_solution(std::deque<SweptScene>& scenes) {
   std::map<std::pair<SceneSettings, std::vector<std::string>>, SceneGroup> groups;
-  for (auto& of : scenes) groups[{of.variant.key_of_solution(), of.scene.outputs.names}].push_back(&of);
+  for (auto& of : scenes)
+    groups[{of.variant.key_of_solution(), of.scene.outputs.names}].scenes.push_back(&of);
   std::vector<SceneGroup> all;
   for (auto& [solution, group] : groups) {
-    for (SweptScene* of : group) of->reference = group.front()->reference;
+    for (SweptScene* of : group.scenes) of->reference = group.scenes.front()->reference;
     all.push_back(std::move(group));
   }
   return all;
 }
 
-// The forecast seconds of the current runs of these scenes.
-double seconds_of_turn(const SceneGroup& group, const Forecast& expected) {
-  double seconds = 0.0;
-  for (const SweptScene* of : group) {
-    for (const RefinementSeries& line : of->refinements.series) {
-      const auto run = line.is_due ? expected.find(line.key) : expected.end();
-      if (run != expected.end()) seconds += run->second.total();
-    }
-  }
-  return seconds;
+void examine_group(SceneGroup& group, const Sweep& sweep, GuardedCallbacks& log) {
+  const auto start = std::chrono::steady_clock::now();
+  for (SweptScene* of : group.scenes) examine_runs(*of, sweep, log);
+  group.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Longest forecast first, so that the threads finish at about the same time.
-std::vector<std::size_t> longest_first(const std::vector<SceneGroup>& groups, const Forecast& expected) {
-  std::vector<double> seconds;
-  for (const auto& group : groups) seconds.push_back(seconds_of_turn(group, expected));
-  std::vector<std::size_t> order(groups.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return seconds[i]; });
-  return order;
-}
-
-// Makes the next runs of all scenes. Returns whether there was any.
-bool take_turn(std::deque<SweptScene>& scenes, const std::vector<SceneGroup>& groups, const Sweep& sweep,
-               const SweepCallbacks& callbacks, const Forecast& expected, GuardedCallbacks& log) {
-  bool goes_on = false;
-  for (auto& of : scenes) goes_on = choose_next_runs(of, sweep.plan, callbacks, log) || goes_on;
-  const auto order = longest_first(groups, expected);
-  in_parallel(groups.size(), sweep.threads, [&](std::size_t i) {
-    for (SweptScene* of : groups[order[i]]) examine_runs(*of, sweep, log);
+// Makes the next runs of all scenes, those that took longest in the last turn first, so that the threads
+// finish at about the same time. Returns whether there was any.
+bool take_turn(std::deque<SweptScene>& scenes, std::vector<SceneGroup>& groups, const Sweep& sweep,
+               const SweepCallbacks& callbacks, GuardedCallbacks& log) {
+  std::atomic<bool> goes_on = false;
+  in_parallel(scenes.size(), sweep.threads, [&](std::size_t i) {
+    if (choose_next_runs(scenes[i], sweep.plan, callbacks, log)) goes_on = true;
   });
+  if (sweep.threads > 1) std::ranges::stable_sort(groups, std::ranges::greater{}, &SceneGroup::seconds);
+  in_parallel(groups.size(), sweep.threads, [&](std::size_t i) { examine_group(groups[i], sweep, log); });
   for (auto& of : scenes) time_runs(of, sweep, log);
   for (auto& of : scenes) add_runs(of);
   return goes_on;
@@ -203,7 +192,7 @@ bool take_turn(std::deque<SweptScene>& scenes, const std::vector<SceneGroup>& gr
 
 }  // namespace
 
-void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Forecast& expected) {
+void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks) {
   Sweep sweep = requested;
   sweep.plan.resolutions.clear();
   for (const auto& resolution : requested.plan.resolutions) {
@@ -217,8 +206,8 @@ void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Fo
     std::deque<SweptScene> scenes;
     for (auto i = begin; i < std::min(begin + scenes_at_once, sweep.scenes.size()); ++i)
       scenes.emplace_back(sweep.scenes[i], sweep);
-    const auto groups = grouped_by_solution(scenes);
-    while (take_turn(scenes, groups, sweep, callbacks, expected, log)) {
+    auto groups = grouped_by_solution(scenes);
+    while (take_turn(scenes, groups, sweep, callbacks, log)) {
     }
   }
 }

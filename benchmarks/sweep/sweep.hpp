@@ -60,7 +60,7 @@ using RecordedLookup = std::function<std::optional<Record>(const RunKey&)>;
 
 // Callbacks of run_sweep(): lookup of recorded runs, output of examined runs and of the times of one that was
 // output or recorded before, progress; lookup and output of scenes, which are not described without them. All
-// but `recorded` are called by one thread at a time.
+// but `recorded`, which several threads call, are called by one thread at a time.
 struct SweepCallbacks {
   RecordedLookup recorded;
   std::function<void(const Record&)> append, append_times;
@@ -78,10 +78,10 @@ inline constexpr int most_timings = 3;
 // of each refinement is the next, so that a resumed sweep makes the same runs. A run is passed to `append` as
 // soon as it is examined, and to `append_times` when it is timed; before the first run of a scene its
 // description is passed to `append_scene`, unless it is recorded. At one resolution the runs of a scene keep
-// the order of the schemes; those of different scenes interleave, the scene with the longest forecast first;
-// only scenes_at_once scenes are in memory. The number of threads and the forecast change nothing but the
-// times. An exception of one of the outputs ends the sweep and is rethrown.
+// the order of the schemes; those of different scenes interleave, and only scenes_at_once scenes are in
+// memory. The number of threads changes nothing but the times. An exception of one of the outputs ends the
+// sweep and is rethrown.
 inline constexpr std::size_t scenes_at_once = 256;
-void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks, const Forecast& expected = {});
+void run_sweep(const Sweep& requested, const SweepCallbacks& callbacks);
 
 }  // namespace fde::bench

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -28,12 +29,23 @@ class LinearSolution {
   [[nodiscard]] std::size_t size() const { return transform_.groups.front().numerators.size(); }
   [[nodiscard]] LinearValues<long double> in_long_double(double t) const;
   [[nodiscard]] std::vector<BoundedSum<BigReal>> in_digits(double t, int digits) const;
+  [[nodiscard]] const NodePowers<long double>& powers_at(const Contour<long double>& contour) const;
+  // What in_digits() needs at all times, with the Precision in force.
+  struct InDigits {
+    RoundedTransform<BigReal> transform;
+    std::vector<Zero<BigReal>> zeros;
+    NodePowers<BigReal> powers;  // at the nodes of contour_for(digits)
+  };
+  [[nodiscard]] const InDigits& with_digits(int digits) const;
   [[nodiscard]] int phase_digits(double t) const;
   void require_resolvable_clusters(double t) const;
 
   LinearTransform transform_;
   RoundedTransform<long double> rounded_;
   std::vector<Zero<long double>> zeros_;
+  mutable std::mutex lock_{};
+  mutable std::map<const Contour<long double>*, NodePowers<long double>> powers_{};  // guarded by lock_
+  mutable std::map<std::pair<int, unsigned>, InDigits> in_digits_{};  // guarded by the lock of Precision
 };
 
 [[noreturn]] void throw_oscillates_too_fast(double t) {
@@ -63,7 +75,7 @@ LinearValues<long double> LinearSolution::in_long_double(double t) const {
     for (const auto& zero : zeros_) log_poles.push_back(zero.log + std::log(time));
     const auto& contour = contour_away_from(log_poles);
     LinearResponse<long double> response(rounded_, group, time);
-    response.add_to(part, zeros_, contour);
+    response.add_to(part, zeros_, contour, powers_at(contour));
     response.add_discretisation(part, contour);
     // Cancellation in t - start_time gives an error of the time.
     const long double time_ulps = since_start / time;
@@ -78,15 +90,32 @@ LinearValues<long double> LinearSolution::in_long_double(double t) const {
   return values;
 }
 
+const NodePowers<long double>& LinearSolution::powers_at(const Contour<long double>& contour) const {
+  const std::scoped_lock guard(lock_);
+  auto& powers = powers_[&contour];
+  if (powers.empty()) powers = powers_at_nodes(rounded_, contour);
+  return powers;
+}
+
+const LinearSolution::InDigits& LinearSolution::with_digits(int digits) const {
+  constexpr std::size_t most = 32;
+  const std::pair key{digits, BigReal::default_precision()};
+  if (const auto found = in_digits_.find(key); found != in_digits_.end()) return found->second;
+  if (in_digits_.size() == most) in_digits_.clear();
+  RoundedTransform<BigReal> transform(transform_);
+  auto zeros = newton_refined(transform.characteristic, zeros_);
+  auto powers = powers_at_nodes(transform, contour_for(digits));
+  return in_digits_.try_emplace(key, std::move(transform), std::move(zeros), std::move(powers)).first->second;
+}
+
 std::vector<BoundedSum<BigReal>> LinearSolution::in_digits(double t, int digits) const {
-  const RoundedTransform<BigReal> transform(transform_);
-  const auto zeros = newton_refined(transform.characteristic, zeros_);
-  const Contour<BigReal>& contour = contour_for(digits);
+  const auto& [transform, zeros, powers] = with_digits(digits);
   auto values = zero_values<BigReal>(size());
   for (const auto& group : transform.groups) {
     const BigReal time = from_shortest_decimal<BigReal>(t) - group.start_time;
     if (time == 0) transform.add_start_values(group, values.sums);
-    if (time > 0) LinearResponse<BigReal>(transform, group, time).add_to(values, zeros, contour);
+    if (time > 0)
+      LinearResponse<BigReal>(transform, group, time).add_to(values, zeros, contour_for(digits), powers);
   }
   drop_imaginary_parts(values.sums);
   return values.sums;

@@ -54,7 +54,7 @@ class Refusals {
 
 void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams, ResultsFile& file) {
   const auto recorded = [&](const RunKey& key) { return file.recorded(key); };
-  const Forecast expected = forecast_of(sweeps, recorded);
+  const Forecast expected = streams.quiet ? Forecast() : forecast_of(sweeps, recorded);
   SweepProgress progress(streams, expected, count_is_exact(sweeps));
   std::string unwritten;  // the first line that could not be read back; the sweep goes on without it
   Refusals refusals;
@@ -76,7 +76,7 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams, Resu
       .on_event = [&](const SweepEvent& event) { progress.on_event(event); },
       .describes = [&](const SceneSettings& scene) { return file.describes(scene); },
       .append_scene = [&](const SceneDescription& scene) { write([&] { file.append(scene); }); }};
-  for (const auto& sweep : sweeps) run_sweep(sweep, hooks, expected);
+  for (const auto& sweep : sweeps) run_sweep(sweep, hooks);
   if (refusals.count() > 0) say(streams, Message::note, refusals.text());
   if (!unwritten.empty()) throw NumericalFailure(unwritten);
 }

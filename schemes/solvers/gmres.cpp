@@ -63,8 +63,8 @@ namespace fde {
 Vec gmres(const std::function<Vec(const Vec&)>& apply, const Vec& b, double tolerance, Eigen::Index most) {
   const LinearOperator matrix(apply, b.size());
   const Eigen::Index applications = std::min(most, b.size());
-  // Eigen sets all its vectors to 0 before the first application, which can take longer than the solution: few
-  // vectors are tried first.
+  // Eigen sets all its vectors to 0 before the first application, which can take longer than the solution:
+  // few vectors are tried first.
   Eigen::Index vectors = std::min<Eigen::Index>(applications, 16);
   while (true) {
     Eigen::GMRES<LinearOperator, Eigen::IdentityPreconditioner> solver(matrix);

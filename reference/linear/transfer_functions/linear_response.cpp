@@ -48,6 +48,14 @@ bool is_unresolvable_cluster(const Zero<long double>& zero, long double log_time
 }
 
 template <class Real>
+NodePowers<Real> powers_at_nodes(const RoundedTransform<Real>& transform, const Contour<Real>& contour) {
+  NodePowers<Real> powers;
+  for (const auto& node : contour.nodes())
+    transform.table.evaluate(transform.exponents, node.log_s, node.s, powers.emplace_back());
+  return powers;
+}
+
+template <class Real>
 LinearResponse<Real>::LinearResponse(const RoundedTransform<Real>& transform, const Group& group,
                                      const Real& time)
     : transform_(transform), log_time_(0), log_time_size_(0) {
@@ -74,9 +82,14 @@ typename LinearResponse<Real>::Polynomial LinearResponse<Real>::scaled(const Pol
 
 template <class Real>
 void LinearResponse<Real>::evaluate(const Complex<Real>& log_p, const Complex<Real>& p) {
+  transform_.table.evaluate(transform_.exponents, log_p, p, powers_);
+  evaluate_sums(log_p, p);
+}
+
+template <class Real>
+void LinearResponse<Real>::evaluate_sums(const Complex<Real>& log_p, const Complex<Real>& p) {
   constexpr double coefficient_ulps = 4.0;
   p_ = p;
-  transform_.table.evaluate(transform_.exponents, log_p, p, powers_);
   const Real logs = norm1(log_p) + log_time_size_;
   errors_.clear();
   for (std::size_t i = 0; i < powers_.size(); ++i) {
@@ -124,12 +137,14 @@ void LinearResponse<Real>::add_terms(LinearValues<Real>& values, const Complex<R
 }
 
 template <class Real>
-void LinearResponse<Real>::add_nodes(LinearValues<Real>& values, const Contour<Real>& contour) {
+void LinearResponse<Real>::add_nodes(LinearValues<Real>& values, const Contour<Real>& contour,
+                                     const NodePowers<Real>& powers) {
   const auto& nodes = contour.nodes();
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const auto& node = nodes[k];
     report_step<Real>(k, nodes.size());
-    evaluate(node.log_s, node.s);
+    powers_ = powers[k];
+    evaluate_sums(node.log_s, node.s);
     const Real ulps = 3 + norm1(node.s) + characteristic_.error / norm1(characteristic_.value);
     // The real part of twice the term is its sum with the term of the conjugate node.
     add_terms(values, Real(2) * node.weight / characteristic_.value, ulps, contour.exp_minus_mu());
@@ -218,9 +233,9 @@ void LinearResponse<Real>::add_cluster_residues(LinearValues<Real>& values, cons
 
 template <class Real>
 void LinearResponse<Real>::add_to(LinearValues<Real>& values, const std::vector<Zero<Real>>& zeros,
-                                  const Contour<Real>& contour) {
+                                  const Contour<Real>& contour, const NodePowers<Real>& powers) {
   constexpr double on_the_axis = 1e-7;  // closer conjugate pairs are one zero of multiplicity 2
-  add_nodes(values, contour);
+  add_nodes(values, contour, powers);
   for (const auto& zero : zeros) {
     const Real height = imag_part<Real>(zero.log);
     if (height < -on_the_axis) continue;  // the real part of twice its conjugate is the sum of both
@@ -248,6 +263,9 @@ void LinearResponse<Real>::add_discretisation(LinearValues<Real>& values, const 
   }
 }
 
+template NodePowers<long double> powers_at_nodes(const RoundedTransform<long double>&,
+                                                 const Contour<long double>&);
+template NodePowers<BigReal> powers_at_nodes(const RoundedTransform<BigReal>&, const Contour<BigReal>&);
 template class LinearResponse<long double>;
 template class LinearResponse<BigReal>;
 

@@ -25,7 +25,7 @@ struct TwoColumns {
   }
   [[nodiscard]] double error_of_rows(const ErrorKind& kind, const std::vector<Eigen::Index>& rows) const {
     const Rows some = values(rows, Eigen::all), exact = reference(rows, Eigen::all);
-    return error_of(kind.norm, some, exact, divisors(kind.scale, path.times, exact));
+    return errors_of(kind.norm, some, exact, divisors(kind.scale, path.times, exact)).maxCoeff();
   }
 };
 

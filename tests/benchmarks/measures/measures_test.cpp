@@ -39,7 +39,7 @@ TEST(Measures, OfValuesBesideAReference) {
   EXPECT_NEAR(mescd(values, reference), -std::log10(0.1), 1e-15);
   const std::vector<double> times{0.0, 1.0, 2.0};
   const auto error = [&](Norm norm, Scale scale) {
-    return error_of(norm, values, reference, divisors(scale, times, reference));
+    return errors_of(norm, values, reference, divisors(scale, times, reference)).maxCoeff();
   };
   EXPECT_EQ(error(Norm::end, Scale::absolute), 1.0);
   EXPECT_EQ(error(Norm::maximum, Scale::absolute), 2.5);
@@ -56,8 +56,9 @@ TEST(PeakErrors, DoNotDependOnTheUnit) {
   const Rows values = reference + (Rows(2, 3) << 0.0, 4.8e-4, 1e-4, 0.0, 1.0, 1.0).finished();
   for (const double unit : {1.0, 1e3, 1e-9}) {
     const Rows by = divisors(Scale::peak, times, unit * reference);
-    EXPECT_NEAR(error_of(Norm::maximum, unit * values, unit * reference, by), 0.1, 1e-12) << unit;
-    EXPECT_NEAR(error_of(Norm::end, unit * values, unit * reference, by), 1e-4 / 4.8e-3, 1e-12) << unit;
+    EXPECT_NEAR(errors_of(Norm::maximum, unit * values, unit * reference, by).maxCoeff(), 0.1, 1e-12) << unit;
+    EXPECT_NEAR(errors_of(Norm::end, unit * values, unit * reference, by).maxCoeff(), 1e-4 / 4.8e-3, 1e-12)
+        << unit;
   }
 }
 
@@ -143,6 +144,11 @@ TEST(WatchedSteps, AreAllUpToALimitAndThenSpread) {
   EXPECT_EQ(some[17], 1'000'000'000 / 8192);
   EXPECT_EQ(some.back(), 1'000'000'000);
   EXPECT_EQ(comparison_times({.end = 0.75, .steps = 3}), (std::vector{0.0, 0.25, 0.5, 0.75}));
+}
+
+TEST(WatchedSteps, AreFewerWhereColumnsAreMany) {
+  for (const auto& [columns, steps] : {std::pair{1, 8192}, {32, 8192}, {33, 4096}, {200, 1024}, {5000, 1024}})
+    EXPECT_EQ(comparison_steps_for(static_cast<std::size_t>(columns)), steps) << columns;
 }
 
 // Whether the distances t - start include four values per power of ten from `least` to `most`.

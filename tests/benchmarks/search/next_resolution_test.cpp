@@ -193,7 +193,7 @@ TEST(Refinements, ForecastStartWeightsOnce) {
     of.runs.back().seconds = 0.06 + 1e-6 * steps;
   }
   EXPECT_NEAR(*seconds_with(of, 4096.0), 0.06 + 4096e-6, 1e-9);
-  EXPECT_NEAR(forecast_seconds(of, {0, accuracy})->value, 0.061, 1e-4);
+  EXPECT_NEAR(forecast_seconds(of, {0, accuracy}, error_model(of, 0))->value, 0.061, 1e-4);
 }
 
 TEST(NextResolutions, EndWhereMoreStepsEndInTheSameWay) {
