@@ -105,7 +105,8 @@ const LinearSolution::InDigits& LinearSolution::with_digits(int digits) const {
   RoundedTransform<BigReal> transform(transform_);
   auto zeros = newton_refined(transform.characteristic, zeros_);
   auto powers = powers_at_nodes(transform, contour_for(digits));
-  return in_digits_.try_emplace(key, std::move(transform), std::move(zeros), std::move(powers)).first->second;
+  InDigits known{std::move(transform), std::move(zeros), std::move(powers)};
+  return in_digits_.emplace(key, std::move(known)).first->second;
 }
 
 std::vector<BoundedSum<BigReal>> LinearSolution::in_digits(double t, int digits) const {

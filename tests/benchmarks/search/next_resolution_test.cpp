@@ -196,6 +196,23 @@ TEST(Refinements, ForecastStartWeightsOnce) {
   EXPECT_NEAR(forecast_seconds(of, {0, accuracy}, error_model(of, 0))->value, 0.061, 1e-4);
 }
 
+// The time grows with e^(-1/2); the last two errors are neighbours, and other work doubled the time of the
+// last.
+TEST(Refinements, ForecastByErrorsWithTolerancesThatAreFarApart) {
+  Refinement of{.is_adaptive = true};
+  const auto add = [&](double error, double seconds) {
+    of.runs.push_back({.resolution = Tolerance{error, error}, .seconds = seconds, .errors = {{error}}});
+  };
+  const auto forecast = [&] { return forecast_seconds(of, {0, 1e-8}, error_model(of, 0)); };
+  add(2e-4, 1e-3 / std::sqrt(2.0));
+  add(1e-4, 1e-3);
+  EXPECT_FALSE(forecast());
+  add(1e-6, 1e-2);
+  EXPECT_NEAR(forecast()->value, 0.1, 1e-3);
+  add(0.9e-6, 2e-2);
+  EXPECT_LT(forecast()->value, 0.6) << "by the neighbours it is 1.8 s";
+}
+
 TEST(NextResolutions, EndWhereMoreStepsEndInTheSameWay) {
   Refinement of{.runs = {{.resolution = 64, .steps = 64, .errors = {{}}}}};
   EXPECT_EQ(next_resolutions(goal_for(), {&of, 1}).front(), StepsOrTolerance(128)) << "more may succeed";
