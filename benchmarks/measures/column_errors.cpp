@@ -136,9 +136,10 @@ ColumnErrors column_errors(const FinishedRun& run, std::vector<std::string> name
   ColumnErrors columns{.names = std::move(names), .is_part = is_part};
   if (columns.names.size() > most_single_columns || run.reference.cols() == 0) return columns;
   Matrix constant = run.errors.zero.cwiseMin(run.errors.start);
-  for (Eigen::Index i = 0; i < constant.rows(); ++i)
+  for (Eigen::Index i = 0; i < constant.rows(); ++i) {
     if (is_constant_from_start(run, run.reference.row(i), run.reference_bounds.row(i)))
       constant.row(i).setZero();
+  }
   for (std::size_t k = 0; k < error_kinds.size(); ++k) {
     auto errors = rounded_errors(run.errors.run.col(static_cast<Eigen::Index>(k))),
          baselines = rounded_errors(constant.col(static_cast<Eigen::Index>(k)));
