@@ -73,7 +73,7 @@ async function open({ width = 1280, height = 900, dark = false, address = "", ch
   await page.goto(`file://${file}${address}`);
   await page.locator("main:not([aria-busy])").waitFor({ state: "attached" });
   await page.waitForFunction(() => {
-    const [id] = decodeURIComponent(location.hash.slice(1)).split("?"), section = document.getElementById(id);
+    const section = document.getElementById(location.hash.slice(1).split("?")[0]);
     return section === null || section.hidden || section.querySelector(".waiting") === null;
   });
   return { page, complaints };
