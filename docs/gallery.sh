@@ -1,5 +1,5 @@
 #!/bin/sh
-# gallery.sh [FOLDER]: the pictures of docs/gallery.md, in docs/plots/gallery or another folder. Needs fdebench on the PATH.
+# gallery.sh [FOLDER]: the pictures of docs/gallery.md, in docs/plots/gallery or another folder. Needs fdebench and node on the PATH.
 set -eu
 cd "$(dirname "$0")"
 folder=${1:-plots/gallery}
@@ -19,3 +19,4 @@ draw epidemic --kind solution --columns S,I,R
 draw roessler --kind phase --columns x,y
 draw multi_order --kind solution
 draw sleigh --kind motion
+node plots/shorten.mjs "$folder"/*.svg

@@ -57,7 +57,7 @@ class Page(unittest.TestCase):
         self.assertEqual(re.findall(r"(?m)^draw (\w+)", script), shown)
         self.assertEqual(sorted(path.stem for path in (DOCS / "plots/gallery").iterdir()), EXAMPLES)
         for picture in (DOCS / "plots/gallery").iterdir():
-            self.assertLess(picture.stat().st_size, 60_000, picture.name)
+            self.assertLess(picture.stat().st_size, 12_000, picture.name)
 
 
 class Examples(unittest.TestCase):
