@@ -82,15 +82,17 @@ std::string resource_name(const TableSpec& table) {
 }
 
 FolderFiles package_files(const std::vector<TableSpec>& tables, const FolderFiles& files) {
-  Json package = Json::parse(package_metadata);
-  const std::string cited = citation(package);
-  package["resources"] = Json::array();
+  const Json package = Json::parse(package_metadata);
+  std::vector<std::string> resources;
   for (const auto& table : tables)
-    package["resources"].push_back(resource_of(table, files.at(table.stem() + ".csv")));
-  return {{"CITATION.cff", cited},
+    resources.push_back(resource_of(table, files.at(table.stem() + ".csv")).dump());
+  std::string described = package.dump(2);  // ends in "\n}"; a resource is a line
+  described.resize(described.size() - 2);
+  described += fmt::format(",\n  \"resources\": [\n{}\n  ]\n}}\n", fmt::join(resources, ",\n"));
+  return {{"CITATION.cff", citation(package)},
           {"LICENSE", std::string(licence_text)},
           {"README.md", std::string(package_readme)},
-          {"datapackage.json", package.dump(2) + "\n"}};
+          {"datapackage.json", described}};
 }
 
 }  // namespace fde::bench
