@@ -18,9 +18,9 @@ Eigen::RowVectorXd sizes(const Rows& of) { return of.cwiseAbs().colwise().maxCoe
 
 }  // namespace
 
-std::optional<Eigen::Index> first_infinite_reference(const Rows& reference) {
-  for (Eigen::Index c = 0; c < reference.cols(); ++c) {
-    if (!reference.col(c).allFinite()) return c;
+std::optional<Eigen::Index> first_not_finite(const Rows& values) {
+  for (Eigen::Index c = 0; c < values.cols(); ++c) {
+    if (!values.col(c).allFinite()) return c;
   }
   return std::nullopt;
 }

@@ -11,8 +11,8 @@ namespace fde::bench {
 // time; |.| is the maximum over the rows. Results are column indices. "Up to the end" requires at least the
 // last tenth of the times, because a value may pass through 0 on a shorter interval.
 
-// The first time at which the reference is not finite; nullopt: none. No scheme can follow it there.
-std::optional<Eigen::Index> first_infinite_reference(const Rows& reference);
+// The first time at which a value is not finite; nullopt: none. No scheme can follow a reference there.
+std::optional<Eigen::Index> first_not_finite(const Rows& values);
 
 // The first time from which on, up to the end, the error |values - reference| is at least |reference|, so
 // that 0 would be no worse, or the reference is infinite. Errors within rounding of the largest finite

@@ -115,23 +115,6 @@ Value bound(const FinishedRun& run) {
 
 }  // namespace
 
-ErrorTable error_table(const std::vector<double>& times, const Rows& values, const Rows& reference) {
-  if (reference.cols() == 0) return {};
-  constexpr auto kinds = static_cast<Eigen::Index>(error_kinds.size());
-  ErrorTable table{Matrix(values.rows(), kinds), Matrix(values.rows(), kinds), Matrix(values.rows(), kinds)};
-  for (const Scale scale : error_scales) {
-    const Rows by = divisors(scale, times, reference);
-    for (const Norm norm : {Norm::end, Norm::maximum}) {
-      const auto kind = std::ranges::find(error_kinds, ErrorKind{norm, scale}) - error_kinds.begin();
-      const auto [zero, start] = constant_errors(norm, times, reference, by);
-      table.run.col(kind) = errors_of(norm, values, reference, by);
-      table.zero.col(kind) = zero;
-      table.start.col(kind) = start;
-    }
-  }
-  return table;
-}
-
 ColumnErrors column_errors(const FinishedRun& run, std::vector<std::string> names, bool is_part) {
   ColumnErrors columns{.names = std::move(names), .is_part = is_part};
   if (columns.names.size() > most_single_columns || run.reference.cols() == 0) return columns;

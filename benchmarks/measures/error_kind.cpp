@@ -59,6 +59,26 @@ Rows peak_divisors(const Rows& reference) {
   return of.replicate(1, reference.cols());
 }
 
+// The errors of each column for t > 0 of y = 0 and, if the times begin at 0, of y = y(0); otherwise both are
+// those of y = 0.
+struct ConstantErrors {
+  Vec zero, start;
+};
+ConstantErrors constant_errors(Norm norm, const std::vector<double>& times, const Rows& reference,
+                               const Rows& divisors) {
+  const bool from_start = times.front() == 0.0 && times.size() > 1;
+  const Eigen::Index later = reference.cols() - (from_start ? 1 : 0);
+  const auto errors_with = [&](const Vec& constant) -> Vec {
+    const auto parts =
+        (reference.rightCols(later).colwise() - constant).cwiseAbs().cwiseQuotient(divisors.rightCols(later));
+    if (norm == Norm::end) return parts.rightCols(1);
+    return parts.rowwise().maxCoeff();
+  };
+  Vec zero = errors_with(Vec::Zero(reference.rows())), start = zero;
+  if (from_start) start = errors_with(reference.col(0));
+  return {std::move(zero), std::move(start)};
+}
+
 }  // namespace
 
 std::string_view name(Norm norm) { return name_in(norms, norm); }
@@ -113,25 +133,27 @@ bool is_constant(const Rows& reference, const Rows& bounds) {
   return true;
 }
 
-ConstantErrors constant_errors(Norm norm, const std::vector<double>& times, const Rows& reference,
-                               const Rows& divisors) {
-  const bool from_start = times.front() == 0.0 && times.size() > 1;
-  const Eigen::Index later = reference.cols() - (from_start ? 1 : 0);
-  const auto errors_with = [&](const Vec& constant) -> Vec {
-    const auto parts =
-        (reference.rightCols(later).colwise() - constant).cwiseAbs().cwiseQuotient(divisors.rightCols(later));
-    if (norm == Norm::end) return parts.rightCols(1);
-    return parts.rowwise().maxCoeff();
-  };
-  Vec zero = errors_with(Vec::Zero(reference.rows())), start = zero;
-  if (from_start) start = errors_with(reference.col(0));
-  return {std::move(zero), std::move(start)};
-}
-
 double constant_solution_error(Norm norm, const std::vector<double>& times, const Rows& reference,
                                const Rows& divisors) {
   const auto [zero, start] = constant_errors(norm, times, reference, divisors);
   return std::min(zero.maxCoeff(), start.maxCoeff());
+}
+
+ErrorTable error_table(const std::vector<double>& times, const Rows& values, const Rows& reference) {
+  if (reference.cols() == 0) return {};
+  constexpr auto kinds = static_cast<Eigen::Index>(error_kinds.size());
+  ErrorTable table{Matrix(values.rows(), kinds), Matrix(values.rows(), kinds), Matrix(values.rows(), kinds)};
+  for (const Scale scale : error_scales) {
+    const Rows by = divisors(scale, times, reference);
+    for (const Norm norm : {Norm::end, Norm::maximum}) {
+      const auto kind = std::ranges::find(error_kinds, ErrorKind{norm, scale}) - error_kinds.begin();
+      const auto [zero, start] = constant_errors(norm, times, reference, by);
+      table.run.col(kind) = errors_of(norm, values, reference, by);
+      table.zero.col(kind) = zero;
+      table.start.col(kind) = start;
+    }
+  }
+  return table;
 }
 
 }  // namespace fde::bench

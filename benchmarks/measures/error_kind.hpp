@@ -78,17 +78,17 @@ Vec errors_of(Norm norm, const Rows& values, const Rows& reference, const Rows& 
 // y(0) is then right, and a run is no worse for being as good.
 bool is_constant(const Rows& reference, const Rows& bounds);
 
-// The errors of each column for t > 0 of y = 0 and, if the times begin at 0, of y = y(0); otherwise both are
-// those of y = 0.
-struct ConstantErrors {
-  Vec zero, start;
-};
-ConstantErrors constant_errors(Norm norm, const std::vector<double>& times, const Rows& reference,
-                               const Rows& divisors);
-
 // The constant-solution baseline: the largest error over the columns of the better of y = 0 and y = y(0). A
 // run that is no better is useless.
 double constant_solution_error(Norm norm, const std::vector<double>& times, const Rows& reference,
                                const Rows& divisors);
+
+// The errors of each column of the scene alone: one row a column, one column a kind in the order of
+// error_kinds. Of a run, and for t > 0 of y = 0 and, if the times begin at 0, of y = y(0); otherwise `start`
+// repeats `zero`. Empty without a reference.
+struct ErrorTable {
+  Matrix run{}, zero{}, start{};
+};
+ErrorTable error_table(const std::vector<double>& times, const Rows& values, const Rows& reference);
 
 }  // namespace fde::bench

@@ -42,9 +42,15 @@ Assessment judge_finished(const Trajectory& path, const Rows& values, const Refe
                           const RunObservations& observed) {
   const double end = path.times.back();
   if (known.missing) return {*known.missing, end};
+  const auto overflow = first_not_finite(known.reference);
+  // Comparisons would pass over a column without a value.
+  if (const auto gap = first_not_finite(values); gap && (!overflow || *gap < *overflow)) {
+    const double t = path.time(*gap);
+    return {{SolveStatus::non_finite, at_time(observed.grid, t)}, t};
+  }
   const auto lost = accuracy_lost(values, known.reference);
   if (!lost) return {{}, end};
-  const bool overflows = lost == first_infinite_reference(known.reference);
+  const bool overflows = lost == overflow;
   const double t = path.time(*lost);
   return {{overflows ? Verdict::overflow : Verdict::accuracy_lost, at_time(observed.grid, t)}, t};
 }
@@ -74,7 +80,7 @@ Assessment judge_values(const Trajectory& path, const Rows& values, MemoizedRefe
                         const RunObservations& observed, const ComparedColumns& compared) {
   const ReferenceAtTimes known = reference_at_times(path, reference);
   Assessment judgement = judge_finished(path, values, known, observed);
-  if (!known.reference.allFinite()) return judgement;
+  if (!known.reference.allFinite() || !values.allFinite()) return judgement;
   const FinishedRun run{path, values, known.reference, known.bounds, observed};
   take_measures(run, judgement);
   if (known.reference.cols() > 0) take_column_errors(run, compared, judgement);

@@ -21,7 +21,7 @@ struct Assessment {
 };
 
 // Judges a trajectory of the scene, with at least one time, by the scene's reference. There are no measures
-// if the run stopped, if the reference is not finite, or if a measure is not finite. Without a reference only
+// if the run stopped, or if a column, the reference or a measure is not finite. Without a reference only
 // the measures that need none are taken.
 Assessment judge(const Scene& scene, const Trajectory& path, MemoizedReference& reference,
                  const RunObservations& observed = {});

@@ -27,13 +27,6 @@ struct RunObservations {
   std::array<Vec, error_scales.size()> unresolved{};                   // unresolved_variations(), by Scale
 };
 
-// The errors of each column of the scene alone: one row a column, one column a kind in the order of
-// error_kinds. Of the run, and of the constants of the baseline. Empty without a reference.
-struct ErrorTable {
-  Matrix run{}, zero{}, start{};
-};
-ErrorTable error_table(const std::vector<double>& times, const Rows& values, const Rows& reference);
-
 // A finished run with the arguments of all measures. Rows have one row a column of the scene, one column a
 // time of the trajectory.
 struct FinishedRun {

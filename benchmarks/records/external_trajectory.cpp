@@ -16,6 +16,7 @@
 #include <string_view>
 #include <utility>
 
+#include "fdebench/benchmarks/measures/accuracy.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/records/lines.hpp"
 #include "fdebench/benchmarks/records/well_formed.hpp"
@@ -220,9 +221,9 @@ std::vector<std::string> names_of(const Scene& scene, const ExternalTrajectory& 
 
 // `reference` has all columns of the scene.
 Assessment judge_values(const Scene& scene, const ExternalTrajectory& path, MemoizedReference& reference) {
-  for (Eigen::Index c = 0; c < path.values.cols(); ++c) {
-    const double t = path.times[static_cast<std::size_t>(c)];
-    if (!path.values.col(c).allFinite()) return {{SolveStatus::non_finite, at_time(std::nullopt, t)}, t};
+  if (const auto gap = first_not_finite(path.values)) {
+    const double t = path.times[static_cast<std::size_t>(*gap)];
+    return {{SolveStatus::non_finite, at_time(std::nullopt, t)}, t};
   }
   if (std::ssize(path.columns) < std::ssize(scene.outputs.names)) {
     MemoizedReference some(scene, path.columns);

@@ -63,6 +63,10 @@ CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const St
   attempt.ending = outcome_of(scene_.problem, path);
   if (path.status != SolveStatus::finished) return attempt;
   const Rows values = compared_columns(columns_of(scene_.outputs, path));
+  if (const auto gap = first_not_finite(values)) {
+    attempt.ending = {SolveStatus::non_finite, at_time(std::nullopt, path.time(*gap))};
+    return attempt;
+  }
   at_end ? measure_end_error(values, attempt) : measure_maximum_error(values, path.times, attempt);
   constexpr double nearly = 1e-9;
   if (attempt.baseline_error < nearly && is_constant())
@@ -88,6 +92,7 @@ void RunEvaluator::compare_at_own_steps(const Configuration& configuration, Cand
   std::vector<double> times;
   for (const int step : steps) times.push_back(path.time(step));
   const Rows values = compared_columns(columns_of(scene_.outputs, path));
+  if (!values.allFinite()) return;
   CandidateRun at_steps;
   measure_maximum_error(values(Eigen::all, steps), times, at_steps);
   run.baseline_error = std::max(run.baseline_error, at_steps.baseline_error);
@@ -126,7 +131,7 @@ void RunEvaluator::precompute_reference(int times) {
 
 Rows RunEvaluator::finite_reference(const std::vector<double>& times) {
   Rows reference = compared_columns(reference_.at(times));
-  if (const auto column = first_infinite_reference(reference)) {
+  if (const auto column = first_not_finite(reference)) {
     throw std::runtime_error(
         fmt::format("the solution overflows at t = {:.6g}: nothing can be compared with it",
                     times[static_cast<std::size_t>(*column)]));

@@ -124,7 +124,7 @@ class Probe {
   // Short solves are timed a second time: the first one of a process also computes tables.
   [[nodiscard]] Solve solve(const Scene& scene, const Scheme& scheme, RunSettings setup,
                             const StepsOrTolerance& requested) {
-    constexpr double most_seconds = 0.1, short_seconds = 0.02;
+    constexpr double most_seconds = 0.25, short_seconds = 0.02;
     setup.resolution = requested;
     setup.budget = std::min(setup.budget, most_seconds);
     const double end = scene.problem.end;

@@ -7,6 +7,17 @@
 
 namespace fde::bench {
 
+// The expected seconds of a run: to examine it, and to time it.
+struct ExpectedSeconds {
+  double examination = 0.0, timing = 0.0;
+  std::string refusal{};  // why the scheme refuses the run; empty: it does not
+
+  [[nodiscard]] double total() const { return examination + timing; }
+};
+
+// The runs that a sweep is expected to make.
+using Forecast = std::map<RunKey, ExpectedSeconds>;
+
 double total_seconds(const Forecast& forecast);
 
 // Predicts which runs the sweep will make, and their seconds. Three solves with few steps measure the time of

@@ -35,17 +35,6 @@ struct Sweep {
   unsigned threads = usable_cores();  // for the untimed part
 };
 
-// The expected seconds of a run: to examine it, and to time it.
-struct ExpectedSeconds {
-  double examination = 0.0, timing = 0.0;
-  std::string refusal{};  // why the scheme refuses the run; empty: it does not
-
-  [[nodiscard]] double total() const { return examination + timing; }
-};
-
-// The runs that a sweep is expected to make.
-using Forecast = std::map<RunKey, ExpectedSeconds>;
-
 // Progress of a sweep: it starts to examine or to time a run, a run is done, or the refinement has ended (no
 // further run of this scene, scheme and grading follows).
 struct SweepEvent {

@@ -47,7 +47,7 @@ TEST(Tolerance, IsLostWhereTheReferenceIsInfinite) {
   Rows reference = ones();
   reference.rightCols(5).setConstant(std::numeric_limits<double>::infinity());
   EXPECT_EQ(accuracy_lost(ones(), reference), 5);
-  EXPECT_EQ(first_infinite_reference(reference), 5);
+  EXPECT_EQ(first_not_finite(reference), 5);
   EXPECT_EQ(accuracy_lost(3.0 * ones(), reference), 0);
 }
 

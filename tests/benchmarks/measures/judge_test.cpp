@@ -101,6 +101,20 @@ TEST(Judge, ANumberThatIsNotFiniteIsNoMeasure) {
   EXPECT_TRUE(judged.measured.empty());
 }
 
+// A column of a scene may have no value where the states have one: 0/0 of a formula.
+TEST(Judge, AColumnThatIsNoNumberIsNeverAMeasure) {
+  const Scene scene = scene_of("relaxation_pair");
+  MemoizedReference reference(scene);
+  const std::vector<double> times{0.0, 0.25 * scene.problem.end, 0.5 * scene.problem.end, scene.problem.end};
+  for (Eigen::Index place = 0; place < 8; ++place) {
+    Rows columns = reference.at(times);
+    columns(place % 2, place / 2) = std::numeric_limits<double>::quiet_NaN();
+    const auto judged = judge_columns(times, columns, reference);
+    EXPECT_EQ(judged.ending.kind, SolveStatus::non_finite) << place;
+    EXPECT_TRUE(judged.measured.empty()) << place;
+  }
+}
+
 TEST(Endings, HaveNamesThatAreReadBack) {
   for (int i = 0; i <= static_cast<int>(SolveStatus::refused); ++i)
     EXPECT_EQ(outcome_named(name(static_cast<SolveStatus>(i))), static_cast<SolveStatus>(i));

@@ -163,6 +163,16 @@ TEST(NextResolutions, ReachWhatAConfigurationThatFailsWasForecastToReach) {
   EXPECT_NEAR(fewest_steps(found[1], wanted), 10000, 200);
 }
 
+// The first configuration fails from 512 steps on; the other needs 1e7 steps of 10 us, and a run may take 0.3
+// s.
+TEST(NextResolutions, EndWhereTheForecastIsLongerThanTheMostSeconds) {
+  const auto infinity = std::numeric_limits<double>::infinity();
+  const Model failing{[=](double steps) { return steps < 512.0 ? 1.0 / (steps * steps) : infinity; }};
+  const auto found = searched(goal_for(1e-7), {failing, power(1.0, 1.0, 1e-5)});
+  EXPECT_EQ(fewest_steps(found[1], 1e-7), 0);
+  EXPECT_LT(most_seconds(found[1]), 0.02);
+}
+
 TEST(NextResolutions, AreNoLongerThanTheMostSeconds) {
   auto goal = goal_for();
   goal.most_seconds = 1e-3;
