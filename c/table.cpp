@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/ranges.h>
-
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <limits>
-#include <map>
 #include <memory>
 #include <utility>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/requests/exact.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
-#include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/c/guard.hpp"
 #include "fdebench/c/handles.hpp"
 #include "fdebench/reports/command/solved_table.hpp"
@@ -19,11 +14,12 @@
 namespace fde::bench::c {
 namespace {
 
-// The scene with the end that its text names; the caller's problem.
-Scene posed_scene(const FdebenchProblem& problem) {
+// The variant that the text of a scene names now: equation files may have changed.
+template <typename Make>
+Scene scene_of(const FdebenchProblem& problem, const Make& make) {
   if (problem.scene.empty()) return problem.known;
   const SceneRegistry all = with_equation_files(built_in_scenes());
-  return make_scene(read_variant(problem.scene, {}, all));
+  return make(read_variant(problem.scene, {}, all));
 }
 
 std::string reason_of(const std::string& line) {
@@ -50,33 +46,13 @@ void copy(const Matrix& from, double* into, const char* name, std::size_t capaci
 
 constexpr auto table_handle = "a handle of fdebench_solve or fdebench_exact";
 
-// The lines of `fdebench exact --bounds` by their times. A line has the time, the columns, the largest bound,
-// and a bound of each of the first columns.
-std::map<double, std::vector<double>> rows_by_time(std::string_view text) {
-  std::map<double, std::vector<double>> rows;
-  text.remove_prefix(text.find('\n') + 1);
-  while (!text.empty()) {
-    const auto length = text.find('\n');
-    auto numbers = try_parse_numbers(text.substr(0, length)).value();
-    rows.emplace(numbers.front(), std::move(numbers));
-    text.remove_prefix(length + 1);
-  }
-  return rows;
-}
-
-FdebenchTable table_of_exact(const Scene& scene, std::vector<double> times, const std::string& csv) {
-  const auto rows = rows_by_time(csv);
-  FdebenchTable table{.names = printed_names(scene), .times = std::move(times)};
-  if (scene.reactions.has_exact_multipliers())
-    std::ranges::copy(reaction_names(scene), std::back_inserter(table.names));
-  const auto columns = std::ssize(table.names), bounded = std::ssize(scene.outputs.names);
-  table.values.resize(columns, std::ssize(table.times));
-  table.bounds = Matrix::Constant(columns, std::ssize(table.times), std::numeric_limits<double>::quiet_NaN());
-  for (Eigen::Index i = 0; i < std::ssize(table.times); ++i) {
-    const auto& row = rows.at(table.times[static_cast<std::size_t>(i)]);
-    table.values.col(i) = Eigen::Map<const Vec>(row.data() + 1, columns);
-    table.bounds.col(i).head(bounded) = Eigen::Map<const Vec>(row.data() + row.size() - bounded, bounded);
-  }
+// A column without bounds has bounds that are no numbers.
+FdebenchTable table_of_exact(ExactTable&& known, std::vector<double> times) {
+  FdebenchTable table{
+      .names = std::move(known.names), .times = std::move(times), .values = std::move(known.values)};
+  table.bounds =
+      Matrix::Constant(table.values.rows(), table.values.cols(), std::numeric_limits<double>::quiet_NaN());
+  table.bounds.topRows(known.bounds.rows()) = known.bounds;
   return table;
 }
 
@@ -92,8 +68,10 @@ int fdebench_solve(const fdebench_problem* problem, const char* scheme, const fd
     auto& result = given("table", table);
     const auto& handle = given("problem", problem, problem_handle);
     const auto& texts = given("options", options, options_handle).texts;
+    const auto checked = [](const SceneVariant& variant) { return make_scene(variant); };
     const auto given_options = given_to_solve(text_of("scheme", scheme), texts);
-    result = std::make_unique<FdebenchTable>(table_of_solve(solved_table(posed_scene(handle), given_options)))
+    result = std::make_unique<FdebenchTable>(
+                 table_of_solve(solved_table(scene_of(handle, checked), given_options)))
                  .release();
   });
 }
@@ -105,12 +83,11 @@ int fdebench_exact(const fdebench_problem* problem, size_t count, const double* 
     const auto& handle = given("problem", problem, problem_handle);
     require_count("count", count, 1, most_entries);
     const std::vector<double> at(&given("times", times, "the times"), times + count);
-    for (const double t : at) {
-      if (!(t >= 0.0 && std::isfinite(t)))
-        throw std::invalid_argument(fmt::format("times = {}: must be numbers >= 0", t));
-    }
-    const auto csv = output_for(handle, "exact", {"--bounds", fmt::format("--at={}", fmt::join(at, ","))});
-    result = std::make_unique<FdebenchTable>(table_of_exact(handle.known, at, csv)).release();
+    const auto unchecked = [](const SceneVariant& variant) {
+      return make_scene_unchecked(*variant.maker, variant.values);
+    };
+    result =
+        std::make_unique<FdebenchTable>(table_of_exact(exact(scene_of(handle, unchecked), at), at)).release();
   });
 }
 

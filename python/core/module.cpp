@@ -11,10 +11,12 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/requests/exact.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/python/core/python_problem.hpp"
 #include "fdebench/python/core/without_gil.hpp"
@@ -61,6 +63,27 @@ py::tuple facts(const std::string& name, const std::vector<std::string>& setting
   return py::make_tuple(id, scene.outputs.names, orders, scene.problem.end, changes);
 }
 
+// The scene with its settings NAME=VALUE, made by `make`, or a problem defined in Python (if not nullptr).
+template <typename Make>
+Scene scene_of(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
+               const Make& make) {
+  if (problem != nullptr) return *problem;
+  const SceneRegistry all = named_scenes();
+  return make(read_variant(name, settings, all));
+}
+
+Scene checked_scene(const SceneVariant& variant) { return make_scene(variant); }
+
+// For what is known of a scene independently of the form of its problem.
+Scene unchecked_scene(const SceneVariant& variant) {
+  return make_scene_unchecked(*variant.maker, variant.values);
+}
+
+// One row of the array for each column of the matrix.
+py::array_t<double> array_of(const Rows& values) {
+  return py::array_t<double>({values.cols(), values.rows()}, values.data());
+}
+
 // Tuple of names, times, values (one row a time), warning, cost as JSON, and the names of events or None. Of
 // a scene with its settings NAME=VALUE, or of a problem defined in Python (if not nullptr).
 py::tuple solve(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
@@ -69,13 +92,36 @@ py::tuple solve(const std::string& name, const std::vector<std::string>& setting
   auto given = given_to_solve(scheme, texts);
   if (check) given.set("--check", {"yes"});
   if (events) given.set("--events", {"yes"});
-  const SolvedTable table = without_gil([&] {
-    const SceneRegistry all = named_scenes();
-    return solved_table(problem == nullptr ? make_scene(read_variant(name, settings, all)) : *problem, given);
-  });
+  const SolvedTable table =
+      without_gil([&] { return solved_table(scene_of(name, settings, problem, checked_scene), given); });
   const py::array_t<double> times(std::ssize(table.times), table.times.data());
-  const py::array_t<double> values({table.values.cols(), table.values.rows()}, table.values.data());
-  return py::make_tuple(table.names, times, values, table.warning, table.cost, table.events);
+  return py::make_tuple(table.names, times, array_of(table.values), table.warning, table.cost, table.events);
+}
+
+// Tuple of names, values and bounds, one row a time.
+py::tuple exact_of(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
+                   const std::vector<double>& times) {
+  const auto table =
+      without_gil([&] { return exact(scene_of(name, settings, problem, unchecked_scene), times); });
+  return py::make_tuple(table.names, array_of(table.values), array_of(table.bounds));
+}
+
+// The same as lists of decimal texts.
+py::tuple exact_decimals(const std::string& name, const std::vector<std::string>& settings,
+                         const Scene* problem, const std::vector<double>& times, int digits) {
+  std::vector<std::vector<std::string>> values, bounds;
+  const auto names = without_gil([&] {
+    const Scene scene = scene_of(name, settings, problem, unchecked_scene);
+    for (const auto& row : exact_in_digits(scene, times, digits)) {
+      auto &of_values = values.emplace_back(), &of_bounds = bounds.emplace_back();
+      for (const auto& [value, bound] : row) {
+        of_values.push_back(value);
+        of_bounds.push_back(bound);
+      }
+    }
+    return scene.outputs.names;
+  });
+  return py::make_tuple(names, values, bounds);
 }
 
 // E_{alpha,beta}(z) and error bounds, elementwise. Precondition: the arrays have equal lengths.
@@ -120,7 +166,9 @@ void translate(
     if (thrown) std::rethrow_exception(thrown);
   } catch (const RunFailure& failure) {
     raise_failure(failure.what(), py::str(failure.scheme), py::int_(failure.step), py::cast(failure.time));
-  } catch (const NumericalFailure& failure) {
+  } catch (const std::system_error& error) {  // a file that cannot be read
+    PyErr_SetString(PyExc_ValueError, error.what());
+  } catch (const std::runtime_error& failure) {
     raise_failure(failure.what(), py::none(), py::none(), py::none());
   } catch (const std::invalid_argument& error) {
     PyErr_SetString(PyExc_ValueError, without_dashes(error.what()).c_str());
@@ -138,6 +186,8 @@ PYBIND11_MODULE(_core, module) {
   module.def("program", program);
   module.def("facts", facts);
   module.def("solve", solve);
+  module.def("exact", exact_of);
+  module.def("exact_in_digits", exact_decimals);
   module.def("mittag_leffler", mittag_leffler_of);
   module.def("mittag_leffler_in_digits", mittag_leffler_in_digits);
 }

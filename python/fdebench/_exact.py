@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import os
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
@@ -13,7 +11,7 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._scene import Problem, Scene, _command, _reals, _text
+from ._scene import Problem, Scene, _integer, _known, _reals
 
 
 class Exact(Mapping[str, NDArray]):
@@ -61,18 +59,14 @@ def exact(scene: str | os.PathLike[str] | Scene | Problem, times: ArrayLike, *, 
     requested = numpy.atleast_1d(_reals("times", times))
     if requested.ndim != 1 or requested.size == 0:
         raise ValueError(f"times: must be a list of numbers, not of shape {requested.shape}")
-    distinct, places = numpy.unique(requested, return_inverse=True)
-    options = ["--bounds", "--at", ",".join(map(repr, distinct.tolist()))]
-    if digits is not None:
-        options += ["--digits", _text("digits", digits)]
-    rows = csv.reader(io.StringIO(_command("exact", scene, options)))
-    names = next(rows)
-    texts = numpy.array(list(rows), dtype=object)[places]
-    values = texts if digits is not None else texts.astype(float)
-    last = names.index("bound")
-    columns = {name: values[:, i] for i, name in enumerate(names[:last]) if i > 0}
-    bounds = {name.removeprefix("bound_"): values[:, i] for i, name in enumerate(names) if i > last}
-    return Exact(requested, columns, bounds)
+    posed = _known(scene)._posed
+    if digits is None:
+        names, values, bounds = _core.exact(*posed, requested.tolist())
+    else:
+        names, *texts = _core.exact_in_digits(*posed, requested.tolist(), _integer("digits", digits))
+        values, bounds = (numpy.array(rows, dtype=object) for rows in texts)
+    columns = {name: values[:, i] for i, name in enumerate(names)}
+    return Exact(requested, columns, {name: bounds[:, i] for i, name in enumerate(names[: bounds.shape[1]])})
 
 
 def mittag_leffler(

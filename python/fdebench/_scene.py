@@ -38,6 +38,15 @@ def _reals(name: str, values: Any) -> NDArray[numpy.float64]:
     return array.astype(float)
 
 
+def _integer(name: str, value: Any) -> int:
+    """A whole number that an int of the compiled half holds."""
+    if not isinstance(value, numbers.Integral):
+        raise TypeError(f"{name} = {value!r}: must be a whole number")
+    if abs(value) >= 2**31:
+        raise ValueError(f"{name} = {value}: must be below 2^31 in size")
+    return int(value)
+
+
 def _text(name: str, value: Value) -> str:
     """As the command takes it: numbers in the fewest digits that tell them from all others, lists with commas."""
     if isinstance(value, (str, os.PathLike)):
@@ -62,6 +71,7 @@ class _Posed:
     _columns: Sequence[str]
     _orders: Sequence[float]
     _end: float
+    _posed: tuple[str, list[str], _core.Problem | None]  # name and settings of a scene, or a problem: as _core takes them
 
     @property
     def columns(self) -> list[str]:
@@ -98,6 +108,7 @@ class Scene(_Posed):
             raise TypeError(f"parameters = {parameters!r}: must be a mapping, as in Scene('relaxation', {{'gamma': 0.5}})")
         self._name = os.fspath(name)
         self._settings = [f"{key}={_text(key, value)}" for key, value in {**(parameters or {}), **more}.items()]
+        self._posed = (self._name, self._settings, None)
         self._id, self._columns, self._orders, self._end, self._note = _core.facts(self._name, self._settings)
 
     @property
@@ -165,7 +176,7 @@ class Problem(_Posed):
         for name, function in {"rhs": rhs, "jacobian": jacobian}.items():
             if not callable(function) and (name == "rhs" or function is not None):
                 raise ValueError(f"{name} = {function!r}: must be a function of t and y")
-        self._core = _core.Problem(self._orders, values, rhs, self._end, jacobian, self._columns, times)
+        self._posed = ("", [], _core.Problem(self._orders, values, rhs, self._end, jacobian, self._columns, times))
 
     def __repr__(self) -> str:
         return f"Problem(orders={self._orders}, end={self._end})"
@@ -245,8 +256,6 @@ def _known(scene: str | os.PathLike[str] | Scene | Problem) -> Scene | Problem:
 
 def _command(command: str, scene: str | os.PathLike[str] | Scene | Problem, options: Sequence[str]) -> str:
     """What a command prints of a scene or a problem."""
-    known = _known(scene)
-    if isinstance(known, Problem):
-        return _core.command([command, "problem", *options], known._core)
-    settings = [word for setting in known._settings for word in ("--set", setting)]
-    return _core.command([command, known._name, *settings, *options], None)
+    name, settings, problem = _known(scene)._posed
+    set_options = [word for setting in settings for word in ("--set", setting)]
+    return _core.command([command, name or "problem", *set_options, *options], problem)

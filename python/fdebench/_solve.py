@@ -89,8 +89,6 @@ def solve(
     >>> round(float(solve(riccati, "bdf4", 256)["y"][-1]), 6)
     0.754589
     """
-    known = _known(scene)
-    is_own = isinstance(known, Problem)
     given = {"steps": steps, "grid": grid, "every": every, "points": points, "accuracy": accuracy, "history": history}
     given |= {"tolerance": tolerance, "budget": budget}
     if not isinstance(scheme, str):
@@ -98,8 +96,7 @@ def solve(
     texts = {name: _text(name, value) for name, value in given.items() if value is not None}
     if at is not None:
         texts["at"] = ",".join(map(repr, numpy.atleast_1d(_reals("at", at)).tolist()))
-    of = ("", [], known._core) if is_own else (known._name, known._settings, None)
-    solution = Solution(*_core.solve(*of, scheme, texts, bool(check), bool(events)))
+    solution = Solution(*_core.solve(*_known(scene)._posed, scheme, texts, bool(check), bool(events)))
     if solution.warning:
         warnings.warn(solution.warning.removeprefix("warning: "), DoubtfulResult, stacklevel=2)
     return solution

@@ -7,15 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "fdebench/benchmarks/requests/failure.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/reports/command/given.hpp"
 
 namespace fde::bench {
-
-// A scheme or a reference failed before the end time: exit code 3.
-struct NumericalFailure : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // Results are worse than earlier results: exit code 1.
 struct WorseResults : std::runtime_error {

@@ -66,7 +66,7 @@ void check_parameters(const Arguments& x) {
 
 // A multiprecision value without a finite bound exceeds the exponent range of its type.
 void require_known(const reference::DecimalComplex& value) {
-  if (!is_finite_bound(value.bound)) throw NumericalFailure("the value is beyond all exponents of --digits");
+  if (!is_finite_bound(value.bound)) throw NumericalFailure("the value is beyond all exponents");
 }
 
 void print(const reference::DecimalComplex& value, std::ostream& out) {

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <optional>
 #include <ostream>
 
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
-#include "fdebench/benchmarks/references/reference_of.hpp"
-#include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/requests/exact.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
@@ -18,13 +13,6 @@
 
 namespace fde::bench {
 namespace {
-
-std::string time_text(double t) { return fmt::format("t = {}", t); }
-
-// Throws NumericalFailure unless `finite`. An energy or a bound may overflow where the columns do not.
-void require_finite(bool finite, std::string_view what, std::string_view range, double t) {
-  if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
-}
 
 // "t,x,y,bound", with ",bound_x,bound_y" if `bounds`; `bounded` are the columns with a bound.
 std::string header(const std::vector<std::string>& names, const std::vector<std::string>& bounded,
@@ -43,85 +31,58 @@ std::string bounds_text(const std::vector<std::string>& all, bool each) {
   return each ? fmt::format("{},{}", largest, fmt::join(all, ",")) : largest;
 }
 
-// The bounds of the printed values, including the rounding of their texts; `values` may be longer than
-// `bounds`.
-std::vector<std::string> bound_texts(In values, In bounds, double t) {
-  std::vector<std::string> texts;
-  for (Eigen::Index c = 0; c < bounds.size(); ++c) {
-    texts.push_back(bound_text(bound_of_decimal(values[c], bounds[c])));
-    require_finite(is_finite_bound(texts.back()), "bound of the exact solution", "double", t);
-  }
-  return texts;
-}
-
-std::string rows_in_double(const Scene& scene, const std::vector<double>& times, bool each_bound,
-                           ReferenceProgress& work) {
-  auto names = printed_names(scene);
-  if (scene.reactions.has_exact_multipliers())
-    std::ranges::copy(reaction_names(scene), std::back_inserter(names));
-  std::string rows = header(names, scene.outputs.names, each_bound);
-  work.set_place(time_text(scene.problem.end));
-  const reference::Reference exact = reference_of(scene);
-  for (const double t : times) {
-    work.set_place(time_text(t));
-    const auto [value, bounds] = exact.at(t);
-    report_progress(1, 1);
-    require_finite(value.allFinite(), "exact solution", "double", t);
-    const Vec values = printed_values(scene, t, value);
-    for (Eigen::Index c = value.size(); c < values.size(); ++c)
-      require_finite(std::isfinite(values[c]), "exact " + names[static_cast<std::size_t>(c)], "double", t);
-    rows += fmt::format("{:.17g},{:.17g}", t, fmt::join(values, ","));
-    if (scene.reactions.has_exact_multipliers())
-      rows += fmt::format(",{:.17g}", fmt::join(exact_reactions(scene, t, value), ","));
-    rows += fmt::format(",{}\n", bounds_text(bound_texts(value, bounds, t), each_bound));
+std::string rows_in_double(const ExactTable& table, const std::vector<double>& times, bool each_bound) {
+  const auto bounded = table.bounds.rows();
+  std::string rows = header(table.names, {table.names.begin(), table.names.begin() + bounded}, each_bound);
+  for (Eigen::Index i = 0; const double t : times) {
+    std::vector<std::string> bounds;
+    for (Eigen::Index c = 0; c < bounded; ++c)
+      bounds.push_back(bound_text(bound_of_decimal(table.values(c, i), table.bounds(c, i))));
+    rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(Vec(table.values.col(i++)), ","),
+                        bounds_text(bounds, each_bound));
   }
   return rows;
 }
 
-// Energies and constraints are computed in double only, so --digits has no columns for them.
-std::string rows_in_digits(const Scene& scene, const std::vector<double>& times, int digits, bool each_bound,
-                           ReferenceProgress& work) {
-  std::string rows = header(scene.outputs.names, scene.outputs.names, each_bound);
-  for (const double t : times) {
-    work.set_place(time_text(t));
-    const auto decimals = scene.reference.digits(t, digits);
-    report_progress(1, 1);
-    rows += fmt::format("{}", t);
-    std::vector<std::string> written;
-    for (std::size_t c = 0; c < scene.outputs.names.size(); ++c) {
-      rows += "," + decimals[c].value;
-      written.push_back(decimals[c].bound);
-      require_finite(is_finite_bound(written.back()), "exact solution", "all exponents of --digits", t);
+std::string rows_in_digits(const std::vector<std::vector<reference::Decimal>>& table,
+                           const std::vector<std::string>& names, const std::vector<double>& times,
+                           bool each_bound) {
+  std::string rows = header(names, names, each_bound);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    rows += fmt::format("{}", times[i]);
+    std::vector<std::string> bounds;
+    for (const auto& [value, bound] : table[i]) {
+      rows += "," + value;
+      bounds.push_back(bound);
     }
-    rows += fmt::format(",{}\n", bounds_text(written, each_bound));
+    rows += fmt::format(",{}\n", bounds_text(bounds, each_bound));
   }
   return rows;
 }
 
-// The number of --digits; nullopt for double.
-std::optional<int> parse_digits(const Given& given, const Scene& scene, std::string_view id) {
-  const auto digits = given.find_count("--digits");
-  if (!digits || scene.reference.digits) return digits;
-  throw std::invalid_argument(fmt::format(
-      "--digits = {}: scene {} has no exact solution in digits, only what is known in double", *digits, id));
+// The table of the scene as CSV.
+std::string exact_rows(const Scene& scene, const Given& given, ReferenceProgress& work) {
+  const auto times = increasing(given.numbers("--at"));
+  const auto before = [&](double t) { work.set_place(fmt::format("t = {}", t)); };
+  const bool each_bound = given.has("--bounds");
+  try {
+    const auto digits = given.find_count("--digits");
+    if (!digits) return rows_in_double(exact(scene, times, before), times, each_bound);
+    return rows_in_digits(exact_in_digits(scene, times, *digits, before), scene.outputs.names, times,
+                          each_bound);
+  } catch (const InvalidValue& wrong) {
+    if (wrong.name == "times") throw InvalidValue("--at", wrong.value, wrong.reason);
+    if (wrong.name == "digits") throw InvalidValue("--digits", wrong.value, wrong.reason);
+    throw;
+  }
 }
 
-void exact(const Given& given, const Streams& streams, const SceneRegistry& known) {
+void print_exact(const Given& given, const Streams& streams, const SceneRegistry& known) {
   const auto variant = read_variant(given, known);
-  Scene scene = make_scene_unchecked(*variant.maker, variant.values);
-  const auto times = increasing(given.numbers("--at"));
-  const double last = times.back();
-  const auto budget = given.find_number("--budget");
-  const bool two_ends = is_two_sided(scene.problem), each_bound = given.has("--bounds");
-  if (two_ends && last > scene.problem.end)
-    reject("--at", last, fmt::format("in [0, {}], the time of the scene", scene.problem.end));
-  const auto digits = parse_digits(given, scene, variant.maker->id);
-  if (!digits && !two_ends && last > 0.0) set_end(scene, last);
-  ReferenceProgress work(streams, budget, "the reference");
+  const Scene scene = make_scene_unchecked(*variant.maker, variant.values);
+  ReferenceProgress work(streams, given.find_number("--budget"), "the reference");
   try {
-    if (digits && scene.from_file) require_agreement(scene, scene.reference);
-    streams.out << (digits ? rows_in_digits(scene, times, *digits, each_bound, work)
-                           : rows_in_double(scene, times, each_bound, work));
+    streams.out << exact_rows(scene, given, work);
   } catch (const Cancelled&) {
     work.fail();
   }
@@ -143,7 +104,7 @@ Command exact_command() {
        {{"fdebench exact pendulum --at 1,20", "prints the solution at two times and the largest bound."},
         {"fdebench exact relaxation:gamma=0.3 --at 1 --digits 40", "prints forty digits of a linear scene."}},
        {"solve", "mittag-leffler", "accuracy"}},
-      exact};
+      print_exact};
 }
 
 }  // namespace fde::bench

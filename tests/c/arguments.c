@@ -162,8 +162,8 @@ static void test_solve(void) {
   REJECTS(fdebench_exact(NULL, 1, &one, &table), "problem = NULL: must be ");
   REJECTS(fdebench_exact(p, 0, &one, &table), "count = 0: must be in [1, ");
   REJECTS(fdebench_exact(p, 1, NULL, &table), "times = NULL: must be ");
-  REJECTS(fdebench_exact(p, 1, &minus, &table), "times = -1: must be numbers >= 0");
-  REJECTS(fdebench_exact(p, 1, &not_a_number, &table), "times = nan: must be numbers >= 0");
+  REJECTS(fdebench_exact(p, 1, &minus, &table), "times = -1: must be a finite number of at least 0");
+  REJECTS(fdebench_exact(p, 1, &not_a_number, &table), "times = nan: must be a finite number of at least 0");
   REJECTS(fdebench_exact(p, 1, &one, NULL), "table = NULL: must be ");
   CHECK(table == NULL);
   fdebench_options_free(o);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/requests/exact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <string_view>
+
+#include "fdebench/benchmarks/references/decimal_bound.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/text/count_range.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/schemes/problem/progress/progress.hpp"
+
+namespace fde::bench {
+namespace {
+
+// Throws NumericalFailure unless `finite`. An energy or a bound may overflow where the columns do not.
+void require_finite(bool finite, std::string_view what, std::string_view range, double t) {
+  if (!finite) throw NumericalFailure(fmt::format("the {} is beyond {} at t = {}", what, range, t));
+}
+
+void require_times(const Scene& scene, const std::vector<double>& times) {
+  const double last = is_two_sided(scene.problem) ? scene.problem.end : std::numeric_limits<double>::max();
+  for (const double t : times) {
+    if (t >= 0.0 && t <= last) continue;
+    reject_text("times", fmt::format("{}", t),
+                is_two_sided(scene.problem) ? fmt::format("in [0, {}], the time of the scene", last)
+                                            : not_negative.text());
+  }
+}
+
+void announce(const BeforeTime& before, double t) {
+  if (before) before(t);
+}
+
+}  // namespace
+
+ExactTable exact(Scene scene, const std::vector<double>& times, const BeforeTime& before) {
+  require_times(scene, times);
+  const double last = times.empty() ? 0.0 : std::ranges::max(times);
+  if (!is_two_sided(scene.problem) && last > 0.0) set_end(scene, last);
+  ExactTable table{.names = printed_names(scene)};
+  const bool has_multipliers = scene.reactions.has_exact_multipliers();
+  if (has_multipliers) std::ranges::copy(reaction_names(scene), std::back_inserter(table.names));
+  table.values.resize(std::ssize(table.names), std::ssize(times));
+  table.bounds.resize(std::ssize(scene.outputs.names), std::ssize(times));
+  announce(before, scene.problem.end);
+  const reference::Reference known = reference_of(scene);
+  for (Eigen::Index i = 0; const double t : times) {
+    announce(before, t);
+    const auto [columns, bounds] = known.at(t);
+    report_progress(1, 1);
+    require_finite(columns.allFinite(), "exact solution", "double", t);
+    require_finite(bounds.allFinite(), "bound of the exact solution", "double", t);
+    const Vec values = printed_values(scene, t, columns);
+    for (Eigen::Index c = columns.size(); c < values.size(); ++c)
+      require_finite(std::isfinite(values[c]), "exact " + table.names[static_cast<std::size_t>(c)], "double",
+                     t);
+    table.values.col(i).head(values.size()) = values;
+    if (has_multipliers) {
+      const Vec multipliers = exact_reactions(scene, t, columns);
+      table.values.col(i).tail(multipliers.size()) = multipliers;
+    }
+    table.bounds.col(i++) = bounds;
+  }
+  return table;
+}
+
+std::vector<std::vector<reference::Decimal>> exact_in_digits(const Scene& scene,
+                                                             const std::vector<double>& times, int digits,
+                                                             const BeforeTime& before) {
+  require_times(scene, times);
+  if (!scene.reference.digits) {
+    throw InvalidValue("digits", fmt::format("{}", digits),
+                       "the scene has no exact solution in digits, only what is known in double");
+  }
+  if (digits < 1 || digits > reference::max_digits)
+    reject_text("digits", fmt::format("{}", digits), CountRange{1, reference::max_digits}.text());
+  if (scene.from_file) require_agreement(scene, scene.reference);
+  std::vector<std::vector<reference::Decimal>> rows;
+  for (const double t : times) {
+    announce(before, t);
+    rows.push_back(scene.reference.digits(t, digits));
+    report_progress(1, 1);
+    for (const auto& decimal : rows.back())
+      require_finite(is_finite_bound(decimal.bound), "exact solution", "all exponents", t);
+  }
+  return rows;
+}
+
+}  // namespace fde::bench
