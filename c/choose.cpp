@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <map>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
+#include "fdebench/benchmarks/equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/c/guard.hpp"
 #include "fdebench/c/handles.hpp"
+#include "fdebench/reports/analysis/choice.hpp"
+#include "fdebench/reports/command/own_problem.hpp"
 
+using namespace fde::bench;
 using namespace fde::bench::c;
 
 namespace {
@@ -16,6 +26,41 @@ const nlohmann::json& facts_of(const fdebench_choice* choice) {
   return given("choice", choice, choice_handle).facts;
 }
 
+ChoiceRequest request_of(const std::map<std::string, std::string>& texts) {
+  if (!texts.contains("error")) throw std::invalid_argument("error is required");
+  ChoiceRequest request;
+  for (const auto& [name, text] : texts) {
+    if (name == "error") {
+      request.error = parse_number(name, text, searched_errors);
+    } else if (name == "norm") {
+      request.kind.norm = parse_norm(text);
+    } else if (name == "scale") {
+      request.kind.scale = parse_scale(text);
+    } else if (name == "columns") {
+      request.columns = split_names(text);
+    } else if (name == "max-time") {
+      request.seconds = parse_number(name, text, searched_seconds);
+    } else if (name == "runs") {
+      request.first_run = parse_first_run(text);
+    } else {
+      reject_text("option", name, "of columns, error, max-time, norm, runs, scale");
+    }
+  }
+  return request;
+}
+
+// What is chosen for a scene, with the command that solves it; no command knows a problem of the caller.
+nlohmann::json chosen(const FdebenchProblem& problem, const ChoiceRequest& request) {
+  if (problem.scene.empty()) {
+    auto facts = json_of(choose(problem.known, SceneSettings{.id = own_id}, request));
+    facts["command"] = nullptr;
+    return facts;
+  }
+  const SceneRegistry all = with_equation_files(built_in_scenes());
+  const auto variant = read_variant(problem.scene, {}, all);
+  return json_of(choose(make_scene(variant), variant.key(), request));
+}
+
 }  // namespace
 
 int fdebench_choose(const fdebench_problem* problem, const fdebench_options* options,
@@ -23,12 +68,7 @@ int fdebench_choose(const fdebench_problem* problem, const fdebench_options* opt
   return guarded([&] {
     auto& result = given("choice", choice);
     const auto& handle = given("problem", problem, problem_handle);
-    std::vector<std::string> words{"--json"};
-    for (const auto& [name, text] : given("options", options, options_handle).texts)
-      words.push_back(fmt::format("--{}={}", name, text));
-    const auto text = output_for(handle, "choose", words);
-    auto facts = nlohmann::json::parse(text);
-    if (handle.scene.empty()) facts["command"] = nullptr;  // no command knows the problem
+    auto facts = chosen(handle, request_of(given("options", options, options_handle).texts));
     facts["json"] = facts.dump();
     result = std::make_unique<FdebenchChoice>(FdebenchChoice{std::move(facts)}).release();
   });

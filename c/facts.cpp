@@ -5,8 +5,6 @@
 
 #include "fdebench/c/guard.hpp"
 #include "fdebench/c/handles.hpp"
-#include "fdebench/reports/command/command.hpp"
-#include "fdebench/reports/command/own_problem.hpp"
 
 namespace fde::bench::c {
 namespace {
@@ -33,14 +31,6 @@ double number_in(const nlohmann::json& facts, const std::string& name) {
 const char* text_in(const nlohmann::json& facts, const std::string& name) {
   const auto& fact = fact_in(facts, name, [](const auto& value) { return value.is_string(); });
   return fact.is_null() ? "" : fact.template get_ref<const std::string&>().c_str();
-}
-
-std::string output_for(const FdebenchProblem& problem, const std::string& command,
-                       const std::vector<std::string>& options) {
-  const bool is_own = problem.scene.empty();
-  std::vector<std::string> arguments{command, is_own ? own_id : problem.scene};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  return is_own ? output_of(arguments, with_problem(problem.known, "C")) : output_of(arguments);
 }
 
 }  // namespace fde::bench::c

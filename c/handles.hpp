@@ -45,8 +45,4 @@ inline constexpr auto options_handle = "a handle of fdebench_options_new";
 double number_in(const nlohmann::json& facts, const std::string& name);
 const char* text_in(const nlohmann::json& facts, const std::string& name);
 
-// Runs `command SCENE --NAME=TEXT ...` for the problem and returns its output.
-std::string output_for(const FdebenchProblem& problem, const std::string& command,
-                       const std::vector<std::string>& options);
-
 }  // namespace fde::bench::c

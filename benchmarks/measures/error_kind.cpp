@@ -86,13 +86,13 @@ std::string_view name(Scale scale) { return name_in(scales, scale); }
 
 Norm parse_norm(std::string_view text) {
   const auto* found = std::ranges::find(norms, text, &decltype(norms)::value_type::second);
-  if (found == norms.end()) reject_text("--norm", text, "end or maximum");
+  if (found == norms.end()) reject_text("norm", text, "end or maximum");
   return found->first;
 }
 
 Scale parse_scale(std::string_view text) {
   const auto* found = std::ranges::find(scales, text, &decltype(scales)::value_type::second);
-  if (found == scales.end()) reject_text("--scale", text, "absolute, relative, mixed or peak");
+  if (found == scales.end()) reject_text("scale", text, "absolute, relative, mixed or peak");
   return found->first;
 }
 

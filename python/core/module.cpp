@@ -6,9 +6,11 @@
 
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <iostream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -18,9 +20,11 @@
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 #include "fdebench/benchmarks/requests/exact.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/python/core/python_problem.hpp"
 #include "fdebench/python/core/without_gil.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "fdebench/reports/analysis/choice.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/own_problem.hpp"
 #include "fdebench/reports/command/solved_table.hpp"
@@ -37,10 +41,8 @@ SceneRegistry named_scenes(NoteReceiver on_note = {}) {
   return with_equation_files(built_in_scenes(), std::move(on_note));
 }
 
-std::string command(const std::vector<std::string>& arguments, const Scene* problem) {
-  return without_gil([&] {
-    return problem == nullptr ? output_of(arguments) : output_of(arguments, with_problem(*problem, "Python"));
-  });
+std::string command(const std::vector<std::string>& arguments) {
+  return without_gil([&] { return output_of(arguments); });
 }
 
 // Runs the command as the program does, on the streams of the process, and returns its exit code.
@@ -124,6 +126,40 @@ py::tuple exact_decimals(const std::string& name, const std::vector<std::string>
   return py::make_tuple(names, values, bounds);
 }
 
+py::object object_of(const nlohmann::json& value) {
+  if (value.is_null()) return py::none();
+  if (value.is_boolean()) return py::bool_(value.get<bool>());
+  if (value.is_number_integer()) return py::int_(value.get<std::int64_t>());
+  if (value.is_number()) return py::float_(value.get<double>());
+  if (value.is_string()) return py::str(value.get<std::string>());
+  if (value.is_array()) {
+    py::list list;
+    for (const auto& one : value) list.append(object_of(one));
+    return list;
+  }
+  py::dict dictionary;
+  for (const auto& [key, one] : value.items()) dictionary[py::str(key)] = object_of(one);
+  return dictionary;
+}
+
+// Dictionary of what is chosen. `columns`: names with commas between them; "": all.
+py::object choose_for(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
+                      double error, const std::string& norm, const std::string& scale,
+                      const std::string& columns, double seconds, const std::string& runs) {
+  const ChoiceRequest request{.error = error,
+                              .kind = {parse_norm(norm), parse_scale(scale)},
+                              .columns = columns.empty() ? std::vector<std::string>() : split_names(columns),
+                              .seconds = seconds,
+                              .first_run = parse_first_run(runs)};
+  const auto facts = without_gil([&] {
+    if (problem != nullptr) return json_of(choose(*problem, SceneSettings{.id = own_id}, request));
+    const SceneRegistry all = named_scenes();
+    const auto variant = read_variant(name, settings, all);
+    return json_of(choose(make_scene(variant), variant.key(), request));
+  });
+  return object_of(facts);
+}
+
 // E_{alpha,beta}(z) and error bounds, elementwise. Precondition: the arrays have equal lengths.
 using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Complexes = py::array_t<std::complex<double>, py::array::c_style | py::array::forcecast>;
@@ -186,6 +222,7 @@ PYBIND11_MODULE(_core, module) {
   module.def("program", program);
   module.def("facts", facts);
   module.def("solve", solve);
+  module.def("choose", choose_for);
   module.def("exact", exact_of);
   module.def("exact_in_digits", exact_decimals);
   module.def("mittag_leffler", mittag_leffler_of);

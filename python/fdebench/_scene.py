@@ -237,7 +237,7 @@ def scene_facts() -> list[dict[str, Any]]:
     >>> scene_facts()[0]["title"]
     'Fractional relaxation'
     """
-    return json.loads(_core.command(["scenes", "--json"], None))
+    return json.loads(_core.command(["scenes", "--json"]))
 
 
 def schemes() -> list[Scheme]:
@@ -246,16 +246,9 @@ def schemes() -> list[Scheme]:
     >>> [scheme.id for scheme in schemes() if not scheme.needs["takes_grid"]]
     ['spectral_collocation', ...]
     """
-    known = json.loads(_core.command(["schemes", "--json"], None))
+    known = json.loads(_core.command(["schemes", "--json"]))
     return [Scheme(facts.pop("id"), facts.pop("title"), facts.pop("source"), facts) for facts in known]
 
 
 def _known(scene: str | os.PathLike[str] | Scene | Problem) -> Scene | Problem:
     return scene if isinstance(scene, (Scene, Problem)) else Scene(scene)
-
-
-def _command(command: str, scene: str | os.PathLike[str] | Scene | Problem, options: Sequence[str]) -> str:
-    """What a command prints of a scene or a problem."""
-    name, settings, problem = _known(scene)._posed
-    set_options = [word for setting in settings for word in ("--set", setting)]
-    return _core.command([command, name or "problem", *set_options, *options], problem)

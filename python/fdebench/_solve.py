@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._failure import DoubtfulResult
-from ._scene import Problem, Scene, _command, _known, _real, _reals, _text
+from ._scene import Problem, Scene, _known, _real, _reals, _text
 
 
 class Solution(Mapping[str, NDArray[numpy.float64]]):
@@ -125,13 +125,9 @@ def choose(
     >>> answer["error"] < 1e-4, sorted(answer)[:4]
     (True, ['accuracy', 'asked', 'command', 'error'])
     """
-    options = ["--error", repr(_real("error", error)), "--json"]
-    for name, value in {"norm": norm, "scale": scale, "runs": runs, "columns": columns}.items():
-        if value is not None:
-            options += [f"--{name}", _text(name, value)]
-    if seconds is not None:
-        options += ["--max-time", _text("seconds", seconds)]
-    found = json.loads(_command("choose", scene, options))
+    counted = "" if columns is None else _text("columns", columns)
+    found = _core.choose(*_known(scene)._posed, _real("error", error), _text("norm", norm), _text("scale", scale),
+                         counted, 60.0 if seconds is None else _real("seconds", seconds), _text("runs", runs))
     if isinstance(scene, Problem):
         found["command"] = None
     return found

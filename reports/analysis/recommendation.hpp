@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -94,6 +95,6 @@ std::string name_of(const RecommendedRun& option);
 std::string to_text(const Recommendation& made, bool verbose = false);
 
 // The recommendation as one JSON object; docs/command.md lists the fields. Precondition: there is an option.
-std::string json_of(const Recommendation& made);
+nlohmann::json json_of(const Recommendation& made);
 
 }  // namespace fde::bench

@@ -51,7 +51,7 @@ nlohmann::json others_of(const Recommendation& made) {
 
 }  // namespace
 
-std::string json_of(const Recommendation& made) {
+nlohmann::json json_of(const Recommendation& made) {
   using Json = nlohmann::json;
   const RecommendedRun& first = made.options.front();
   const auto* second = runner_up(made);
@@ -91,7 +91,7 @@ std::string json_of(const Recommendation& made) {
     json["factor"] = second->time.median / first.time.median;
   }
   json["others"] = others_of(made);
-  return json.dump() + '\n';
+  return json;
 }
 
 }  // namespace fde::bench

@@ -149,6 +149,12 @@ Tolerance parse_accuracy(std::string_view text) {
 
 bool requests_first_run(const Given& given) { return given.word("--runs") == "1"; }
 
+void refuse_as_option(const InvalidValue& wrong,
+                      const std::map<std::string_view, std::string_view>& options) {
+  const auto option = options.find(wrong.name);
+  throw option == options.end() ? wrong : InvalidValue(option->second, wrong.value, wrong.reason);
+}
+
 namespace {
 
 // Parses a setting that files have too; the message names it as the option, and what the option takes

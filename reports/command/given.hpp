@@ -10,6 +10,7 @@
 
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/reports/command/program_text.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
@@ -90,6 +91,10 @@ Tolerance parse_accuracy(std::string_view text);  // one number, relative and ab
 
 // Whether times are those of the first run of a process: --runs 1, otherwise many.
 bool requests_first_run(const Given& given);
+
+// Throws what a request refused, its field named as the option that gave it: options[field].
+[[noreturn]] void refuse_as_option(const InvalidValue& wrong,
+                                   const std::map<std::string_view, std::string_view>& options);
 
 inline constexpr int most_steps = 1'000'000'000;  // the weights are tested up to this lag
 inline constexpr CountRange step_counts{1, most_steps};

@@ -96,14 +96,4 @@ std::vector<std::string> usual_names(std::size_t count) {
   return names;
 }
 
-SceneRegistry with_problem(const Scene& scene, const std::string& source) {
-  SceneRegistry known;
-  known.add({.id = own_id,
-             .title = "a problem of one's own",
-             .source = source,
-             .parameters = {},
-             .make = [scene](const Parameters&) { return scene; }});
-  return known;
-}
-
 }  // namespace fde::bench

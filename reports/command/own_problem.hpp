@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde::bench {
@@ -20,8 +19,7 @@ void require_order(double order);
 // "y" of one unknown, "y1", "y2", ... of more.
 std::vector<std::string> usual_names(std::size_t count);
 
-// All scenes of the list, and this one under the id own_id.
+// The id under which it stands in answers.
 inline constexpr auto own_id = "problem";
-SceneRegistry with_problem(const Scene& scene, const std::string& source);
 
 }  // namespace fde::bench

@@ -67,7 +67,7 @@ void check(const Given& given, const FigureKind& kind) {
   const auto out = given.text("--out");
   if (!out.ends_with(".svg") && !out.ends_with(".pdf") && !out.ends_with(".vl.json"))
     throw std::invalid_argument(fmt::format("--out = {}: must end in .svg, .pdf or .vl.json", out));
-  parse_scale(given.text("--scale"));
+  parse_scale(given.word("--scale"));
   const bool measured = kind.of == FigureData::runs || kind.of == FigureData::drifts;
   if (measured && !given.has("--results")) {
     throw std::invalid_argument(
@@ -207,7 +207,7 @@ std::filesystem::path figure(const Given& given, const FigureKind& kind,
   request.write(nlohmann::json{{"data", data},
                                {"charts", assets::charts()},
                                {"chart", several ? kind.family : kind.chart},
-                               {"kind", error_measure({.scale = parse_scale(given.text("--scale"))})},
+                               {"kind", error_measure({.scale = parse_scale(given.word("--scale"))})},
                                {"columns", columns},
                                {"schemes", given.all("--scheme")},
                                {"vega", assets::vega()},

@@ -71,9 +71,7 @@ std::string exact_rows(const Scene& scene, const Given& given, ReferenceProgress
     return rows_in_digits(exact_in_digits(scene, times, *digits, before), scene.outputs.names, times,
                           each_bound);
   } catch (const InvalidValue& wrong) {
-    if (wrong.name == "times") throw InvalidValue("--at", wrong.value, wrong.reason);
-    if (wrong.name == "digits") throw InvalidValue("--digits", wrong.value, wrong.reason);
-    throw;
+    refuse_as_option(wrong, {{"times", "--at"}, {"digits", "--digits"}});
   }
 }
 

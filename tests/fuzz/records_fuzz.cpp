@@ -37,7 +37,7 @@ void show(const Results& results) {
       for (const auto& text : made.missing)
         fuzz::require(!fuzz::contains_nan_or_inf(text), "numbers of what is missing", text);
       if (made.options.empty()) continue;
-      const std::string text = to_text(made) + json_of(made);
+      const std::string text = to_text(made) + json_of(made).dump();
       fuzz::require(!fuzz::contains_nan_or_inf(text), "numbers of the recommendation", text);
     }
   }

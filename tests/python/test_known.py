@@ -120,6 +120,9 @@ def test_what_cannot_be_known_is_a_numerical_failure():
         (lambda: fdebench.exact("pendulum", 1.0, digits=20), "^digits = 20: the scene has no exact solution in digits"),
         (lambda: fdebench.choose("relaxation", 2.0), "^error = 2: must be"),
         (lambda: fdebench.choose("relaxation", 1e-3, norm="sum"), "^norm = sum: must be"),
+        (lambda: fdebench.choose("relaxation", 1e-3, columns=["z"]), "^columns = z: must be of y$"),
+        (lambda: fdebench.choose("relaxation", 1e-3, seconds=-1), "^seconds = -1: must be"),
+        (lambda: fdebench.choose("relaxation", 1e-3, runs=2), "^runs = 2: must be 1 or many$"),
     ],
 )
 def test_bad_input_is_a_value_error(wrong, message):

@@ -91,8 +91,8 @@ TEST(ErrorKinds, HaveAMeasureAndAWordEach) {
     EXPECT_EQ(parse_norm(name(kind.norm)), kind.norm);
     EXPECT_EQ(parse_scale(name(kind.scale)), kind.scale);
   }
-  expect_message([] { parse_norm("start"); }, "--norm = start: must be end or maximum");
-  expect_message([] { parse_scale("log"); }, "--scale = log: must be absolute, relative, mixed or peak");
+  expect_message([] { parse_norm("start"); }, "norm = start: must be end or maximum");
+  expect_message([] { parse_scale("log"); }, "scale = log: must be absolute, relative, mixed or peak");
 }
 
 TEST(Measures, OfTimes) {

@@ -140,7 +140,7 @@ TEST(Recommendation, TellsWhatIsWithinNoise) {
                   option("product_trapezoidal", 64, {20.5, 20.0, 21.0})}};
   EXPECT_THAT(within_noise(made), ElementsAre("adams_pc"));
   EXPECT_EQ(runner_up(made)->schemes.front(), "adams_pc");
-  const auto json = nlohmann::json::parse(json_of(made));
+  const auto json = json_of(made);
   for (const auto* field :
        {"scene", "scheme", "grid", "asked", "steps", "norm", "scale", "error", "predicted_error", "seconds",
         "seconds_low", "seconds_high", "within_noise", "runner_up", "factor", "command"}) {
@@ -209,8 +209,7 @@ TEST(Recommendation, RanksByTheRunThatIsAskedFor) {
 TEST(Recommendation, SaysWhatToAskASchemeWithoutAGridFor) {
   RecommendedRun asked = option("spectral_collocation", 12, {1.0, 1.0, 1.0});
   asked.setup.resolution = Tolerance{.rtol = 1e-7, .atol = 1e-7};
-  const auto json = nlohmann::json::parse(
-      json_of({.scene = {"pendulum"}, .kind = at_end, .accuracy = 1e-6, .options = {asked}}));
+  const auto json = json_of({.scene = {"pendulum"}, .kind = at_end, .accuracy = 1e-6, .options = {asked}});
   EXPECT_TRUE(json["grid"].is_null()) << json["grid"];
   EXPECT_EQ(json["asked"], 1e-7);
   EXPECT_EQ(json["command"], "fdebench solve pendulum --scheme spectral_collocation --accuracy 1e-07");

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/reports/analysis/choice.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/requests/failure.hpp"
+#include "fdebench/benchmarks/search/estimated_reference.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reports/analysis/text.hpp"
+
+namespace fde::bench {
+namespace {
+
+void require_in(std::string_view name, double value, const Range& allowed) {
+  if (!allowed.contains(value)) reject_text(name, fmt::format("{}", value), allowed.text());
+}
+
+// The indices of these columns, or of all.
+std::vector<Eigen::Index> columns_of(const Scene& scene, const std::vector<std::string>& requested) {
+  if (requested.empty()) return all_columns(scene);
+  const auto& names = scene.outputs.names;
+  std::vector<Eigen::Index> columns;
+  for (const auto& name : requested) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) reject_text("columns", name, fmt::format("of {}", fmt::join(names, ", ")));
+    columns.push_back(found - names.begin());
+  }
+  return columns;
+}
+
+// From the reference, at times that are independent of any grid.
+std::vector<SmallColumn> small_columns(const Scene& scene, const AccuracyTarget& question) {
+  constexpr int evenly = 128;
+  std::vector<std::string> names;
+  std::vector<double> largest(question.columns.size(), 0.0);
+  for (const auto column : question.columns)
+    names.push_back(scene.outputs.names[static_cast<std::size_t>(column)]);
+  for (const double t : comparison_times(scene.problem, evenly)) {
+    const Vec values = scene.reference.at(t).value;
+    for (std::size_t i = 0; i < largest.size(); ++i)
+      largest[i] = std::max(largest[i], std::abs(values[question.columns[i]]));
+  }
+  return small_columns(question.kind, question.accuracy, names, largest);
+}
+
+}  // namespace
+
+bool parse_first_run(std::string_view text) {
+  if (text != "1" && text != "many") reject_text("runs", text, "1 or many");
+  return text == "1";
+}
+
+Recommendation choose(Scene scene, const SceneSettings& settings, const ChoiceRequest& request,
+                      const SearchProgress& progress) {
+  constexpr double part_of_estimate = 1.0 / 3.0;
+  require_in("error", request.error, searched_errors);
+  require_in("seconds", request.seconds, searched_seconds);
+  const AccuracyTarget question{request.kind, request.error, columns_of(scene, request.columns),
+                                request.first_run};
+  const SearchProgress tell = progress ? progress : [](const std::string&, double) {};
+  const auto start = std::chrono::steady_clock::now();
+  const bool at_points_only = is_examined_at_points_only(scene);
+  auto known = reference_or_estimate(scene, question, part_of_estimate * request.seconds, tell);
+  scene.reference = std::move(known.reference);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const auto found = search(scene, question, std::max(0.0, request.seconds - taken.count()), tell);
+  auto made = recommend(found, settings, scene.outputs.names, question, known.estimate);
+  made.small = small_columns(scene, question);
+  made.examined_at_points_only = at_points_only;
+  made.columns = request.columns;
+  require_option(made);
+  return made;
+}
+
+void require_option(const Recommendation& made) {
+  if (!made.options.empty()) return;
+  auto missing = made.missing;
+  if (made.estimate) missing.push_back(estimate_text(*made.estimate));
+  const auto columns = made.columns.empty() ? "" : fmt::format(", in {}", fmt::join(made.columns, ", "));
+  throw NumericalFailure(fmt::format("no run of {} is within {} ({}{}): {}", label_of(made.scene),
+                                     error_text(made.accuracy), kind_text(made.kind), columns,
+                                     fmt::join(missing, "; ")));
+}
+
+}  // namespace fde::bench

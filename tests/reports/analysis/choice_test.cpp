@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/reports/analysis/choice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "fdebench/benchmarks/requests/failure.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "support/testing.hpp"
+
+namespace fde::bench {
+namespace {
+
+TEST(Choice, AnswersWithinTheErrorOverTheColumnsThatCount) {
+  const auto made =
+      choose(scene_of("linear_system"), {"linear_system"},
+             {.error = 1e-3, .columns = {scene_of("linear_system").outputs.names.front()}, .seconds = 5.0});
+  ASSERT_FALSE(made.options.empty());
+  EXPECT_LE(made.options.front().error, 1e-3);
+  EXPECT_EQ(made.columns.size(), 1U);
+  EXPECT_EQ(made.kind.norm, Norm::maximum);
+}
+
+TEST(Choice, NamesTheFieldThatItRefuses) {
+  const Scene scene = scene_of("relaxation");
+  const auto refused = [&](const ChoiceRequest& request) -> std::string {
+    try {
+      choose(scene, {"relaxation"}, request);
+    } catch (const InvalidValue& wrong) {
+      return wrong.name + " = " + wrong.value;
+    }
+    return "";
+  };
+  EXPECT_EQ(refused({}), "error = 0");
+  EXPECT_EQ(refused({.error = 1.0}), "error = 1");
+  EXPECT_EQ(refused({.error = 0.1, .columns = {"z"}}), "columns = z");
+  EXPECT_EQ(refused({.error = 0.1, .seconds = 0.0}), "seconds = 0");
+  EXPECT_THROW(parse_first_run("2"), InvalidValue);
+}
+
+// 0.002 s suffice for no run.
+TEST(Choice, IsAFailureWithWhatIsMissingWhereNoRunIsWithinTheError) {
+  try {
+    choose(scene_of("pendulum"), {"pendulum"}, {.error = 1e-14, .seconds = 0.002});
+    ADD_FAILURE() << "an answer";
+  } catch (const std::runtime_error& failure) {
+    EXPECT_THAT(failure.what(), testing::AnyOf(testing::HasSubstr("no run of pendulum is within"),
+                                               testing::HasSubstr("the reference is known up to")));
+  }
+}
+
+}  // namespace
+}  // namespace fde::bench
