@@ -22,18 +22,13 @@ Scene scene_of(const FdebenchProblem& problem, const Make& make) {
   return make(read_variant(problem.scene, {}, all));
 }
 
-std::string reason_of(const std::string& line) {
-  constexpr std::string_view speaker = "warning: ";
-  return line.starts_with(speaker) ? line.substr(speaker.size()) : line;
-}
-
 FdebenchTable table_of_solve(SolvedTable&& solved) {
   FdebenchTable table{.names = std::move(solved.names),
                       .times = std::move(solved.times),
                       .values = std::move(solved.values),
                       .facts = nlohmann::json::parse(solved.cost)};
   table.facts["cost"] = solved.cost;
-  table.facts["warning"] = reason_of(solved.warning);
+  table.facts["warning"] = solved.warning;
   table.facts["ended"] = solved.ended;
   return table;
 }

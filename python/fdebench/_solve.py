@@ -98,7 +98,7 @@ def solve(
         texts["at"] = ",".join(map(repr, numpy.atleast_1d(_reals("at", at)).tolist()))
     solution = Solution(*_core.solve(*_known(scene)._posed, scheme, texts, bool(check), bool(events)))
     if solution.warning:
-        warnings.warn(solution.warning.removeprefix("warning: "), DoubtfulResult, stacklevel=2)
+        warnings.warn(solution.warning, DoubtfulResult, stacklevel=2)
     return solution
 
 

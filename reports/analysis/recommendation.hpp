@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -88,11 +89,18 @@ std::string kind_text(const ErrorKind& kind);
 // "l1 = commensurate_l1, graded:2".
 std::string name_of(const RecommendedRun& option);
 
+// How the labels and the command of a text are shown: as they are, unless a terminal has colours.
+struct Emphasis {
+  using Shown = std::function<std::string(const std::string& text)>;
+  Shown label = [](const std::string& text) { return text; };
+  Shown command = label;
+};
+
 // The recommendation as text: three lines (what to run, what it delivers, how sure that is), a line where the
 // accuracy is coarse for a column, then a table of
 // the schemes. With `verbose` also why it is quickest, all grids, and the schemes that refuse the problem.
 // Precondition: there is an option.
-std::string to_text(const Recommendation& made, bool verbose = false);
+std::string to_text(const Recommendation& made, bool verbose = false, const Emphasis& emphasis = {});
 
 // The recommendation as one JSON object; docs/command.md lists the fields. Precondition: there is an option.
 nlohmann::json json_of(const Recommendation& made);

@@ -119,12 +119,13 @@ std::string coarseness(const Recommendation& made) {
 
 }  // namespace
 
-std::string to_text(const Recommendation& made, bool verbose) {
+std::string to_text(const Recommendation& made, bool verbose, const Emphasis& emphasis) {
   const RecommendedRun& first = made.options.front();
-  std::string text = fmt::format("run: {}\ndelivers: {}\nhow sure: {}\n",
-                                 first.external ? fmt::format("{} with N = {}", name_of(first), first.steps)
-                                                : command_of(made.scene, first),
-                                 delivery(made, first), certainty(made, first));
+  const auto run = first.external ? fmt::format("{} with N = {}", name_of(first), first.steps)
+                                  : command_of(made.scene, first);
+  std::string text = fmt::format("{}{}\n{} {}\n{} {}\n", emphasis.label("run:"), emphasis.command(" " + run),
+                                 emphasis.label("delivers:"), delivery(made, first),
+                                 emphasis.label("how sure:"), certainty(made, first));
   if (!made.small.empty()) text += coarseness(made);
   if (verbose) {
     if (first.predicted_error)

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "fdebench/benchmarks/text/number_text.hpp"
@@ -77,22 +76,11 @@ Recommendation recorded(const ChoiceRequest& request, const Given& given, const 
   return made;
 }
 
-// The answer with what its first three lines begin with in bold, and the command in green.
-std::string with_bold_labels(const std::string& answer, bool coloured) {
-  if (!coloured) return answer;
-  constexpr int lines_of_answer = 3;
-  std::istringstream lines(answer);
-  std::string text, line;
-  for (int i = 0; std::getline(lines, line); ++i) {
-    const auto label = i < lines_of_answer ? line.find(':') : std::string::npos;
-    if (label != std::string::npos) {
-      const auto rest = line.substr(label + 1);
-      line = in_colour(line.substr(0, label + 1), Colour::bold, true) +
-             (i == 0 ? in_colour(rest, Colour::green, true) : rest);
-    }
-    text += line + '\n';
-  }
-  return text;
+// Labels in bold and the command in green, on a terminal with colours.
+Emphasis emphasis_on(const Streams& streams) {
+  const bool shown = streams.out_columns > 0 && streams.colours;
+  return {.label = [=](const std::string& text) { return in_colour(text, Colour::bold, shown); },
+          .command = [=](const std::string& text) { return in_colour(text, Colour::green, shown); }};
 }
 
 void print_choice(const Given& given, const Streams& streams, const SceneRegistry& known) {
@@ -105,8 +93,7 @@ void print_choice(const Given& given, const Streams& streams, const SceneRegistr
   const auto made = given.has("--results") ? recorded(request, given, streams, known)
                                            : searched(given, request, streams, known);
   streams.out << (given.has("--json") ? json_of(made).dump() + '\n'
-                                      : with_bold_labels(to_text(made, given.has("--verbose")),
-                                                         streams.out_columns > 0 && streams.colours));
+                                      : to_text(made, given.has("--verbose"), emphasis_on(streams)));
 }
 
 }  // namespace

@@ -156,20 +156,14 @@ std::string without_dashes(std::string text) {
 void say(const Streams& streams, Message kind, std::string_view message) {
   if (kind == Message::note && streams.quiet) return;
   const bool coloured = streams.columns > 0 && streams.colours;
-  constexpr std::string_view warning = "warning:";
-  const auto line = printable(message);
-  if (kind == Message::warning && line.starts_with(warning)) {
-    streams.err << fmt::format("fdebench: {}{}\n", in_colour(warning, Colour::yellow, coloured),
-                               line.substr(warning.size()));
-  } else {
-    streams.err << fmt::format("{} {}\n",
-                               in_colour("fdebench:", Colour::red, coloured && kind == Message::error), line);
-  }
+  const auto speaker = in_colour("fdebench:", Colour::red, coloured && kind == Message::error);
+  const auto warning = kind == Message::warning ? in_colour("warning:", Colour::yellow, coloured) + " " : "";
+  streams.err << fmt::format("{} {}{}\n", speaker, warning, printable(message));
   streams.err.flush();
 }
 
 void warn(const Streams& streams, std::string_view text) {
-  if (!text.empty()) say(streams, Message::warning, fmt::format("warning: {}", text));
+  if (!text.empty()) say(streams, Message::warning, text);
 }
 
 int run_fdebench(const std::vector<std::string>& arguments, const Streams& given,

@@ -28,12 +28,12 @@ struct Streams {
   bool quiet = false;    // no progress and no notes on err
 };
 
-// Writes "fdebench: MESSAGE" to err, the message as one printable line. On a terminal an error or a warning
-// is coloured. A note is left out where --quiet is given.
+// Writes "fdebench: MESSAGE" to err, or "fdebench: warning: MESSAGE", the message as one printable line. On a
+// terminal an error or a warning is coloured. A note is left out where --quiet is given.
 enum class Message { error, warning, note };
 void say(const Streams& streams, Message kind, std::string_view message);
 
-// Says "warning: TEXT"; nothing if the text is empty.
+// Says the text as a warning; nothing if it is empty.
 void warn(const Streams& streams, std::string_view text);
 
 // Runs the command `fdebench` within this process, with the arguments after the program's name. Returns the

@@ -63,10 +63,6 @@ std::optional<std::string> large_drift(const Scene& scene, const Grid& grid, con
   return fmt::format("constraint is {:.3g} in the last quarter, and its terms up to {:.3g}", drift, terms);
 }
 
-std::string as_warning(const std::vector<std::string>& texts) {
-  return texts.empty() ? "" : fmt::format("warning: {}", fmt::join(texts, "; "));
-}
-
 // Some of the columns, spread evenly over them, the last one among them.
 std::vector<Eigen::Index> spread_columns(Eigen::Index count) {
   constexpr Eigen::Index most = 32;
@@ -142,7 +138,7 @@ std::string warning_line(const Scene& scene, const RequestedRun& run, const Traj
   }
   for (const Warning& warning : warnings(solved, check)) texts.push_back(warning.text);
   if (const auto drift = large_drift(scene, *run.grid, path)) texts.push_back(*drift);
-  return as_warning(texts);
+  return fmt::format("{}", fmt::join(texts, "; "));
 }
 
 std::string warning_line(const Scene& scene, const RequestedRun& run, const SolvedTable& table,
@@ -164,7 +160,7 @@ std::string warning_line(const Scene& scene, const RequestedRun& run, const Solv
     if (!is_number)
       texts.push_back(fmt::format("event {} is not a number at any time of the run", event.name));
   }
-  return as_warning(texts);
+  return fmt::format("{}", fmt::join(texts, "; "));
 }
 
 }  // namespace fde::bench

@@ -63,8 +63,8 @@ void solve(const Given& given, const Streams& streams, const SceneRegistry& know
   if (!fails) print_rows(table, streams.out);
   std::error_code ignored;
   if (!table.checkpoint.empty() && streams.out.flush()) std::filesystem::remove(table.checkpoint, ignored);
-  if (fails) throw NumericalFailure(table.warning);
-  if (!table.warning.empty()) say(streams, Message::warning, table.warning);
+  if (fails) throw NumericalFailure("warning: " + table.warning);
+  warn(streams, table.warning);
   if (!table.ended.empty()) say(streams, Message::note, table.ended);
   if (given.has("--cost")) streams.err << table.cost << '\n';
 }
