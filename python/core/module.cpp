@@ -11,6 +11,7 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -142,13 +143,13 @@ py::object object_of(const nlohmann::json& value) {
   return dictionary;
 }
 
-// Dictionary of what is chosen. `columns`: names with commas between them; "": all.
+// Dictionary of what is chosen. `columns`: names with commas between them; None: all.
 py::object choose_for(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
                       double error, const std::string& norm, const std::string& scale,
-                      const std::string& columns, double seconds, const std::string& runs) {
+                      const std::optional<std::string>& columns, double seconds, const std::string& runs) {
   const ChoiceRequest request{.error = error,
                               .kind = {parse_norm(norm), parse_scale(scale)},
-                              .columns = columns.empty() ? std::vector<std::string>() : split_names(columns),
+                              .columns = columns ? split_names(*columns) : std::vector<std::string>(),
                               .seconds = seconds,
                               .first_run = parse_first_run(runs)};
   const auto facts = without_gil([&] {

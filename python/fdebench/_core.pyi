@@ -28,7 +28,7 @@ def solve(
     name: str, settings: Sequence[str], problem: Problem | None, scheme: str, texts: dict[str, str], check: bool, events: bool
 ) -> tuple[list[str], NDArray[numpy.float64], NDArray[numpy.float64], str, str, list[str] | None]: ...
 def choose(
-    name: str, settings: Sequence[str], problem: Problem | None, error: float, norm: str, scale: str, columns: str, seconds: float, runs: str
+    name: str, settings: Sequence[str], problem: Problem | None, error: float, norm: str, scale: str, columns: str | None, seconds: float, runs: str
 ) -> dict[str, Any]: ...
 def exact(
     name: str, settings: Sequence[str], problem: Problem | None, times: Sequence[float]

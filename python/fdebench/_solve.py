@@ -125,7 +125,7 @@ def choose(
     >>> answer["error"] < 1e-4, sorted(answer)[:4]
     (True, ['accuracy', 'asked', 'command', 'error'])
     """
-    counted = "" if columns is None else _text("columns", columns)
+    counted = None if columns is None else _text("columns", columns)
     found = _core.choose(*_known(scene)._posed, _real("error", error), _text("norm", norm), _text("scale", scale),
                          counted, 60.0 if seconds is None else _real("seconds", seconds), _text("runs", runs))
     if isinstance(scene, Problem):

@@ -121,6 +121,7 @@ def test_what_cannot_be_known_is_a_numerical_failure():
         (lambda: fdebench.choose("relaxation", 2.0), "^error = 2: must be"),
         (lambda: fdebench.choose("relaxation", 1e-3, norm="sum"), "^norm = sum: must be"),
         (lambda: fdebench.choose("relaxation", 1e-3, columns=["z"]), "^columns = z: must be of y$"),
+        (lambda: fdebench.choose("relaxation", 1e-3, columns=[]), "^columns = : must be of y$"),
         (lambda: fdebench.choose("relaxation", 1e-3, seconds=-1), "^seconds = -1: must be"),
         (lambda: fdebench.choose("relaxation", 1e-3, runs=2), "^runs = 2: must be 1 or many$"),
     ],
