@@ -2,6 +2,8 @@
 #include "fdebench/schemes/solvers/sylvester_factors.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
+#include <complex>
 #include <utility>
 
 namespace fde {
@@ -31,10 +33,14 @@ bool SylvesterFactors::add_real(double eigenvalue) {
   return solvable;
 }
 
+// For the eigenvalue l = m + i w of ((a, b), (c, d)) above the real axis q = (b, l - a), and the first row of
+// (q, q*)^-1 is (q2*, -b) / (-2 i b w); b c < 0.
 bool SylvesterFactors::add_pair(const Eigen::Matrix2d& block) {
-  const Eigen::EigenSolver<Eigen::Matrix2d> modes(block);
-  const Eigen::Matrix2cd vectors = modes.eigenvectors();
-  Pair pair{complex_factors(*a_, modes.eigenvalues()[0]), vectors.col(0), vectors.inverse().row(0)};
+  const double b = block(0, 1), half = 0.5 * (block(0, 0) - block(1, 1));
+  const double w = std::sqrt(std::abs(half * half + b * block(1, 0)));
+  const std::complex<double> l{block(0, 0) - half, w}, scale{0.0, -2.0 * b * w};
+  const Eigen::Vector2cd q{b, l - block(0, 0)};
+  Pair pair{complex_factors(*a_, l), q, Eigen::RowVector2cd{std::conj(q[1]) / scale, -b / scale}};
   const bool solvable = pair.factors != nullptr;
   blocks_.emplace_back(std::move(pair));
   return solvable;

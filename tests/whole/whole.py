@@ -187,6 +187,8 @@ def main() -> int:
     parser.add_argument("--coverage", action="store_true")
     parser.add_argument("--replay", action="store_true")
     options = parser.parse_intermixed_args()
+    if options.kinds and not importlib.util.find_spec("numpy"):
+        parser.error("--kinds: this Python has no NumPy")
     if options.seed == "date":
         options.seed = datetime.date.today().isoformat()
     return int(replay(options) if options.replay else search(options))
