@@ -14,7 +14,7 @@ namespace fde::bench {
 // A value that is not allowed; what() is "NAME = VALUE: REASON". The name is that of a field; a front that
 // has other words for it throws again with its own.
 struct InvalidValue : std::invalid_argument {
-  InvalidValue(std::string_view name, std::string_view value, std::string_view reason);
+  InvalidValue(std::string_view of, std::string_view given, std::string_view why);
   std::string name, value, reason;
 };
 
