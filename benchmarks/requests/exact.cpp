@@ -72,13 +72,14 @@ ExactTable exact(Scene scene, const std::vector<double>& times, const BeforeTime
   return table;
 }
 
-std::vector<std::vector<reference::Decimal>> exact_in_digits(const Scene& scene,
+std::vector<std::vector<reference::Decimal>> exact_in_digits(const Scene& scene, std::string_view id,
                                                              const std::vector<double>& times, int digits,
                                                              const BeforeTime& before) {
   require_times(scene, times);
   if (!scene.reference.digits) {
-    throw InvalidValue("digits", fmt::format("{}", digits),
-                       "the scene has no exact solution in digits, only what is known in double");
+    throw InvalidValue(
+        "digits", fmt::format("{}", digits),
+        fmt::format("scene {} has no exact solution in digits, only what is known in double", id));
   }
   if (digits < 1 || digits > reference::max_digits)
     reject_text("digits", fmt::format("{}", digits), CountRange{1, reference::max_digits}.text());

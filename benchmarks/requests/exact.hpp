@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fdebench/benchmarks/requests/failure.hpp"
@@ -28,9 +29,9 @@ using BeforeTime = std::function<void(double t)>;
 ExactTable exact(Scene scene, const std::vector<double>& times, const BeforeTime& before = {});
 
 // For each time the columns as decimals, each with its bound. The energies and constraints of exact() are
-// computed in double only, so they are left out. Throws InvalidValue, and for a scene that has no such
-// decimals, as exact() does.
-std::vector<std::vector<reference::Decimal>> exact_in_digits(const Scene& scene,
+// computed in double only, so they are left out. `id` names the scene in messages. Throws InvalidValue, also
+// for a scene that has no such decimals, and NumericalFailure, as exact() does.
+std::vector<std::vector<reference::Decimal>> exact_in_digits(const Scene& scene, std::string_view id,
                                                              const std::vector<double>& times, int digits,
                                                              const BeforeTime& before = {});
 

@@ -115,7 +115,7 @@ py::tuple exact_decimals(const std::string& name, const std::vector<std::string>
   std::vector<std::vector<std::string>> values, bounds;
   const auto names = without_gil([&] {
     const Scene scene = scene_of(name, settings, problem, unchecked_scene);
-    for (const auto& row : exact_in_digits(scene, times, digits)) {
+    for (const auto& row : exact_in_digits(scene, problem == nullptr ? name : own_id, times, digits)) {
       auto &of_values = values.emplace_back(), &of_bounds = bounds.emplace_back();
       for (const auto& [value, bound] : row) {
         of_values.push_back(value);

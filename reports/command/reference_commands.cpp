@@ -61,15 +61,16 @@ std::string rows_in_digits(const std::vector<std::vector<reference::Decimal>>& t
 }
 
 // The table of the scene as CSV.
-std::string exact_rows(const Scene& scene, const Given& given, ReferenceProgress& work) {
+std::string exact_rows(const SceneVariant& variant, const Given& given, ReferenceProgress& work) {
+  const Scene scene = make_scene_unchecked(*variant.maker, variant.values);
   const auto times = increasing(given.numbers("--at"));
   const auto before = [&](double t) { work.set_place(fmt::format("t = {}", t)); };
   const bool each_bound = given.has("--bounds");
   try {
     const auto digits = given.find_count("--digits");
     if (!digits) return rows_in_double(exact(scene, times, before), times, each_bound);
-    return rows_in_digits(exact_in_digits(scene, times, *digits, before), scene.outputs.names, times,
-                          each_bound);
+    return rows_in_digits(exact_in_digits(scene, variant.maker->id, times, *digits, before),
+                          scene.outputs.names, times, each_bound);
   } catch (const InvalidValue& wrong) {
     refuse_as_option(wrong, {{"times", "--at"}, {"digits", "--digits"}});
   }
@@ -77,10 +78,9 @@ std::string exact_rows(const Scene& scene, const Given& given, ReferenceProgress
 
 void print_exact(const Given& given, const Streams& streams, const SceneRegistry& known) {
   const auto variant = read_variant(given, known);
-  const Scene scene = make_scene_unchecked(*variant.maker, variant.values);
   ReferenceProgress work(streams, given.find_number("--budget"), "the reference");
   try {
-    streams.out << exact_rows(scene, given, work);
+    streams.out << exact_rows(variant, given, work);
   } catch (const Cancelled&) {
     work.fail();
   }

@@ -117,7 +117,7 @@ def test_what_cannot_be_known_is_a_numerical_failure():
         (lambda: fdebench.exact("relaxation", -1.0), "^times = -1: must be a finite number of at least 0$"),
         (lambda: fdebench.exact("fractional_extremum", 2.0), r"^times = 2: must be in \[0, 1\]"),
         (lambda: fdebench.exact("relaxation", 1.0, digits=0), "^digits = 0: must be a whole number"),
-        (lambda: fdebench.exact("pendulum", 1.0, digits=20), "^digits = 20: the scene has no exact solution in digits"),
+        (lambda: fdebench.exact("pendulum", 1.0, digits=20), "^digits = 20: scene pendulum has no exact solution in digits"),
         (lambda: fdebench.choose("relaxation", 2.0), "^error = 2: must be"),
         (lambda: fdebench.choose("relaxation", 1e-3, norm="sum"), "^norm = sum: must be"),
         (lambda: fdebench.choose("relaxation", 1e-3, columns=["z"]), "^columns = z: must be of y$"),

@@ -37,7 +37,7 @@ TEST(Exact, HasBoundsOfTheColumnsOnly) {
 TEST(Exact, InDigitsRoundsToTheSameDoubles) {
   const Scene scene = scene_of("relaxation");
   const std::vector<double> times{0.5, 1.0};
-  const auto decimals = exact_in_digits(scene, times, 30);
+  const auto decimals = exact_in_digits(scene, "relaxation", times, 30);
   const auto table = exact(scene, times);
   for (std::size_t i = 0; i < times.size(); ++i)
     EXPECT_EQ(std::stod(decimals[i].front().value), table.values(0, static_cast<Eigen::Index>(i)));
@@ -58,10 +58,11 @@ TEST(Exact, NamesTheFieldThatItRefuses) {
   EXPECT_EQ(refused([&] { exact(one_end, {std::nan("")}); }),
             "times|nan|must be a finite number of at least 0");
   EXPECT_EQ(refused([&] { exact(two_ends, {2.5}); }), "times|2.5|must be in [0, 2], the time of the scene");
-  EXPECT_EQ(refused([&] { exact_in_digits(one_end, {1.0}, 0); }),
+  EXPECT_EQ(refused([&] { exact_in_digits(one_end, "relaxation", {1.0}, 0); }),
             "digits|0|must be a whole number from 1 to 100000");
-  EXPECT_EQ(refused([&] { exact_in_digits(two_ends, {1.0}, 40); }),
-            "digits|40|the scene has no exact solution in digits, only what is known in double");
+  EXPECT_EQ(
+      refused([&] { exact_in_digits(two_ends, "two_sided_constraint", {1.0}, 40); }),
+      "digits|40|scene two_sided_constraint has no exact solution in digits, only what is known in double");
 }
 
 }  // namespace
