@@ -127,6 +127,7 @@ py::tuple exact_decimals(const std::string& name, const std::vector<std::string>
   return py::make_tuple(names, values, bounds);
 }
 
+// The value with the types of Python.
 py::object object_of(const nlohmann::json& value) {
   if (value.is_null()) return py::none();
   if (value.is_boolean()) return py::bool_(value.get<bool>());

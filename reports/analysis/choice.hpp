@@ -30,8 +30,8 @@ bool parse_first_run(std::string_view text);
 
 // Searches for the scheme, grid and number of steps that reach the error in the least time. Where there is no
 // reference, an error estimate takes up to a third of the seconds. `settings` name the scene in the answer.
-// Throws InvalidValue naming the field, and NumericalFailure where there is neither reference nor estimate,
-// or no run is within the error.
+// Throws InvalidValue naming the field; std::runtime_error where there is neither reference nor estimate, or
+// none as accurate as the error; and NumericalFailure, which is one, where no run is within the error.
 Recommendation choose(Scene scene, const SceneSettings& settings, const ChoiceRequest& request,
                       const SearchProgress& progress = {});
 

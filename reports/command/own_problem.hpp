@@ -19,7 +19,7 @@ void require_order(double order);
 // "y" of one unknown, "y1", "y2", ... of more.
 std::vector<std::string> usual_names(std::size_t count);
 
-// The id under which it stands in answers.
+// The id of such a scene in answers.
 inline constexpr auto own_id = "problem";
 
 }  // namespace fde::bench

@@ -38,15 +38,23 @@ TEST(Choice, NamesTheFieldThatItRefuses) {
   EXPECT_THROW(parse_first_run("2"), InvalidValue);
 }
 
-// 0.002 s suffice for no run.
-TEST(Choice, IsAFailureWithWhatIsMissingWhereNoRunIsWithinTheError) {
+TEST(Choice, IsAFailureThatSaysWhatIsMissing) {
+  const Recommendation none{.scene = {"pendulum"},
+                            .kind = {Norm::end, Scale::absolute},
+                            .accuracy = 1e-6,
+                            .columns = {"phi"},
+                            .missing = {"the best is 1e-3"}};
   try {
-    choose(scene_of("pendulum"), {"pendulum"}, {.error = 1e-14, .seconds = 0.002});
-    ADD_FAILURE() << "an answer";
-  } catch (const std::runtime_error& failure) {
-    EXPECT_THAT(failure.what(), testing::AnyOf(testing::HasSubstr("no run of pendulum is within"),
-                                               testing::HasSubstr("the reference is known up to")));
+    require_option(none);
+    ADD_FAILURE() << "no failure";
+  } catch (const NumericalFailure& failure) {
+    EXPECT_STREQ(
+        failure.what(),
+        "no run of pendulum is within 1.0e-6 (at the end, absolute scale, in phi): the best is 1e-3");
   }
+  Recommendation some = none;
+  some.options.emplace_back();
+  EXPECT_NO_THROW(require_option(some));
 }
 
 }  // namespace
