@@ -25,8 +25,8 @@ using BeforeTime = std::function<void(double t)>;
 
 // The reference of the scene at these times, in any order, also beyond its end where it is no problem at both
 // ends. Throws InvalidValue for a time that is not in [0, infinity), or not in the interval of a problem at
-// both ends; std::runtime_error where there is no reference; and NumericalFailure, which is one, where a value
-// or a bound is beyond double.
+// both ends; std::runtime_error where there is no reference; and NumericalFailure, which is one, where a
+// value or a bound is beyond double.
 ExactTable exact(Scene scene, const std::vector<double>& times, const BeforeTime& before = {});
 
 // For each time the columns as decimals, each with its bound. The energies and constraints of exact() are
