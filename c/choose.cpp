@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/requests/own_problem.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/c/guard.hpp"
 #include "fdebench/c/handles.hpp"
 #include "fdebench/reports/analysis/choice.hpp"
-#include "fdebench/reports/command/own_problem.hpp"
 
 using namespace fde::bench;
 using namespace fde::bench::c;
@@ -26,22 +26,22 @@ const nlohmann::json& facts_of(const fdebench_choice* choice) {
   return given("choice", choice, choice_handle).facts;
 }
 
-ChoiceRequest request_of(const std::map<std::string, std::string>& texts) {
-  if (!texts.contains("error")) throw std::invalid_argument("error is required");
+ChoiceRequest request_of(const std::map<std::string, OptionValue>& values) {
+  if (!values.contains("error")) throw std::invalid_argument("error is required");
   ChoiceRequest request;
-  for (const auto& [name, text] : texts) {
+  for (const auto& [name, value] : values) {
     if (name == "error") {
-      request.error = parse_number(name, text, searched_errors);
+      request.error = real_of(name, value, searched_errors);
     } else if (name == "norm") {
-      request.kind.norm = parse_norm(text);
+      request.kind.norm = parse_norm(text_of(value));
     } else if (name == "scale") {
-      request.kind.scale = parse_scale(text);
+      request.kind.scale = parse_scale(text_of(value));
     } else if (name == "columns") {
-      request.columns = split_names(text);
+      request.columns = split_names(text_of(value));
     } else if (name == "max-time") {
-      request.seconds = parse_number(name, text, searched_seconds);
+      request.seconds = real_of(name, value, searched_seconds);
     } else if (name == "runs") {
-      request.first_run = parse_first_run(text);
+      request.first_run = parse_first_run(text_of(value));
     } else {
       reject_text("option", name, "of columns, error, max-time, norm, runs, scale");
     }
@@ -68,7 +68,7 @@ int fdebench_choose(const fdebench_problem* problem, const fdebench_options* opt
   return guarded([&] {
     auto& result = given("choice", choice);
     const auto& handle = given("problem", problem, problem_handle);
-    auto facts = chosen(handle, request_of(given("options", options, options_handle).texts));
+    auto facts = chosen(handle, request_of(given("options", options, options_handle).values));
     facts["json"] = facts.dump();
     result = std::make_unique<FdebenchChoice>(FdebenchChoice{std::move(facts)}).release();
   });
@@ -91,17 +91,17 @@ int fdebench_choice_text(const fdebench_choice* choice, const char* fact, const 
 int fdebench_choice_apply(const fdebench_choice* choice, fdebench_options* options) {
   return guarded([&] {
     const auto& facts = facts_of(choice);
-    auto texts = given("options", options, options_handle).texts;
+    auto values = given("options", options, options_handle).values;
     for (const char* name :
          {"accuracy", "steps", "grid", "error", "norm", "scale", "columns", "runs", "max-time"})
-      texts.erase(name);
+      values.erase(name);
     if (const double asked = number_in(facts, "asked"); !std::isnan(asked)) {
-      texts["accuracy"] = fmt::format("{}", asked);
+      values["accuracy"] = asked;
     } else {
-      texts["steps"] = facts.at("steps").dump();
-      texts["grid"] = text_in(facts, "grid");
+      values["steps"] = facts.at("steps").get<long long>();
+      values["grid"] = std::string(text_in(facts, "grid"));
     }
-    options->texts = std::move(texts);
+    options->values = std::move(values);
   });
 }
 

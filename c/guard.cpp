@@ -7,8 +7,6 @@
 #include <new>
 #include <system_error>
 
-#include "fdebench/reports/command/command.hpp"
-
 namespace fde::bench::c {
 namespace {
 
@@ -27,7 +25,7 @@ LastError& last_error() {
 int keep(int status, const char* message) noexcept {
   LastError& kept = last_error();
   try {
-    kept.text = without_dashes(message);
+    kept.text = message;
     kept.shown = kept.text.c_str();
   } catch (...) {
     kept.shown = "not enough memory";

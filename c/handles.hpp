@@ -6,9 +6,18 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/benchmarks/text/count_range.hpp"
+#include "fdebench/benchmarks/text/range.hpp"
+
+namespace fde::bench::c {
+
+using OptionValue = std::variant<long long, double, std::vector<double>, std::string>;
+
+}  // namespace fde::bench::c
 
 // What the handles of fdebench.h point to.
 
@@ -20,7 +29,7 @@ struct FdebenchProblem {
 };
 
 struct FdebenchOptions {
-  std::map<std::string, std::string> texts{};
+  std::map<std::string, fde::bench::c::OptionValue> values{};
 };
 
 // Values and bounds have one column for each time. Facts are an object of numbers and texts.
@@ -36,6 +45,13 @@ struct FdebenchChoice {
 };
 
 namespace fde::bench::c {
+
+// The values of an option that is set. What is set as a text is parsed, a list of one number is that number.
+// Each throws Refusal naming the option, its value and what is allowed.
+double real_of(const std::string& name, const OptionValue& value, const Range& allowed);
+int count_of(const std::string& name, const OptionValue& value, const CountRange& allowed);
+std::vector<double> reals_of(const std::string& name, const OptionValue& value, const Range& allowed);
+std::string text_of(const OptionValue& value);
 
 inline constexpr auto problem_handle = "a handle of fdebench_problem_new or fdebench_problem_of_scene";
 inline constexpr auto options_handle = "a handle of fdebench_options_new";

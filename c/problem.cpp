@@ -2,10 +2,10 @@
 #include <memory>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/requests/own_problem.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/c/guard.hpp"
 #include "fdebench/c/handles.hpp"
-#include "fdebench/reports/command/own_problem.hpp"
 
 namespace fde::bench::c {
 namespace {

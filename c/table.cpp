@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 #include "fdebench/benchmarks/requests/exact.hpp"
+#include "fdebench/benchmarks/requests/solve.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/c/guard.hpp"
 #include "fdebench/c/handles.hpp"
-#include "fdebench/reports/command/solved_table.hpp"
 
 namespace fde::bench::c {
 namespace {
@@ -22,13 +26,52 @@ Scene scene_of(const FdebenchProblem& problem, const Make& make) {
   return make(read_variant(problem.scene, {}, all));
 }
 
+SolveRequest request_of(const std::string& scheme, const std::map<std::string, OptionValue>& values) {
+  SolveRequest request{.scheme = scheme};
+  std::optional<double> accuracy;
+  std::optional<std::vector<double>> at;
+  std::optional<int> steps, every, points;
+  for (const auto& [name, value] : values) {
+    if (name == "accuracy") {
+      accuracy = real_of(name, value, positive);
+    } else if (name == "at") {
+      at = reals_of(name, value, not_negative);
+    } else if (name == "budget") {
+      request.settings.budget = real_of(name, value, positive);
+    } else if (name == "check") {
+      request.check = count_of(name, value, {0, 1}) == 1;
+    } else if (name == "every") {
+      every = count_of(name, value, step_counts);
+    } else if (name == "grid") {
+      set_grid(request, text_of(value));
+    } else if (name == "history") {
+      request.settings.history = parse_history(text_of(value));
+    } else if (name == "points") {
+      points = count_of(name, value, point_counts);
+    } else if (name == "steps") {
+      steps = count_of(name, value, step_counts);
+    } else if (name == "threads") {
+      request.threads = count_of(name, value, thread_counts);
+    } else if (name == "tolerance") {
+      request.settings.tolerance = real_of(name, value, newton_tolerances);
+    } else {
+      reject_text("option", name,
+                  "of accuracy, at, budget, check, every, grid, history, points, steps, threads, tolerance");
+    }
+  }
+  request.settings.resolution = resolution_from(steps, accuracy);
+  request.times = output_times_from(std::move(at), every, points);
+  return request;
+}
+
 FdebenchTable table_of_solve(SolvedTable&& solved) {
+  const auto cost = json_of(solved.cost);
   FdebenchTable table{.names = std::move(solved.names),
                       .times = std::move(solved.times),
                       .values = std::move(solved.values),
-                      .facts = nlohmann::json::parse(solved.cost)};
-  table.facts["cost"] = solved.cost;
-  table.facts["warning"] = solved.warning;
+                      .facts = cost};
+  table.facts["cost"] = cost.dump();
+  table.facts["warning"] = warning_text(solved.warnings);
   table.facts["ended"] = solved.ended;
   return table;
 }
@@ -62,12 +105,11 @@ int fdebench_solve(const fdebench_problem* problem, const char* scheme, const fd
   return guarded([&] {
     auto& result = given("table", table);
     const auto& handle = given("problem", problem, problem_handle);
-    const auto& texts = given("options", options, options_handle).texts;
+    const auto& values = given("options", options, options_handle).values;
     const auto checked = [](const SceneVariant& variant) { return make_scene(variant); };
-    const auto given_options = given_to_solve(text_of("scheme", scheme), texts);
-    result = std::make_unique<FdebenchTable>(
-                 table_of_solve(solved_table(scene_of(handle, checked), given_options)))
-                 .release();
+    const auto request = request_of(text_of("scheme", scheme), values);
+    result =
+        std::make_unique<FdebenchTable>(table_of_solve(solve(scene_of(handle, checked), request))).release();
   });
 }
 

@@ -38,13 +38,13 @@ std::string resolution_text(const RunSettings& setup) {
   return fmt::format("accuracy {}, {}", relative, absolute);
 }
 
-double parse_grading(std::string_view text) {
+double parse_grading(std::string_view text, std::string_view allowed_besides) {
   if (text == uniform) return 1.0;
   if (text.starts_with(graded)) {
     const auto grading = try_parse_number(text.substr(graded.size()));
     if (grading && *grading >= 1.0 && *grading <= 100.0) return *grading;
   }
-  reject_text("grid", text, "uniform or graded:R with R in [1, 100]");
+  reject_text("grid", text, fmt::format("uniform or graded:R with R in [1, 100]{}", allowed_besides));
 }
 
 HistoryKind parse_history(std::string_view text) {

@@ -39,8 +39,8 @@ std::string grid_text(double grading);
 std::string resolution_text(const RunSettings& setup);
 
 // The grading from "uniform" or "graded:R"; the history from "auto", "direct" or "exponentials". Each throws
-// std::invalid_argument naming the command-line option, the text and what is allowed.
-double parse_grading(std::string_view text);
+// Refusal naming the field, the text and what is allowed: of a grid also what is `allowed_besides`.
+double parse_grading(std::string_view text, std::string_view allowed_besides = "");
 HistoryKind parse_history(std::string_view text);
 
 }  // namespace fde::bench

@@ -25,10 +25,6 @@ void require_setting(const std::string& name, const ParameterValue& value) {
 
 }  // namespace
 
-void require_in(std::string_view field, double value, const Range& allowed) {
-  if (!allowed.contains(value)) reject_text(field, fmt::format("{}", value), allowed.text());
-}
-
 void require_printable(std::string_view field, std::string_view text) {
   if (!is_printable(text)) reject_text(field, text, "UTF-8 that prints");
 }

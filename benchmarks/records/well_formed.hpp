@@ -6,15 +6,14 @@
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/parameters.hpp"
-#include "fdebench/benchmarks/text/range.hpp"
+#include "fdebench/benchmarks/text/refusal.hpp"
 
 namespace fde::bench {
 
 // Checks of the fields of a results file. Each throws std::invalid_argument naming the field and what is
 // allowed.
 
-// A number in a range; a text that can be printed; a name, which is 1 to `most` bytes of such a text.
-void require_in(std::string_view field, double value, const Range& allowed);
+// A text that can be printed; a name, which is 1 to `most` bytes of such a text.
 void require_printable(std::string_view field, std::string_view text);
 void require_name(std::string_view field, std::string_view text, std::size_t most = 100);
 

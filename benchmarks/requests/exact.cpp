@@ -12,7 +12,7 @@
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/text/count_range.hpp"
-#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/refusal.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 
@@ -28,9 +28,9 @@ void require_times(const Scene& scene, const std::vector<double>& times) {
   const double last = is_two_sided(scene.problem) ? scene.problem.end : std::numeric_limits<double>::max();
   for (const double t : times) {
     if (t >= 0.0 && t <= last) continue;
-    reject_text("times", fmt::format("{}", t),
-                is_two_sided(scene.problem) ? fmt::format("in [0, {}], the time of the scene", last)
-                                            : not_negative.text());
+    refuse_value("times", fmt::format("{}", t),
+                 {is_two_sided(scene.problem) ? fmt::format("in [0, {}], the time of the scene", last)
+                                              : not_negative.text()});
   }
 }
 
@@ -77,12 +77,12 @@ std::vector<std::vector<reference::Decimal>> exact_in_digits(const Scene& scene,
                                                              const BeforeTime& before) {
   require_times(scene, times);
   if (!scene.reference.digits) {
-    throw InvalidValue(
-        "digits", fmt::format("{}", digits),
-        fmt::format("scene {} has no exact solution in digits, only what is known in double", id));
+    throw Refusal(
+        {RequestField{"digits"},
+         fmt::format(" = {}: scene {} has no exact solution in digits, only what is known in double", digits,
+                     id)});
   }
-  if (digits < 1 || digits > reference::max_digits)
-    reject_text("digits", fmt::format("{}", digits), CountRange{1, reference::max_digits}.text());
+  require_in("digits", digits, CountRange{1, reference::max_digits});
   if (scene.from_file) require_agreement(scene, scene.reference);
   std::vector<std::vector<reference::Decimal>> rows;
   for (const double t : times) {

@@ -24,13 +24,13 @@ struct ExactTable {
 using BeforeTime = std::function<void(double t)>;
 
 // The reference of the scene at these times, in any order, also beyond its end where it is no problem at both
-// ends. Throws InvalidValue for a time that is not in [0, infinity), or not in the interval of a problem at
+// ends. Throws Refusal for a time that is not in [0, infinity), or not in the interval of a problem at
 // both ends; std::runtime_error where there is no reference; and NumericalFailure, which is one, where a
 // value or a bound is beyond double.
 ExactTable exact(Scene scene, const std::vector<double>& times, const BeforeTime& before = {});
 
 // For each time the columns as decimals, each with its bound. The energies and constraints of exact() are
-// computed in double only, so they are left out. `id` names the scene in messages. Throws InvalidValue, also
+// computed in double only, so they are left out. `id` names the scene in messages. Throws Refusal, also
 // for a scene that has no such decimals, and NumericalFailure, as exact() does.
 std::vector<std::vector<reference::Decimal>> exact_in_digits(const Scene& scene, std::string_view id,
                                                              const std::vector<double>& times, int digits,

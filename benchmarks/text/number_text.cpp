@@ -65,14 +65,9 @@ std::string double_range_message(std::string_view text) {
              : fmt::format("overflows double, whose largest number is {:.2g}, and ", Double::max());
 }
 
-InvalidValue::InvalidValue(std::string_view of, std::string_view given, std::string_view why)
-    : std::invalid_argument(fmt::format("{} = {}: {}", of, given, why)),
-      name(of),
-      value(given),
-      reason(why) {}
-
 void reject_text(std::string_view name, std::string_view text, std::string_view allowed) {
-  throw InvalidValue(name, text, fmt::format("{}must be {}", double_range_message(text), allowed));
+  throw Refusal({RequestField{std::string(name)},
+                 fmt::format(" = {}: {}must be {}", text, double_range_message(text), allowed)});
 }
 
 std::optional<double> try_parse_number(std::string_view text) { return read<double>(text); }

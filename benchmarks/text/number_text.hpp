@@ -2,21 +2,14 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "fdebench/benchmarks/text/range.hpp"
+#include "fdebench/benchmarks/text/refusal.hpp"
 
 namespace fde::bench {
-
-// A value that is not allowed; what() is "NAME = VALUE: REASON". The name is that of a field; a front that
-// has other words for it throws again with its own.
-struct InvalidValue : std::invalid_argument {
-  InvalidValue(std::string_view of, std::string_view given, std::string_view why);
-  std::string name, value, reason;
-};
 
 // The whole text as a number; nullopt if it is not a number or is out of the range of double.
 std::optional<double> try_parse_number(std::string_view text);
@@ -43,7 +36,7 @@ std::vector<std::string> split_list(std::string_view text);
 // wrong sign, or if there are more than `most` values.
 std::vector<std::string> expand_decimal_range(std::string_view name, std::string_view text, std::size_t most);
 
-// Throws InvalidValue: "NAME = TEXT: must be ALLOWED", with double_range_message() in front of
+// Throws Refusal: "NAME = TEXT: must be ALLOWED", with double_range_message() in front of
 // "must".
 [[noreturn]] void reject_text(std::string_view name, std::string_view text, std::string_view allowed);
 

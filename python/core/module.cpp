@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <exception>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -19,7 +18,11 @@
 #include <vector>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/requests/exact.hpp"
+#include "fdebench/benchmarks/requests/listed_facts.hpp"
+#include "fdebench/benchmarks/requests/own_problem.hpp"
+#include "fdebench/benchmarks/requests/solve.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/python/core/python_problem.hpp"
@@ -27,11 +30,9 @@
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/reports/analysis/choice.hpp"
 #include "fdebench/reports/command/command.hpp"
-#include "fdebench/reports/command/own_problem.hpp"
-#include "fdebench/reports/command/solved_table.hpp"
 
-// The extension module of the package `fdebench`; arguments and results are texts and arrays. The public
-// functions with their docstrings are in ../fdebench.
+// The extension module of the package `fdebench`. The public functions with their docstrings are in
+// ../fdebench.
 namespace py = pybind11;
 
 namespace fde::bench::python {
@@ -40,10 +41,6 @@ namespace {
 // Equation files are read at every call, as they may have changed.
 SceneRegistry named_scenes(NoteReceiver on_note = {}) {
   return with_equation_files(built_in_scenes(), std::move(on_note));
-}
-
-std::string command(const std::vector<std::string>& arguments) {
-  return without_gil([&] { return output_of(arguments); });
 }
 
 // Runs the command as the program does, on the streams of the process, and returns its exit code.
@@ -87,18 +84,54 @@ py::array_t<double> array_of(const Rows& values) {
   return py::array_t<double>({values.cols(), values.rows()}, values.data());
 }
 
-// Tuple of names, times, values (one row a time), warning, cost as JSON, and the names of events or None. Of
-// a scene with its settings NAME=VALUE, or of a problem defined in Python (if not nullptr).
-py::tuple solve(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
-                const std::string& scheme, const std::map<std::string, std::string>& texts, bool check,
-                bool events) {
-  auto given = given_to_solve(scheme, texts);
-  if (check) given.set("--check", {"yes"});
-  if (events) given.set("--events", {"yes"});
+// The value with the types of Python.
+template <typename Json>
+py::object object_of(const Json& value) {
+  if (value.is_null()) return py::none();
+  if (value.is_boolean()) return py::bool_(value.template get<bool>());
+  if (value.is_number_integer()) return py::int_(value.template get<std::int64_t>());
+  if (value.is_number()) return py::float_(value.template get<double>());
+  if (value.is_string()) return py::str(value.template get<std::string>());
+  if (value.is_array()) {
+    py::list list;
+    for (const auto& one : value) list.append(object_of(one));
+    return list;
+  }
+  py::dict dictionary;
+  for (const auto& [key, one] : value.items()) dictionary[py::str(key)] = object_of(one);
+  return dictionary;
+}
+
+template <typename Value>
+std::optional<Value> find(const py::dict& given, const char* name) {
+  return given.contains(name) ? std::optional(given[name].cast<Value>()) : std::nullopt;
+}
+
+// The arguments of fdebench.solve that are given, by their names.
+SolveRequest request_of(const std::string& scheme, const py::dict& given) {
+  SolveRequest request{.scheme = scheme};
+  request.settings.resolution = resolution_from(find<int>(given, "steps"), find<double>(given, "accuracy"));
+  set_grid(request, given["grid"].cast<std::string>());
+  request.settings.history = parse_history(given["history"].cast<std::string>());
+  request.settings.budget = given["budget"].cast<double>();
+  if (const auto tolerance = find<double>(given, "tolerance")) request.settings.tolerance = *tolerance;
+  request.times = output_times_from(find<std::vector<double>>(given, "at"), find<int>(given, "every"),
+                                    find<int>(given, "points"));
+  request.check = given["check"].cast<bool>();
+  request.events = given["events"].cast<bool>();
+  return request;
+}
+
+// Tuple of names, times, values (one row a time), warning, cost, and the names of events or None. Of a scene
+// with its settings NAME=VALUE, or of a problem defined in Python (if not nullptr).
+py::tuple solve_for(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
+                    const std::string& scheme, const py::dict& given) {
+  const auto request = request_of(scheme, given);
   const SolvedTable table =
-      without_gil([&] { return solved_table(scene_of(name, settings, problem, checked_scene), given); });
+      without_gil([&] { return solve(scene_of(name, settings, problem, checked_scene), request); });
   const py::array_t<double> times(std::ssize(table.times), table.times.data());
-  return py::make_tuple(table.names, times, array_of(table.values), table.warning, table.cost, table.events);
+  return py::make_tuple(table.names, times, array_of(table.values), warning_text(table.warnings),
+                        object_of(json_of(table.cost)), table.events);
 }
 
 // Tuple of names, values and bounds, one row a time.
@@ -127,21 +160,15 @@ py::tuple exact_decimals(const std::string& name, const std::vector<std::string>
   return py::make_tuple(names, values, bounds);
 }
 
-// The value with the types of Python.
-py::object object_of(const nlohmann::json& value) {
-  if (value.is_null()) return py::none();
-  if (value.is_boolean()) return py::bool_(value.get<bool>());
-  if (value.is_number_integer()) return py::int_(value.get<std::int64_t>());
-  if (value.is_number()) return py::float_(value.get<double>());
-  if (value.is_string()) return py::str(value.get<std::string>());
-  if (value.is_array()) {
-    py::list list;
-    for (const auto& one : value) list.append(object_of(one));
-    return list;
-  }
-  py::dict dictionary;
-  for (const auto& [key, one] : value.items()) dictionary[py::str(key)] = object_of(one);
-  return dictionary;
+// Dictionaries, one an entry.
+template <typename Entries>
+py::list facts_of_all(const Entries& entries) {
+  const auto all = without_gil([&] {
+    auto facts = nlohmann::ordered_json::array();
+    for (const auto& entry : entries) facts.push_back(facts_of(entry));
+    return facts;
+  });
+  return object_of(all);
 }
 
 // Dictionary of what is chosen. `columns`: names with commas between them; None: all.
@@ -209,7 +236,7 @@ void translate(
   } catch (const std::runtime_error& failure) {
     raise_failure(failure.what(), py::none(), py::none(), py::none());
   } catch (const std::invalid_argument& error) {
-    PyErr_SetString(PyExc_ValueError, without_dashes(error.what()).c_str());
+    PyErr_SetString(PyExc_ValueError, error.what());
   }
 }
 
@@ -220,10 +247,12 @@ PYBIND11_MODULE(_core, module) {
   using namespace fde::bench::python;
   py::register_exception_translator(translate);
   py::class_<fde::bench::Scene>(module, "Problem").def(py::init(&python_scene));
-  module.def("command", command);
+  module.def("version", [] { return fde::bench::this_session().version; });
+  module.def("scenes", [] { return facts_of_all(fde::bench::built_in_scenes()); });
+  module.def("schemes", [] { return facts_of_all(fde::schemes()); });
   module.def("program", program);
   module.def("facts", facts);
-  module.def("solve", solve);
+  module.def("solve", solve_for);
   module.def("choose", choose_for);
   module.def("exact", exact_of);
   module.def("exact_in_digits", exact_decimals);

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "fdebench/reports/command/own_problem.hpp"
+#include "fdebench/benchmarks/requests/own_problem.hpp"
 
 namespace py = pybind11;
 

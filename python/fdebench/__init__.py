@@ -24,7 +24,7 @@ from ._failure import DoubtfulResult, NumericalFailure
 from ._scene import Problem, Scene, Scheme, scene_facts, scenes, schemes
 from ._solve import Solution, choose, solve
 
-__version__ = _core.command(["--version"]).split()[-1]
+__version__ = _core.version()
 
 __all__ = [
     "Digits",

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import numbers
 import os
@@ -40,8 +39,10 @@ def _reals(name: str, values: Any) -> NDArray[numpy.float64]:
 
 def _integer(name: str, value: Any) -> int:
     """A whole number that an int of the compiled half holds."""
+    if isinstance(value, numpy.ndarray) and value.ndim == 0:
+        value = value.item()
     if not isinstance(value, numbers.Integral):
-        raise TypeError(f"{name} = {value!r}: must be a whole number")
+        raise TypeError(f"{name} = {value!r}: must be a {'whole' if isinstance(value, numbers.Real) else 'real'} number")
     if abs(value) >= 2**31:
         raise ValueError(f"{name} = {value}: must be below 2^31 in size")
     return int(value)
@@ -237,7 +238,7 @@ def scene_facts() -> list[dict[str, Any]]:
     >>> scene_facts()[0]["title"]
     'Fractional relaxation'
     """
-    return json.loads(_core.command(["scenes", "--json"]))
+    return _core.scenes()
 
 
 def schemes() -> list[Scheme]:
@@ -246,8 +247,7 @@ def schemes() -> list[Scheme]:
     >>> [scheme.id for scheme in schemes() if not scheme.needs["takes_grid"]]
     ['spectral_collocation', ...]
     """
-    known = json.loads(_core.command(["schemes", "--json"]))
-    return [Scheme(facts.pop("id"), facts.pop("title"), facts.pop("source"), facts) for facts in known]
+    return [Scheme(facts.pop("id"), facts.pop("title"), facts.pop("source"), facts) for facts in _core.schemes()]
 
 
 def _known(scene: str | os.PathLike[str] | Scene | Problem) -> Scene | Problem:

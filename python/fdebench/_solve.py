@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
@@ -14,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._failure import DoubtfulResult
-from ._scene import Problem, Scene, _known, _real, _reals, _text
+from ._scene import Problem, Scene, _integer, _known, _real, _reals, _text
 
 
 class Solution(Mapping[str, NDArray[numpy.float64]]):
@@ -32,11 +31,10 @@ class Solution(Mapping[str, NDArray[numpy.float64]]):
     64
     """
 
-    def __init__(self, names: list[str], times: NDArray[numpy.float64], values: NDArray[numpy.float64], warning: str, cost: str,
+    def __init__(self, names: list[str], times: NDArray[numpy.float64], values: NDArray[numpy.float64], warning: str, cost: dict[str, Any],
                  events: list[str] | None = None):
         self.names, self.times, self.values, self.warning = names, times, values, warning
-        self.events = events
-        self.cost: dict[str, Any] = json.loads(cost)
+        self.cost, self.events = cost, events
 
     def __getitem__(self, name: str) -> NDArray[numpy.float64]:
         if name not in self.names:
@@ -89,14 +87,16 @@ def solve(
     >>> round(float(solve(riccati, "bdf4", 256)["y"][-1]), 6)
     0.754589
     """
-    given = {"steps": steps, "grid": grid, "every": every, "points": points, "accuracy": accuracy, "history": history}
-    given |= {"tolerance": tolerance, "budget": budget}
     if not isinstance(scheme, str):
         raise TypeError(f"scheme = {scheme!r}: must be the id of a scheme")
-    texts = {name: _text(name, value) for name, value in given.items() if value is not None}
+    counts = {"steps": steps, "every": every, "points": points}
+    numbers = {"accuracy": accuracy, "tolerance": tolerance, "budget": budget}
+    given: dict[str, Any] = {name: _integer(name, value) for name, value in counts.items() if value is not None}
+    given |= {name: _real(name, value) for name, value in numbers.items() if value is not None}
+    given |= {"grid": _text("grid", grid), "history": _text("history", history), "check": bool(check), "events": bool(events)}
     if at is not None:
-        texts["at"] = ",".join(map(repr, numpy.atleast_1d(_reals("at", at)).tolist()))
-    solution = Solution(*_core.solve(*_known(scene)._posed, scheme, texts, bool(check), bool(events)))
+        given["at"] = _reals("at", at).ravel().tolist()
+    solution = Solution(*_core.solve(*_known(scene)._posed, scheme, given))
     if solution.warning:
         warnings.warn(solution.warning, DoubtfulResult, stacklevel=2)
     return solution

@@ -19,10 +19,6 @@
 namespace fde::bench {
 namespace {
 
-void require_in(std::string_view name, double value, const Range& allowed) {
-  if (!allowed.contains(value)) reject_text(name, fmt::format("{}", value), allowed.text());
-}
-
 // The indices of these columns, or of all.
 std::vector<Eigen::Index> columns_of(const Scene& scene, const std::vector<std::string>& requested) {
   if (requested.empty()) return all_columns(scene);

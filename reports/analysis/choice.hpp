@@ -25,12 +25,12 @@ struct ChoiceRequest {
   bool first_run = false;              // ranks by the first run of a process, otherwise by a later one
 };
 
-// true for "1", the first run of a process, and false for "many". Throws InvalidValue.
+// true for "1", the first run of a process, and false for "many". Throws Refusal.
 bool parse_first_run(std::string_view text);
 
 // Searches for the scheme, grid and number of steps that reach the error in the least time. Where there is no
 // reference, an error estimate takes up to a third of the seconds. `settings` name the scene in the answer.
-// Throws InvalidValue naming the field; std::runtime_error where there is neither reference nor estimate, or
+// Throws Refusal naming the field; std::runtime_error where there is neither reference nor estimate, or
 // none as accurate as the error; and NumericalFailure, which is one, where no run is within the error.
 Recommendation choose(Scene scene, const SceneSettings& settings, const ChoiceRequest& request,
                       const SearchProgress& progress = {});

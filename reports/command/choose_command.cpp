@@ -30,14 +30,15 @@ std::vector<std::string> settings_of(const Given& given) {
 Recommendation searched(const Given& given, const ChoiceRequest& request, const Streams& streams,
                         const SceneRegistry& known) {
   const auto variant = read_variant(given.text("scene"), settings_of(given), known);
+  Scene scene = make_scene(variant);
   ProgressLine line(streams, "", true);
   const SearchProgress tell = [&](const std::string& what, double part) {
     line.set({.part = std::min(part, 1.0), .current_run = what});
   };
   try {
-    return choose(make_scene(variant), variant.key(), request, tell);
-  } catch (const InvalidValue& wrong) {
-    refuse_as_option(wrong, {{"columns", "--columns"}});
+    return choose(std::move(scene), variant.key(), request, tell);
+  } catch (const Refusal& refusal) {
+    given.refuse(refusal, {{"seconds", "--max-time"}});
   }
 }
 

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "fdebench/benchmarks/text/entry_named.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {
@@ -69,6 +68,14 @@ void Given::refuse(std::string_view name, std::string_view allowed) const {
   reject_text(name, text(name), allowed);
 }
 
+void Given::refuse(const Refusal& refusal, const std::map<std::string, std::string>& options) const {
+  throw refusal.said([&](const std::string& field) {
+    const auto renamed = options.find(field);
+    const auto option = renamed != options.end() ? renamed->second : "--" + field;
+    return command_.find(option) != nullptr ? option : field;
+  });
+}
+
 ComplexText split_complex(std::string_view text) {
   const auto comma = text.find(',');
   if (comma != std::string_view::npos)
@@ -83,11 +90,6 @@ ComplexText split_complex(std::string_view text) {
   std::string im(text.substr(begin));
   if (im.empty() || im == "+" || im == "-") im += "1";
   return {begin == 0 ? "0" : std::string(text.substr(0, begin)), im};
-}
-
-const Scheme& scheme_named(std::string_view id) {
-  const Scheme* const found = find_scheme(id);
-  return found != nullptr ? *found : entry_by_id(schemes(), "scheme", id);
 }
 
 ArgumentText scene_argument(const std::string& what) {
@@ -107,7 +109,7 @@ std::vector<ArgumentText> run_settings_arguments(const std::string& budget) {
            std::string(name(HistoryKind::automatic))},
           {"[--tolerance E]",
            "relative error of Newton's method and of the history, added to the discretisation error",
-           Range{.low = 0.0, .high = 1.0}, "rounding"},
+           newton_tolerances, "rounding"},
           {"[--budget SECONDS]", "time after which the run ends", positive, budget}};
 }
 
@@ -149,36 +151,19 @@ Tolerance parse_accuracy(std::string_view text) {
 
 bool requests_first_run(const Given& given) { return given.word("--runs") == "1"; }
 
-void refuse_as_option(const InvalidValue& wrong,
-                      const std::map<std::string_view, std::string_view>& options) {
-  const auto option = options.find(wrong.name);
-  throw option == options.end() ? wrong : InvalidValue(option->second, wrong.value, wrong.reason);
-}
-
-namespace {
-
-// Parses a setting that files have too; the message names it as the option, and what the option takes
-// besides.
-template <class Parse>
-auto of_option(const std::string& text, const Parse& parse, std::string_view more = "") {
-  try {
-    return parse(text);
-  } catch (const std::invalid_argument& fault) {
-    throw std::invalid_argument(fmt::format("--{}{}", fault.what(), more));
-  }
-}
-
-}  // namespace
-
 RunSettings parse_run_settings(const Given& given) {
   const auto grid = given.text("--grid");
-  RunSettings setup{
-      .grading = grid == optimal_grid ? 1.0 : of_option(grid, parse_grading, ", or graded:auto"),
-      .history = of_option(given.text("--history"), parse_history)};
-  if (const auto tolerance = given.find_number("--tolerance")) setup.tolerance = *tolerance;
+  RunSettings settings;
+  try {
+    settings.grading = grid == optimal_grid ? 1.0 : parse_grading(grid, fmt::format(", or {}", optimal_grid));
+    settings.history = parse_history(given.text("--history"));
+  } catch (const Refusal& refusal) {
+    given.refuse(refusal);
+  }
+  if (const auto tolerance = given.find_number("--tolerance")) settings.tolerance = *tolerance;
   // The default of a sweep is no number: it depends on other options.
-  if (given.has("--budget") || is_decimal(given.text("--budget"))) setup.budget = given.number("--budget");
-  return setup;
+  if (given.has("--budget") || is_decimal(given.text("--budget"))) settings.budget = given.number("--budget");
+  return settings;
 }
 
 }  // namespace fde::bench

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/requests/solve_request.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/refusal.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/reports/command/program_text.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
@@ -41,6 +43,11 @@ class Given {
   // Throws std::invalid_argument with a message, and where the help of the command is.
   [[noreturn]] void refuse(const std::string& message) const;
   [[noreturn]] void refuse(std::string_view name, std::string_view allowed) const;  // the text of an argument
+  // Throws the refusal with a field that the command has an option for named as that: `options[field]`, or
+  // else
+  // --field.
+  [[noreturn]] void refuse(const Refusal& refusal,
+                           const std::map<std::string, std::string>& options = {}) const;
 
  private:
   [[nodiscard]] const ArgumentText& declared(std::string_view name) const;
@@ -62,9 +69,6 @@ struct ComplexText {
 };
 ComplexText split_complex(std::string_view text);
 
-// The scheme with this id.
-const Scheme& scheme_named(std::string_view id);
-
 // Declarations that several commands have.
 ArgumentText scene_argument(const std::string& what = "id of a scene");
 std::vector<ArgumentText> run_settings_arguments(
@@ -82,7 +86,7 @@ SceneVariant read_variant(const Given& given, const SceneRegistry& known);
 
 // For --grid graded:auto the grading is 1 here: it depends on scheme and scene (optimal_grading).
 RunSettings parse_run_settings(const Given& given);
-inline constexpr auto uniform_grid = "uniform", optimal_grid = "graded:auto";
+inline constexpr auto uniform_grid = "uniform";
 
 // Throws if the text is no decimal number; its value may exceed the range of double.
 void require_decimal(std::string_view name, std::string_view text);
@@ -91,12 +95,5 @@ Tolerance parse_accuracy(std::string_view text);  // one number, relative and ab
 
 // Whether times are those of the first run of a process: --runs 1, otherwise many.
 bool requests_first_run(const Given& given);
-
-// Throws what a request refused, its field named as the option that gave it: options[field].
-[[noreturn]] void refuse_as_option(const InvalidValue& wrong,
-                                   const std::map<std::string_view, std::string_view>& options);
-
-inline constexpr int most_steps = 1'000'000'000;  // the weights are tested up to this lag
-inline constexpr CountRange step_counts{1, most_steps};
 
 }  // namespace fde::bench

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/requests/listed_facts.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
@@ -28,77 +29,10 @@ std::string column_text(const std::vector<std::string>& names) {
   return fmt::format("{}, {}, ..., {}", names[0], names[1], names.back());
 }
 
-// What a scene defines besides its problem.
-std::vector<std::string> capabilities(const Scene& scene) {
-  std::vector<std::string> names;
-  if (scene.reference.at) names.emplace_back("exact");
-  if (has_jacobian(scene.problem)) names.emplace_back("jacobian");
-  if (is_linear(scene.problem)) names.emplace_back("linear");
-  if (scene.energy) names.emplace_back("energy");
-  if (scene.constraint) names.emplace_back("constraint");
-  return names;
-}
-
-// The list of names; many consecutive names u1, u2, ... as a pattern with a range.
-Json describe(const std::vector<std::string>& names) {
-  if (names.size() <= few_names) return names;
-  const std::string& first = names.front();
-  const auto prefix = first.substr(0, first.find_last_not_of("0123456789") + 1);
-  const auto number = try_parse_number(first.substr(prefix.size()));
-  if (!number) return names;
-  const auto from = static_cast<std::size_t>(*number);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] != fmt::format("{}{}", prefix, from + i)) return names;
-  }
-  return {{"pattern", prefix + "{i}"}, {"from", from}, {"to", from + names.size() - 1}};
-}
-
-Json describe(const Parameter& parameter) {
-  const auto as_json = [](const auto& value) -> Json { return value; };
-  return {{"name", parameter.name},
-          {"default", std::visit(as_json, parameter.value)},
-          {"allowed", parameter.allowed()},
-          {"meaning", parameter.description}};
-}
-
-Json describe(const SceneFactory& maker) {
-  const Scene scene = make_scene(maker);
-  Json parameters = Json::array();
-  for (const auto& parameter : maker.parameters) parameters.push_back(describe(parameter));
-  return {{"id", maker.id},
-          {"title", maker.title},
-          {"source", maker.source},
-          {"parameters", parameters},
-          {"end", scene.problem.end},
-          {"columns", describe(scene.outputs.names)},
-          {"has", capabilities(scene)},
-          {"reference", evidence_of(scene)}};
-}
-
-Json capabilities_of(const Scheme& scheme) {
-  return {{"implicit", scheme.capabilities.implicit},
-          {"algebraic_rows", scheme.capabilities.algebraic_rows},
-          {"uniform_grid", scheme.capabilities.uniform_grid},
-          {"largest_order", scheme.capabilities.max_order},
-          {"two_sided", scheme.capabilities.is_two_sided},
-          {"takes_grid", !scheme.capabilities.is_adaptive()},
-          {"takes_accuracy", scheme.capabilities.is_adaptive()},
-          {"discretises_equations", scheme.capabilities.discretises_equations},
-          {"checkpoints", scheme.capabilities.checkpoints},
-          {"start_weights", bool(scheme.starting_powers)}};
-}
-
-Json describe(const Scheme& scheme) {
-  Json facts{{"id", scheme.id}, {"title", scheme.title}, {"source", scheme.source}};
-  if (!scheme.alias.empty()) facts["other_name"] = scheme.alias;
-  facts.update(capabilities_of(scheme));
-  return facts;
-}
-
 template <typename Entries>
 void print_json(const Entries& entries, std::ostream& out) {
   Json all = Json::array();
-  for (const auto& entry : entries) all.push_back(describe(entry));
+  for (const auto& entry : entries) all.push_back(facts_of(entry));
   out << all.dump(2) << '\n';
 }
 
@@ -127,13 +61,13 @@ std::string need_text(const Json& value) {
   return fmt::format("{}", value.get<double>());
 }
 
-std::vector<Row> capabilities_of_all(std::span<const Scheme> known) {
+std::vector<Row> needs_of_all(std::span<const Scheme> known) {
   std::vector<Row> rows{{"scheme"}};
-  const Json of_first = capabilities_of(known.front());
+  const Json of_first = needs_of(known.front());
   for (const auto& [need, value] : of_first.items()) rows.front().push_back(need);
   for (const auto& scheme : known) {
     rows.push_back({std::string(scheme.id)});
-    for (const auto& value : capabilities_of(scheme)) {
+    for (const auto& value : needs_of(scheme)) {
       rows.back().push_back(need_text(value));
     }
   }
@@ -155,7 +89,7 @@ void print_one(const SceneFactory& maker, std::ostream& out) {
       "{}: {}\nsource: {}\nend: {}\ncolumns: {}\nhas: {}\nreference: {}\nschemes: {}\n"
       "schemes that take an accuracy: {}\n",
       maker.id, maker.title, maker.source, scene.problem.end, column_text(scene.outputs.names),
-      fmt::join(capabilities(scene), ", "), evidence_of(scene), fmt::join(over_grids, ", "),
+      fmt::join(defined_by(scene), ", "), evidence_of(scene), fmt::join(over_grids, ", "),
       fmt::join(to_accuracies, ", "));
   if (!maker.parameters.empty()) {
     std::vector<Row> rows{{"parameter", "default", "allowed", "meaning"}};
@@ -180,7 +114,7 @@ void print_one(const Scheme& scheme, std::ostream& out) {
   if (!scheme.alias.empty()) out << fmt::format("other name: {}\n", scheme.alias);
   out << '\n';
   std::vector<Row> rows;
-  const Json needs = capabilities_of(scheme);
+  const Json needs = needs_of(scheme);
   for (const auto& [need, value] : needs.items()) rows.push_back({need, need_text(value)});
   out << aligned(rows, gap);
 }
@@ -213,7 +147,7 @@ void print_scenes(const Given& given, const Streams& streams, const SceneRegistr
 }
 
 void print_schemes(const Given& given, const Streams& streams, const SceneRegistry& /*known*/) {
-  if (!given.has("id")) return print_all(given, "--needs", schemes(), capabilities_of_all, streams.out);
+  if (!given.has("id")) return print_all(given, "--needs", schemes(), needs_of_all, streams.out);
   const auto& one = scheme_named(given.text("id"));
   require_alone(given, "--needs");
   print_one(one, streams.out);

@@ -10,18 +10,11 @@
 #include <string>
 #include <thread>
 
+#include "fdebench/benchmarks/requests/run_progress.hpp"
 #include "fdebench/benchmarks/sweep/sweep_estimate.hpp"
 #include "fdebench/reports/command/command.hpp"
 
 namespace fde::bench {
-
-// Progress of a long computation. If its part is unknown, it is 0, and so is the total.
-struct Progress {
-  double part = 0.0;  // finished fraction, in [0, 1]
-  std::size_t done = 0, total = 0;
-  std::optional<double> seconds_left{};
-  std::string current_run{};
-};
 
 // "52 s", "3 min 05 s", "1 h 12 min".
 std::string duration_text(double seconds);

@@ -71,8 +71,8 @@ std::string exact_rows(const SceneVariant& variant, const Given& given, Referenc
     if (!digits) return rows_in_double(exact(scene, times, before), times, each_bound);
     return rows_in_digits(exact_in_digits(scene, variant.maker->id, times, *digits, before),
                           scene.outputs.names, times, each_bound);
-  } catch (const InvalidValue& wrong) {
-    refuse_as_option(wrong, {{"times", "--at"}, {"digits", "--digits"}});
+  } catch (const Refusal& refusal) {
+    given.refuse(refusal, {{"times", "--at"}});
   }
 }
 

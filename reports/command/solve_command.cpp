@@ -2,15 +2,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <chrono>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <system_error>
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
+#include "fdebench/benchmarks/requests/solve.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
-#include "fdebench/reports/command/solved_table.hpp"
 
 namespace fde::bench {
 namespace {
@@ -42,31 +45,66 @@ void write_field(const SolvedTable& table, const std::string& name) {
   file.commit();
 }
 
-SolvedTable shown_while_solved(const Scene& scene, const Given& given, const Streams& streams) {
-  ProgressLine line(streams, given.text("--scheme"));
-  const auto complain = [&](const std::string& problem) {
-    line.interrupt([&] { say(streams, Message::error, problem); });
-  };
-  if (streams.columns == 0 || streams.quiet) return solved_table(scene, given, complain);
-  return solved_table(scene, given, complain, [&](const Progress& progress) { line.set(progress); });
+std::optional<std::vector<double>> find_numbers(const Given& given, std::string_view name) {
+  return given.has(name) ? std::optional(given.numbers(name)) : std::nullopt;
 }
 
-void solve(const Given& given, const Streams& streams, const SceneRegistry& known) {
+// The file of --checkpoint, and how often it is written.
+std::optional<CheckpointRequest> checkpoint_of(const Given& given) {
+  const auto file = given.find("--checkpoint");
+  if (!file && given.has("--checkpoint-every")) given.refuse("--checkpoint-every", "with --checkpoint");
+  if (!file) return std::nullopt;
+  return CheckpointRequest{*file, std::chrono::duration<double>(given.number("--checkpoint-every"))};
+}
+
+SolveRequest request_of(const Given& given) {
+  const auto accuracy = given.find_number("--accuracy");
+  SolveRequest request{.scheme = given.text("--scheme"), .settings = parse_run_settings(given)};
+  request.settings.resolution = resolution_from(given.find_count("--steps"), accuracy);
+  request.optimal_grading = given.text("--grid") == optimal_grid;
+  request.times = output_times_from(find_numbers(given, "--at"), given.find_count("--every"),
+                                    given.find_count("--points"));
+  request.events = given.has("--events");
+  request.all_solutions = given.has("--all");
+  request.field = given.has("--field");
+  request.check = given.has("--check");
+  request.threads = given.count("--threads");
+  request.checkpoint = checkpoint_of(given);
+  return request;
+}
+
+SolvedTable shown_while_solved(const Scene& scene, const Given& given, const Streams& streams) {
+  ProgressLine line(streams, given.text("--scheme"));
+  SolveListener listener;
+  listener.complain = [&](const std::string& problem) {
+    line.interrupt([&] { say(streams, Message::error, problem); });
+  };
+  if (streams.columns > 0 && !streams.quiet)
+    listener.progress = [&](const Progress& progress) { line.set(progress); };
+  try {
+    return solve(scene, request_of(given), listener);
+  } catch (const Refusal& refusal) {
+    given.refuse(refusal);
+  }
+}
+
+void print_solution(const Given& given, const Streams& streams, const SceneRegistry& known) {
   auto variant = read_variant(given, known);
   if (given.has("--until") && variant.until) given.refuse("--until", "without until= in the scene");
   if (const auto until = given.find_number("--until")) variant.until = until;
   const Scene scene = make_scene(variant);
   const SolvedTable table = shown_while_solved(scene, given, streams);
-  const bool fails = given.has("--strict") && !table.warning.empty();
+  const auto warning = warning_text(table.warnings);
+  const bool fails = given.has("--strict") && !warning.empty();
   const auto field = given.find("--field");
   if (!fails && field) write_field(table, *field);
   if (!fails) print_rows(table, streams.out);
   std::error_code ignored;
   if (!table.checkpoint.empty() && streams.out.flush()) std::filesystem::remove(table.checkpoint, ignored);
-  if (fails) throw NumericalFailure("warning: " + table.warning);
-  warn(streams, table.warning);
+  if (fails) throw NumericalFailure("warning: " + warning);
+  warn(streams, warning);
   if (!table.ended.empty()) say(streams, Message::note, table.ended);
-  if (given.has("--cost")) streams.err << table.cost << '\n';
+  if (given.has("--cost")) streams.err << json_of(table.cost).dump() << '\n';
 }
 
 }  // namespace
@@ -85,8 +123,7 @@ Command solve_command() {
                 until_argument(),
                 {"[--at T1,T2,... |", "times to print, of the grid with --steps", not_negative, "all"},
                 {"--every K |", "print each K-th grid time, and the last", step_counts},
-                {"--points K]", "print K times from 0 to the end, of the grid with --steps",
-                 CountRange{2, most_rows}},
+                {"--points K]", "print K times from 0 to the end, of the grid with --steps", point_counts},
                 {"[--events]", "with --accuracy: print the events of the scene in place of times"},
                 {"[--all]",
                  "of a problem at both ends: print all solutions that a search from other starts finds"},
@@ -96,7 +133,7 @@ Command solve_command() {
                {{"[--threads T]",
                  "threads among which the unknowns of a step are divided where they are many; the result is "
                  "the same for any number",
-                 CountRange{1, 1024}, fmt::format("{}", Options{}.threads)},
+                 thread_counts, fmt::format("{}", Options{}.threads)},
                 {"[--checkpoint FILE]",
                  "keep the state of the run in a file: the same command goes on from it", Completion::file},
                 {"[--checkpoint-every SECONDS]", "time between two states kept", not_negative, "300"},
@@ -108,7 +145,7 @@ Command solve_command() {
         {"fdebench solve relaxation:gamma=0.5 --scheme l1 --steps 1000 --grid graded:auto --points 11",
          "grades the grid towards 0 and prints eleven of its times."}},
        {"choose", "exact", "schemes", "grids", "history"}},
-      solve};
+      print_solution};
 }
 
 }  // namespace fde::bench

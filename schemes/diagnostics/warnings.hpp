@@ -21,6 +21,9 @@ enum class Finding {
   alternation,  // the last steps go up and down
   oscillation,  // the run has lost an oscillation of the equation
   other_steps,  // another number of steps gives other values
+  accuracy,     // a run with a tolerance does not keep it
+  drift,        // a constraint is not fulfilled
+  event,        // an event is not located
 };
 
 struct Warning {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fdebench/benchmarks/requests/failure.hpp"
-#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/refusal.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
@@ -26,8 +26,9 @@ TEST(Choice, NamesTheFieldThatItRefuses) {
   const auto refused = [&](const ChoiceRequest& request) -> std::string {
     try {
       choose(scene, {"relaxation"}, request);
-    } catch (const InvalidValue& wrong) {
-      return wrong.name + " = " + wrong.value;
+    } catch (const Refusal& refusal) {
+      const std::string text = refusal.what();
+      return text.substr(0, text.find(':'));
     }
     return "";
   };
@@ -35,7 +36,7 @@ TEST(Choice, NamesTheFieldThatItRefuses) {
   EXPECT_EQ(refused({.error = 1.0}), "error = 1");
   EXPECT_EQ(refused({.error = 0.1, .columns = {"z"}}), "columns = z");
   EXPECT_EQ(refused({.error = 0.1, .seconds = 0.0}), "seconds = 0");
-  EXPECT_THROW(parse_first_run("2"), InvalidValue);
+  EXPECT_THROW(parse_first_run("2"), Refusal);
 }
 
 TEST(Choice, IsAFailureThatSaysWhatIsMissing) {

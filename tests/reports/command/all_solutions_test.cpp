@@ -54,7 +54,7 @@ TEST(AllSolutions, AreAskedOfProblemsAtBothEndsOnly) {
   };
   refused("solve relaxation --scheme l1 --steps 8 --all", "--all: is only taken of problems at both ends");
   refused(extremals + " --all --check", "--all: is not taken with --check");
-  refused(extremals + " --all --field f.csv", "--field = f.csv: must be without --all");
+  refused(extremals + " --all --field f.csv", "--field: is not taken with --all");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/requests/run_warnings.hpp"
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "fdebench/reports/command/solved_table.hpp"
+#include "fdebench/benchmarks/requests/run_table.hpp"
 #include "fdebench/schemes/diagnostics/other_steps.hpp"
 #include "fdebench/schemes/diagnostics/warnings.hpp"
 
@@ -51,7 +52,7 @@ Vec functions_at(const Scene& scene, double t, In y) {
 }
 
 // A drift in the last quarter of the steps that is a large part of the terms of its constraint.
-std::optional<std::string> large_drift(const Scene& scene, const Grid& grid, const Trajectory& path) {
+std::optional<Warning> large_drift(const Scene& scene, const Grid& grid, const Trajectory& path) {
   if (!scene.constraint) return std::nullopt;
   double drift = 0.0, terms = 0.0;
   for (const double t : late_times(grid)) {
@@ -60,7 +61,9 @@ std::optional<std::string> large_drift(const Scene& scene, const Grid& grid, con
     terms = std::max(terms, scene.constraint.terms(t, columns));
   }
   if (!(drift > significant_part * terms)) return std::nullopt;
-  return fmt::format("constraint is {:.3g} in the last quarter, and its terms up to {:.3g}", drift, terms);
+  return Warning{
+      Finding::drift,
+      fmt::format("constraint is {:.3g} in the last quarter, and its terms up to {:.3g}", drift, terms)};
 }
 
 // Some of the columns, spread evenly over them, the last one among them.
@@ -75,9 +78,8 @@ std::vector<Eigen::Index> spread_columns(Eigen::Index count) {
 // Of a run that has chosen its steps and took so many seconds: what runs to other accuracies say against what
 // is printed, once for the columns of the solution and once for the others, energies and multipliers. Each of
 // at most two runs may take four times as long.
-std::vector<std::string> accuracy_warnings(const Scene& scene, const RequestedRun& run,
-                                           const SolvedTable& table, const Trajectory& path, double seconds,
-                                           bool check) {
+std::vector<Warning> accuracy_warnings(const Scene& scene, const RequestedRun& run, const SolvedTable& table,
+                                       const Trajectory& path, double seconds, bool check) {
   constexpr double most_times = 4.0, min_seconds = 0.05;
   if (table.times.empty()) return {};
   const auto columns = spread_columns(std::ssize(table.times));
@@ -101,7 +103,7 @@ std::vector<std::string> accuracy_warnings(const Scene& scene, const RequestedRu
   };
   const auto accuracy = std::get<Tolerance>(run.resolution);
   std::map<double, std::optional<Rows>> computed;
-  std::vector<std::string> texts;
+  std::vector<Warning> found_so_far;
   const auto add = [&](Eigen::Index first, Eigen::Index count) {
     const auto values = [&](const Tolerance& requested) -> std::optional<Rows> {
       const auto found = computed.find(requested.rtol);
@@ -112,45 +114,50 @@ std::vector<std::string> accuracy_warnings(const Scene& scene, const RequestedRu
     const Rows printed = table.values(Eigen::seqN(first, count), columns);
     const auto missed = missed_accuracy(accuracy, printed, values, check);
     if (!missed) return;
-    texts.push_back(fmt::format("{} at t = {:.6g} is off by about {:.2g} times the requested accuracy",
-                                table.names[static_cast<std::size_t>(first + missed->row)],
-                                other.times[static_cast<std::size_t>(missed->column)], missed->times));
+    found_so_far.push_back(
+        {Finding::accuracy,
+         fmt::format("{} at t = {:.6g} is off by about {:.2g} times the requested accuracy",
+                     table.names[static_cast<std::size_t>(first + missed->row)],
+                     other.times[static_cast<std::size_t>(missed->column)], missed->times)});
   };
   const auto unknowns = std::ssize(scene.outputs.names);
   add(0, unknowns);
   if (table.values.rows() > unknowns) add(unknowns, table.values.rows() - unknowns);
-  return texts;
+  return found_so_far;
 }
 
 }  // namespace
 
-std::string warning_line(const Scene& scene, const RequestedRun& run, const Trajectory& path, bool check) {
-  std::vector<std::string> texts;
+std::vector<Warning> run_warnings(const Scene& scene, const RequestedRun& run, const Trajectory& path,
+                                  bool check) {
+  std::vector<Warning> all;
   for (const auto& event : scene.events) {
     if (!event.terminal) continue;
-    texts.push_back(fmt::format("event {} does not end this run: {} steps over a grid and locates none",
-                                event.name, run.scheme.id));
+    all.push_back(
+        {Finding::event, fmt::format("event {} does not end this run: {} steps over a grid and locates none",
+                                     event.name, run.scheme.id)});
   }
   SolvedRun solved{run.scheme, scene.problem, *run.grid, run.options, path, columns_of_components(scene)};
   if (const auto more = names_of_functions(scene); !more.empty()) {
     solved.names.insert(solved.names.end(), more.begin(), more.end());
     solved.functions = [&scene](double t, In y) { return functions_at(scene, t, y); };
   }
-  for (const Warning& warning : warnings(solved, check)) texts.push_back(warning.text);
-  if (const auto drift = large_drift(scene, *run.grid, path)) texts.push_back(*drift);
-  return fmt::format("{}", fmt::join(texts, "; "));
+  std::ranges::copy(warnings(solved, check), std::back_inserter(all));
+  if (const auto drift = large_drift(scene, *run.grid, path)) all.push_back(*drift);
+  return all;
 }
 
-std::string warning_line(const Scene& scene, const RequestedRun& run, const SolvedTable& table,
-                         const Trajectory& path, double seconds, bool check) {
+std::vector<Warning> run_warnings(const Scene& scene, const RequestedRun& run, const SolvedTable& table,
+                                  const Trajectory& path, double seconds, bool check) {
   constexpr double rounding = std::numeric_limits<double>::epsilon();
   const auto accuracy = std::get<Tolerance>(run.resolution);
-  std::vector<std::string> texts;
+  std::vector<Warning> all;
   if (accuracy.rtol < rounding) {
-    texts.push_back(
-        fmt::format("an accuracy of {:.3g} is requested, and a double has {:.2g}", accuracy.rtol, rounding));
+    all.push_back(
+        {Finding::accuracy, fmt::format("an accuracy of {:.3g} is requested, and a double has {:.2g}",
+                                        accuracy.rtol, rounding)});
   } else {
-    texts = accuracy_warnings(scene, run, table, path, seconds, check);
+    all = accuracy_warnings(scene, run, table, path, seconds, check);
   }
   const Rows columns = columns_of(scene.outputs, path);
   for (const auto& event : scene.events) {
@@ -158,9 +165,10 @@ std::string warning_line(const Scene& scene, const RequestedRun& run, const Solv
     for (Eigen::Index c = 0; c < columns.cols() && !is_number; ++c)
       is_number = !std::isnan(event.value(path.time(c), columns.col(c)));
     if (!is_number)
-      texts.push_back(fmt::format("event {} is not a number at any time of the run", event.name));
+      all.push_back(
+          {Finding::event, fmt::format("event {} is not a number at any time of the run", event.name)});
   }
-  return fmt::format("{}", fmt::join(texts, "; "));
+  return all;
 }
 
 }  // namespace fde::bench

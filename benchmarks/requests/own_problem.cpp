@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/command/own_problem.hpp"
+#include "fdebench/benchmarks/requests/own_problem.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

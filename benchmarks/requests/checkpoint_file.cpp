@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/command/checkpoint_file.hpp"
+#include "fdebench/benchmarks/requests/checkpoint_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -10,8 +11,9 @@
 #include <system_error>
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
-#include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/benchmarks/text/refusal.hpp"
 #include "fdebench/schemes/history/block_kernels.hpp"
 
 namespace fde::bench {
@@ -148,7 +150,7 @@ bool CheckpointFile::resume(const fde::StateArchiver& state) {
   } catch (const std::invalid_argument& problem) {
     reject_file(path_, problem.what());
   }
-  resumed_ = true;
+  spent_.continued = true;
   return true;
 }
 
@@ -158,7 +160,7 @@ void CheckpointFile::offer(const fde::StateArchiver& state) {
     write(state);
     failed_ = false;
   } catch (const std::invalid_argument& problem) {
-    if (!failed_) say_(problem.what());
+    if (!failed_ && say_) say_(problem.what());
     failed_ = true;
   }
   written_ = Clock::now();
@@ -175,7 +177,9 @@ void CheckpointFile::write(const fde::StateArchiver& state) {
   state(archive);
   bytes.finish();
   const std::chrono::duration<double> taken = Clock::now() - start;
-  spent_ = {spent_.count + 1, bytes.count(), spent_.seconds + taken.count()};
+  ++spent_.count;
+  spent_.bytes = bytes.count();
+  spent_.seconds += taken.count();
 }
 
 void CheckpointFile::remove() const {
@@ -185,14 +189,17 @@ void CheckpointFile::remove() const {
 
 namespace {
 
-// The option that selects the output times.
-std::string times_text(const Given& given) {
-  for (const auto* option : {"--at", "--every", "--points"})
-    if (given.has(option)) return fmt::format("{} {}", option, given.text(option));
-  return "all";
-}
+// The output times as a request has them.
+struct TimesText {
+  std::string operator()(const AllTimes& /*all*/) const { return "all"; }
+  std::string operator()(const GivenTimes& at) const {
+    return fmt::format("at {}", fmt::join(at.times, ","));
+  }
+  std::string operator()(const EveryTime& every) const { return fmt::format("every {}", every.stride); }
+  std::string operator()(const SpreadTimes& points) const { return fmt::format("points {}", points.count); }
+};
 
-RunFacts facts_of(const Scene& scene, const RequestedRun& run, const Given& given) {
+RunFacts facts_of(const Scene& scene, const SolveRequest& request, const RequestedRun& run) {
   const Session session = this_session();
   return {{"program",
            fmt::format("{} {} {} {}", session.version, session.commit, session.compiler, session.flags)},
@@ -200,26 +207,24 @@ RunFacts facts_of(const Scene& scene, const RequestedRun& run, const Given& give
           {"scene", scene.name},
           {"end", fmt::format("{}", scene.problem.end)},
           {"scheme", std::string(run.scheme.id)},
-          {"steps", resolution_text(run.setup)},
-          {"grid", grid_text(run.setup.grading)},
-          {"history", std::string(name(run.setup.history))},
-          {"tolerance", fmt::format("{}", run.setup.tolerance)},
-          {"times", times_text(given)}};
+          {"steps", resolution_text(run.settings)},
+          {"grid", grid_text(run.settings.grading)},
+          {"history", std::string(name(run.settings.history))},
+          {"tolerance", fmt::format("{}", run.settings.tolerance)},
+          {"times", std::visit(TimesText(), request.times)}};
 }
 
 }  // namespace
 
-std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const RequestedRun& run,
-                                                   const Given& given, RetainedColumns& kept,
+std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const SolveRequest& request,
+                                                   const RequestedRun& run, RetainedColumns& kept,
                                                    const std::function<void(const std::string&)>& say) {
-  const auto file = given.find("--checkpoint");
-  if (!file && given.has("--checkpoint-every")) given.refuse("--checkpoint-every", "with --checkpoint");
-  if (!file) return std::nullopt;
-  const double between = given.number("--checkpoint-every");
+  if (!request.checkpoint) return std::nullopt;
+  const auto& [file, between] = *request.checkpoint;
   if (const auto reason = unsupported_checkpoints_reason(run.scheme, scene.problem))
-    given.refuse("--checkpoint", fmt::format("left out: {} {}", run.scheme.id, *reason));
+    refuse_value("checkpoint", file.string(), {fmt::format("left out: {} {}", run.scheme.id, *reason)});
   return std::optional<CheckpointFile>(
-      std::in_place, *file, std::chrono::duration<double>(between), facts_of(scene, run, given),
+      std::in_place, file, between, facts_of(scene, request, run),
       [&kept](Archive& archive) { archive(kept); }, say);
 }
 

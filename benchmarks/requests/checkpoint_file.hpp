@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -11,7 +10,8 @@
 #include <vector>
 
 #include "fdebench/benchmarks/observers/retained_columns.hpp"
-#include "fdebench/reports/command/requested_run.hpp"
+#include "fdebench/benchmarks/requests/requested_run.hpp"
+#include "fdebench/benchmarks/requests/solve_cost.hpp"
 #include "fdebench/schemes/stepping/checkpoints.hpp"
 
 namespace fde::bench {
@@ -34,16 +34,8 @@ class CheckpointFile final : public CheckpointStore {
   bool resume(const fde::StateArchiver& state) override;
   void offer(const fde::StateArchiver& state) override;
 
-  // Whether the run continues from a stored state.
-  [[nodiscard]] bool resumed() const { return resumed_; }
-
-  // The cost of the states written since the start.
-  struct WriteCost {
-    std::int64_t count = 0;
-    std::uintmax_t bytes = 0;  // of the last state
-    double seconds = 0.0;      // of all writes
-  };
-  [[nodiscard]] const WriteCost& write_cost() const { return spent_; }
+  // Of the states written since the start.
+  [[nodiscard]] CheckpointCost cost() const { return spent_; }
 
   // Removes the file. To be called when the run has ended.
   void remove() const;
@@ -60,16 +52,16 @@ class CheckpointFile final : public CheckpointStore {
   fde::StateArchiver observers_;
   std::function<void(const std::string&)> say_;
   Clock::time_point written_ = Clock::now();
-  bool failed_ = false, resumed_ = false;
-  WriteCost spent_;
+  bool failed_ = false;
+  CheckpointCost spent_{};
 };
 
-// The file of --checkpoint, with the columns `kept` as part of the state; nullopt without --checkpoint. `say`
-// is called with a message if the file cannot be written. The file is valid for runs with the same scene,
-// scheme, resolution, history, tolerance and times by the same build. Throws std::invalid_argument naming the
-// argument, the text and what is allowed.
-std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const RequestedRun& run,
-                                                   const Given& given, RetainedColumns& kept,
+// The file that a request keeps its run in, with the columns `kept` as part of the state; nullopt without
+// one. `say` is called with a message if the file cannot be written. The file is valid for runs with the same
+// scene, scheme, resolution, history, tolerance and times by the same build. Throws Refusal where the scheme
+// has no checkpoints, and std::invalid_argument naming the path as CheckpointFile does.
+std::optional<CheckpointFile> requested_checkpoint(const Scene& scene, const SolveRequest& request,
+                                                   const RequestedRun& run, RetainedColumns& kept,
                                                    const std::function<void(const std::string&)>& say);
 
 }  // namespace fde::bench

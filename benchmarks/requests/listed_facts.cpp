@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/requests/listed_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/text/number_text.hpp"
+
+namespace fde::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t few_names = 16;
+
+// The list of names; many consecutive names u1, u2, ... as a pattern with a range.
+Json names_json(const std::vector<std::string>& names) {
+  if (names.size() <= few_names) return names;
+  const std::string& first = names.front();
+  const auto prefix = first.substr(0, first.find_last_not_of("0123456789") + 1);
+  const auto number = try_parse_number(first.substr(prefix.size()));
+  if (!number) return names;
+  const auto from = static_cast<std::size_t>(*number);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] != fmt::format("{}{}", prefix, from + i)) return names;
+  }
+  return {{"pattern", prefix + "{i}"}, {"from", from}, {"to", from + names.size() - 1}};
+}
+
+Json parameter_json(const Parameter& parameter) {
+  const auto as_json = [](const auto& value) -> Json { return value; };
+  return {{"name", parameter.name},
+          {"default", std::visit(as_json, parameter.value)},
+          {"allowed", parameter.allowed()},
+          {"meaning", parameter.description}};
+}
+
+}  // namespace
+
+std::vector<std::string> defined_by(const Scene& scene) {
+  std::vector<std::string> names;
+  if (scene.reference.at) names.emplace_back("exact");
+  if (has_jacobian(scene.problem)) names.emplace_back("jacobian");
+  if (is_linear(scene.problem)) names.emplace_back("linear");
+  if (scene.energy) names.emplace_back("energy");
+  if (scene.constraint) names.emplace_back("constraint");
+  return names;
+}
+
+Json facts_of(const SceneFactory& maker) {
+  const Scene scene = make_scene(maker);
+  Json parameters = Json::array();
+  for (const auto& parameter : maker.parameters) parameters.push_back(parameter_json(parameter));
+  return {{"id", maker.id},           {"title", maker.title},
+          {"source", maker.source},   {"parameters", parameters},
+          {"end", scene.problem.end}, {"columns", names_json(scene.outputs.names)},
+          {"has", defined_by(scene)}, {"reference", evidence_of(scene)}};
+}
+
+Json needs_of(const Scheme& scheme) {
+  return {{"implicit", scheme.capabilities.implicit},
+          {"algebraic_rows", scheme.capabilities.algebraic_rows},
+          {"uniform_grid", scheme.capabilities.uniform_grid},
+          {"largest_order", scheme.capabilities.max_order},
+          {"two_sided", scheme.capabilities.is_two_sided},
+          {"takes_grid", !scheme.capabilities.is_adaptive()},
+          {"takes_accuracy", scheme.capabilities.is_adaptive()},
+          {"discretises_equations", scheme.capabilities.discretises_equations},
+          {"checkpoints", scheme.capabilities.checkpoints},
+          {"start_weights", bool(scheme.starting_powers)}};
+}
+
+Json facts_of(const Scheme& scheme) {
+  Json facts{{"id", scheme.id}, {"title", scheme.title}, {"source", scheme.source}};
+  if (!scheme.alias.empty()) facts["other_name"] = scheme.alias;
+  facts.update(needs_of(scheme));
+  return facts;
+}
+
+}  // namespace fde::bench

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/requests/solve_request.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "fdebench/benchmarks/text/entry_named.hpp"
+#include "fdebench/benchmarks/text/refusal.hpp"
+
+namespace fde::bench {
+
+StepsOrTolerance resolution_from(const std::optional<int>& steps, const std::optional<double>& accuracy) {
+  if (accuracy) {
+    require_in("accuracy", *accuracy, positive);
+    return Tolerance{.rtol = *accuracy, .atol = *accuracy};
+  }
+  if (!steps) throw Refusal({RequestField{"steps"}, " is required"});
+  require_in("steps", *steps, step_counts);
+  return *steps;
+}
+
+OutputTimes output_times_from(std::optional<std::vector<double>> at, const std::optional<int>& every,
+                              const std::optional<int>& points) {
+  if (at.has_value() + every.has_value() + points.has_value() > 1) {
+    throw Refusal({RequestField{"at"}, ", ", RequestField{"every"}, " and ", RequestField{"points"},
+                   ": one of them at most"});
+  }
+  if (every) {
+    require_in("every", *every, step_counts);
+    return EveryTime{*every};
+  }
+  if (points) {
+    require_in("points", *points, point_counts);
+    return SpreadTimes{*points};
+  }
+  if (!at) return AllTimes{};
+  for (const double t : *at) require_in("at", t, not_negative);
+  return GivenTimes{std::move(*at)};
+}
+
+void set_grid(SolveRequest& request, std::string_view text) {
+  request.optimal_grading = text == optimal_grid;
+  request.settings.grading =
+      request.optimal_grading ? 1.0 : parse_grading(text, fmt::format(", or {}", optimal_grid));
+}
+
+const Scheme& scheme_named(std::string_view id) {
+  const Scheme* const found = find_scheme(id);
+  return found != nullptr ? *found : entry_by_id(schemes(), "scheme", id);
+}
+
+}  // namespace fde::bench
