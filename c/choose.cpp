@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
-#include "fdebench/benchmarks/requests/own_problem.hpp"
+#include "fdebench/benchmarks/requests/answers_json.hpp"
+#include "fdebench/benchmarks/requests/choice.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/c/guard.hpp"
 #include "fdebench/c/handles.hpp"
-#include "fdebench/reports/analysis/choice.hpp"
 
 using namespace fde::bench;
 using namespace fde::bench::c;
@@ -51,14 +51,10 @@ ChoiceRequest request_of(const std::map<std::string, OptionValue>& values) {
 
 // What is chosen for a scene, with the command that solves it; no command knows a problem of the caller.
 nlohmann::json chosen(const FdebenchProblem& problem, const ChoiceRequest& request) {
-  if (problem.scene.empty()) {
-    auto facts = json_of(choose(problem.known, SceneSettings{.id = own_id}, request));
-    facts["command"] = nullptr;
-    return facts;
-  }
+  if (problem.scene.empty()) return json_of(choose(problem.known, request));
   const SceneRegistry all = with_equation_files(built_in_scenes());
   const auto variant = read_variant(problem.scene, {}, all);
-  return json_of(choose(make_scene(variant), variant.key(), request));
+  return json_of(choose(make_scene(variant), request, variant.key()));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
+#include "fdebench/benchmarks/requests/answers_json.hpp"
 #include "fdebench/benchmarks/requests/exact.hpp"
 #include "fdebench/benchmarks/requests/solve.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"

@@ -21,6 +21,7 @@ while(headers)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION include/fdebench/${folder} COMPONENT library)
 endwhile()
+install(FILES ${PROJECT_SOURCE_DIR}/benchmarks/fdebench.hpp DESTINATION include/fdebench COMPONENT library)
 set_property(GLOBAL PROPERTY FDEBENCH_INSTALLED_HEADERS ${installed})
 
 configure_package_config_file(cmake/fdebench-config.cmake.in ${PROJECT_BINARY_DIR}/fdebench-config.cmake

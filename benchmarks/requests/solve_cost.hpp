@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -26,8 +25,5 @@ struct SolveCost {
   std::optional<CheckpointCost> checkpoints{};
   std::optional<double> expected_rate{};  // at the end, of a run over a grid
 };
-
-// docs/command.md lists the keys. What is unknown is left out.
-nlohmann::ordered_json json_of(const SolveCost& cost);
 
 }  // namespace fde::bench

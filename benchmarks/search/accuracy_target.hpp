@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,10 +9,6 @@
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 
 namespace fde::bench {
-
-// The accuracies for which the cheapest run is wanted by default: the targets of the default sweep, and the
-// cells of the page.
-inline constexpr std::array default_accuracies{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
 
 // Which runs of a scene are accurate enough.
 struct AccuracyTarget {

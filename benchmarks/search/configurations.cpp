@@ -43,13 +43,14 @@ std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm n
   return gradings;
 }
 
-std::vector<ConfigurationChoice> configurations_of(const Scene& scene, Norm norm) {
+std::vector<ConfigurationChoice> configurations_of(const Scene& scene, Norm norm,
+                                                   std::span<const Scheme* const> own) {
   std::vector<ConfigurationChoice> choices;
   const int unit = meeting_jumps(scene.problem);
-  for (const Scheme& scheme : schemes()) {
+  const auto add = [&](const Scheme& scheme) {
     if (auto refused = refusal(scheme, scene.problem, 1.0)) {
       choices.push_back({.configuration = {&scheme}, .refused = std::move(refused)});
-      continue;
+      return;
     }
     for (const double grading : gradings_of(scheme, scene, norm)) {
       if (refusal(scheme, scene.problem, grading)) continue;
@@ -57,7 +58,9 @@ std::vector<ConfigurationChoice> configurations_of(const Scene& scene, Norm norm
       if (unit > 1 && grading == 1.0 && !scheme.capabilities.is_adaptive())
         choices.push_back({.configuration = {&scheme, grading}, .unit = unit});
     }
-  }
+  };
+  for (const Scheme& scheme : schemes()) add(scheme);
+  for (const Scheme* scheme : own) add(*scheme);
   return choices;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,10 @@ struct ConfigurationChoice {
   std::optional<std::string> refused{};  // why the scheme does not accept the problem; nullopt: it does
 };
 
-// Every scheme with each of its gradings; once, uniform, where it refuses the problem. Where the right-hand
-// side jumps, a scheme over uniform grids is there twice: a rule is more accurate where its times contain the
-// jumps, and may be cheaper where they need not.
-std::vector<ConfigurationChoice> configurations_of(const Scene& scene, Norm norm);
+// Every scheme of ours, and of the caller's `own`, with each of its gradings; once, uniform, where it refuses
+// the problem. Where the right-hand side jumps, a scheme over uniform grids is there twice: a rule is more
+// accurate where its times contain the jumps, and may be cheaper where they need not.
+std::vector<ConfigurationChoice> configurations_of(const Scene& scene, Norm norm,
+                                                   std::span<const Scheme* const> own = {});
 
 }  // namespace fde::bench

@@ -30,9 +30,10 @@ constexpr double most_of_rest = 0.3;
 
 class Search {
  public:
-  Search(const Scene& scene, const AccuracyTarget& question, double seconds, const SearchProgress& progress)
+  Search(const Scene& scene, const AccuracyTarget& question, double seconds, const SearchProgress& progress,
+         std::span<const Scheme* const> own)
       : evaluator_(scene, question), seconds_(seconds), progress_(progress) {
-    for (auto& choice : configurations_of(scene, question.kind.norm)) {
+    for (auto& choice : configurations_of(scene, question.kind.norm, own)) {
       refinements_.push_back({.is_adaptive = choice.configuration.is_adaptive(),
                               .is_closed = choice.refused.has_value(),
                               .unit = choice.unit});
@@ -286,8 +287,8 @@ class Search {
 }  // namespace
 
 std::vector<SearchCandidate> search(const Scene& scene, const AccuracyTarget& question, double seconds,
-                                    const SearchProgress& progress) {
-  return Search(scene, question, seconds, progress).run();
+                                    const SearchProgress& progress, std::span<const Scheme* const> own) {
+  return Search(scene, question, seconds, progress, own).run();
 }
 
 }  // namespace fde::bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "fdebench/benchmarks/search/search_candidate.hpp"
@@ -8,13 +9,14 @@
 namespace fde::bench {
 
 // Searches for `seconds` for the cheapest run of a scene within the accuracy of the question, over all
-// schemes, gradings and numbers of steps. Every configuration doubles its steps until its error is within the
-// accuracy or it is expected to be slower than another. fewest_steps() then closes the bracket of the last
-// two runs; for Norm::end, where an error may pass through 0, it also scans smaller numbers of steps. The
-// quickest configurations are timed against each other, and the best is compared with the reference at as
-// many steps as a record is. Returns all configurations: first those within the accuracy, the quickest first.
-// Throws std::runtime_error if the reference is missing or less accurate than requested.
+// schemes of ours and of the caller's `own`, gradings and numbers of steps. Every configuration doubles its
+// steps until its error is within the accuracy or it is expected to be slower than another. fewest_steps()
+// then closes the bracket of the last two runs; for Norm::end, where an error may pass through 0, it also
+// scans smaller numbers of steps. The quickest configurations are timed against each other, and the best is
+// compared with the reference at as many steps as a record is. Returns all configurations: first those within
+// the accuracy, the quickest first. Throws std::runtime_error if the reference is missing or less accurate
+// than requested.
 std::vector<SearchCandidate> search(const Scene& scene, const AccuracyTarget& question, double seconds,
-                                    const SearchProgress& progress);
+                                    const SearchProgress& progress, std::span<const Scheme* const> own = {});
 
 }  // namespace fde::bench

@@ -5,6 +5,7 @@
 
 #include <string_view>
 
+#include "fdebench/benchmarks/records/default_accuracies.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "fdebench/benchmarks/records/default_accuracies.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/sweep/sweep_plan.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <exception>
 #include <iostream>
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -19,8 +21,9 @@
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/requests/answers_json.hpp"
+#include "fdebench/benchmarks/requests/choice.hpp"
 #include "fdebench/benchmarks/requests/exact.hpp"
-#include "fdebench/benchmarks/requests/listed_facts.hpp"
 #include "fdebench/benchmarks/requests/own_problem.hpp"
 #include "fdebench/benchmarks/requests/solve.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
@@ -28,7 +31,6 @@
 #include "fdebench/python/core/python_problem.hpp"
 #include "fdebench/python/core/without_gil.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
-#include "fdebench/reports/analysis/choice.hpp"
 #include "fdebench/reports/command/command.hpp"
 
 // The extension module of the package `fdebench`. The public functions with their docstrings are in
@@ -165,26 +167,31 @@ template <typename Entries>
 py::list facts_of_all(const Entries& entries) {
   const auto all = without_gil([&] {
     auto facts = nlohmann::ordered_json::array();
-    for (const auto& entry : entries) facts.push_back(facts_of(entry));
+    for (const auto& entry : entries) facts.push_back(json_of(entry));
     return facts;
   });
   return object_of(all);
 }
 
-// Dictionary of what is chosen. `columns`: names with commas between them; None: all.
+// Dictionary of what is chosen. `columns`: names with commas between them; None: all. `schemes`: functions by
+// the ids of the schemes, see python_scheme.
 py::object choose_for(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
                       double error, const std::string& norm, const std::string& scale,
-                      const std::optional<std::string>& columns, double seconds, const std::string& runs) {
-  const ChoiceRequest request{.error = error,
-                              .kind = {parse_norm(norm), parse_scale(scale)},
-                              .columns = columns ? split_names(*columns) : std::vector<std::string>(),
-                              .seconds = seconds,
-                              .first_run = parse_first_run(runs)};
+                      const std::optional<std::string>& columns, double seconds, const std::string& runs,
+                      const std::map<std::string, py::object>& schemes) {
+  std::vector<std::unique_ptr<OwnScheme>> own;
+  for (const auto& [id, states] : schemes) own.push_back(python_scheme(id, states));
+  ChoiceRequest request{.error = error,
+                        .kind = {parse_norm(norm), parse_scale(scale)},
+                        .columns = columns ? split_names(*columns) : std::vector<std::string>(),
+                        .seconds = seconds,
+                        .first_run = parse_first_run(runs)};
+  for (const auto& scheme : own) request.schemes.push_back(&scheme->scheme());
   const auto facts = without_gil([&] {
-    if (problem != nullptr) return json_of(choose(*problem, SceneSettings{.id = own_id}, request));
+    if (problem != nullptr) return json_of(choose(*problem, request));
     const SceneRegistry all = named_scenes();
     const auto variant = read_variant(name, settings, all);
-    return json_of(choose(make_scene(variant), variant.key(), request));
+    return json_of(choose(make_scene(variant), request, variant.key()));
   });
   return object_of(facts);
 }
@@ -247,6 +254,7 @@ PYBIND11_MODULE(_core, module) {
   using namespace fde::bench::python;
   py::register_exception_translator(translate);
   py::class_<fde::bench::Scene>(module, "Problem").def(py::init(&python_scene));
+  define_posed_problem(module);
   module.def("version", [] { return fde::bench::this_session().version; });
   module.def("scenes", [] { return facts_of_all(fde::bench::built_in_scenes()); });
   module.def("schemes", [] { return facts_of_all(fde::schemes()); });

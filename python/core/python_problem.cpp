@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include <functional>
 #include <memory>
@@ -60,23 +61,27 @@ const char* no_reals(const py::array& any) {
 // raises, or with ValueError for no real numbers or a wrong shape; never std::runtime_error, which means a
 // failure of the solve.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-Numbers call(const py::object& function, const char* name, double t, In y,
-             const std::vector<py::ssize_t>& shape) {
-  const py::object result = function(t, py::array_t<double>(y.size(), y.data()));
+Numbers reals_of(const py::object& result, const std::string& name, const std::string& place,
+                 const std::vector<py::ssize_t>& shape) {
   const auto any = py::array::ensure(result);
   if (!any) throw py::error_already_set();
-  if (const auto* given = no_reals(any)) {
-    throw_value_error(fmt::format("{}: returned {} at t = {:.6g}, must be real numbers", name, given, t));
-  }
+  if (const auto* given = no_reals(any))
+    throw_value_error(fmt::format("{}: returned {}{}, must be real numbers", name, given, place));
   auto numbers = Numbers::ensure(any);
   if (!numbers) throw py::error_already_set();
   const std::vector<py::ssize_t> given(numbers.shape(), numbers.shape() + numbers.ndim());
-  const bool one_number = numbers.ndim() == 0 && y.size() == 1;
+  const bool one_number = numbers.ndim() == 0 && shape == std::vector<py::ssize_t>{1};
   if (given != shape && !one_number) {
     throw_value_error(fmt::format("{}: returned an array of shape ({}), must be ({})", name,
                                   fmt::join(given, ", "), fmt::join(shape, ", ")));
   }
   return numbers;
+}
+
+Numbers call(const py::object& function, const char* name, double t, In y,
+             const std::vector<py::ssize_t>& shape) {
+  const py::object result = function(t, py::array_t<double>(y.size(), y.data()));
+  return reals_of(result, name, fmt::format(" at t = {:.6g}", t), shape);
 }
 
 std::function<void(double, In, Out)> rhs_of(const py::object& function) {
@@ -109,6 +114,44 @@ Scene python_scene(const std::vector<double>& orders, const std::vector<std::vec
   problem.end = end;
   problem.jump_times = jumps;
   return own_scene(problem, names);
+}
+
+std::unique_ptr<OwnScheme> python_scheme(const std::string& id, const py::object& states) {
+  return std::make_unique<OwnScheme>(
+      id, [id, function = shared(states)](const Problem& problem, const std::vector<double>& times) -> Rows {
+        const py::gil_scoped_acquire lock;
+        const auto count = static_cast<py::ssize_t>(times.size());
+        const py::object result =
+            (*function)(std::make_shared<Problem>(problem), py::array_t<double>(count, times.data()));
+        const Numbers numbers = reals_of(result, "scheme " + id, "", {count, problem.size()});
+        return Eigen::Map<const Rows>(numbers.data(), problem.size(),
+                                      count);  // by columns: row after row of the array
+      });
+}
+
+void define_posed_problem(py::module_& module) {
+  const auto orders = [](const Problem& problem) {
+    std::vector<double> all;
+    for (const auto& component : problem.components) all.push_back(component.order);
+    return all;
+  };
+  const auto initial = [](const Problem& problem) {
+    std::vector<std::vector<double>> all;
+    for (const auto& component : problem.components) all.push_back(component.initial);
+    return all;
+  };
+  const auto rhs = [](const Problem& problem, double t, const Numbers& y) {
+    if (y.size() != problem.size())
+      throw_value_error(fmt::format("y: has {} entries, must have {}", y.size(), problem.size()));
+    Numbers f(problem.size());
+    problem.rhs(t, Eigen::Map<const Vec>(y.data(), y.size()), Eigen::Map<Vec>(f.mutable_data(), f.size()));
+    return f;
+  };
+  py::class_<Problem, std::shared_ptr<Problem>>(module, "PosedProblem")
+      .def_property_readonly("orders", orders)
+      .def_property_readonly("initial", initial)
+      .def_readonly("end", &Problem::end)
+      .def("rhs", rhs);
 }
 
 }  // namespace fde::bench::python

@@ -3,9 +3,11 @@
 
 #include <pybind11/pybind11.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/requests/own_scheme.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
 namespace fde::bench::python {
@@ -19,5 +21,12 @@ namespace fde::bench::python {
 Scene python_scene(const std::vector<double>& orders, const std::vector<std::vector<double>>& initial,
                    const pybind11::object& rhs, double end, const pybind11::object& jacobian,
                    const std::vector<std::string>& names, const std::vector<double>& jumps);
+
+// A scheme states(problem, times) -> array of shape (len(times), n), a Python function; it propagates
+// exceptions as the right-hand side does.
+std::unique_ptr<OwnScheme> python_scheme(const std::string& id, const pybind11::object& states);
+
+// The class of `problem` there: orders, initial, end, rhs(t, y).
+void define_posed_problem(pybind11::module_& module);
 
 }  // namespace fde::bench::python

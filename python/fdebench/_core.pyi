@@ -9,6 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 
 Rhs = Callable[[float, NDArray[numpy.float64]], ArrayLike]
 
+States = Callable[["PosedProblem", NDArray[numpy.float64]], ArrayLike]
+
+class PosedProblem:
+    orders: list[float]
+    initial: list[list[float]]
+    end: float
+    def rhs(self, t: float, y: ArrayLike) -> NDArray[numpy.float64]: ...
+
 class Problem:
     def __init__(
         self,
@@ -30,7 +38,8 @@ def solve(
     name: str, settings: Sequence[str], problem: Problem | None, scheme: str, given: dict[str, Any]
 ) -> tuple[list[str], NDArray[numpy.float64], NDArray[numpy.float64], str, dict[str, Any], list[str] | None]: ...
 def choose(
-    name: str, settings: Sequence[str], problem: Problem | None, error: float, norm: str, scale: str, columns: str | None, seconds: float, runs: str
+    name: str, settings: Sequence[str], problem: Problem | None, error: float, norm: str, scale: str, columns: str | None, seconds: float, runs: str,
+    schemes: dict[str, States],
 ) -> dict[str, Any]: ...
 def exact(
     name: str, settings: Sequence[str], problem: Problem | None, times: Sequence[float]

@@ -111,23 +111,32 @@ def choose(
     columns: str | Sequence[str] | None = None,
     seconds: float | None = None,
     runs: str | int = "many",
+    schemes: Mapping[str, _core.States] | None = None,
 ) -> dict[str, Any]:
     """The scheme, grid and number of steps to take for an accuracy, found by making runs.
 
     ``norm``: "maximum" over all steps, or "end". ``scale``: "absolute", "relative", "mixed", |e| / (1 + |y|), or "peak",
     |e| / max |y|. ``columns``: those that count; default all. ``seconds``: for the search; default 60. ``runs``: "1" ranks by the first run of a process, which
-    computes start weights and tables, "many" by later runs. Returns the fields that ``fdebench choose --json`` has: scheme,
-    grid, steps, error, seconds, runner_up, ...; of a problem of one's own ``command`` is None. Raises NumericalFailure where no
+    computes start weights and tables, "many" by later runs. ``schemes``: schemes of one's own by their names, functions
+    ``states(problem, times)`` that return y at all these times, an array of shape (len(times), unknowns); they are tried beside
+    all others, on the grids that suit them. ``problem`` has ``orders``, ``initial``, ``end`` and ``rhs(t, y)``. Returns the fields that ``fdebench choose --json`` has: scheme,
+    grid, steps, error, seconds, runner_up, ...; of a problem or a scheme of one's own ``command`` is None. Raises NumericalFailure where no
     run is within the accuracy. Solve what was found with ``solve(..., steps, grid=grid)``, or with ``accuracy=asked`` where
     ``asked`` is not None: a scheme that chooses its own steps.
 
     >>> answer = choose("relaxation", error=1e-4, seconds=5)
     >>> answer["error"] < 1e-4, sorted(answer)[:4]
     (True, ['accuracy', 'asked', 'command', 'error'])
+    >>> def closed_form(problem, times):
+    ...     return [[exp(t) * erfc(sqrt(t))] for t in times]
+    >>> from math import erfc, exp, sqrt
+    >>> choose("relaxation", error=1e-10, seconds=5, schemes={"closed_form": closed_form})["scheme"]
+    'closed_form'
     """
+    own = dict(schemes or {})
+    for name, states in own.items():
+        if not isinstance(name, str) or not callable(states):
+            raise TypeError(f"schemes = {{{name!r}: {states!r}}}: must be functions by the names of the schemes")
     counted = None if columns is None else _text("columns", columns)
-    found = _core.choose(*_known(scene)._posed, _real("error", error), _text("norm", norm), _text("scale", scale),
-                         counted, 60.0 if seconds is None else _real("seconds", seconds), _text("runs", runs))
-    if isinstance(scene, Problem):
-        found["command"] = None
-    return found
+    return _core.choose(*_known(scene)._posed, _real("error", error), _text("norm", norm), _text("scale", scale),
+                        counted, 60.0 if seconds is None else _real("seconds", seconds), _text("runs", runs), own)

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/text/output_text.hpp"
 #include "fdebench/reports/analysis/comparison.hpp"
-#include "fdebench/reports/analysis/text.hpp"
 
 namespace fde::bench {
 namespace {

@@ -8,10 +8,12 @@
 #include <set>
 #include <utility>
 
+#include "fdebench/benchmarks/requests/answers_json.hpp"
+#include "fdebench/benchmarks/requests/choice.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
-#include "fdebench/reports/analysis/choice.hpp"
 #include "fdebench/reports/analysis/compared_columns.hpp"
+#include "fdebench/reports/analysis/recorded_recommendation.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/help_text.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
@@ -36,7 +38,7 @@ Recommendation searched(const Given& given, const ChoiceRequest& request, const 
     line.set({.part = std::min(part, 1.0), .current_run = what});
   };
   try {
-    return choose(std::move(scene), variant.key(), request, tell);
+    return choose(std::move(scene), request, variant.key(), tell);
   } catch (const Refusal& refusal) {
     given.refuse(refusal, {{"seconds", "--max-time"}});
   }

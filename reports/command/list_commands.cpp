@@ -8,12 +8,12 @@
 #include <string_view>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
-#include "fdebench/benchmarks/requests/listed_facts.hpp"
+#include "fdebench/benchmarks/requests/answers_json.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/output_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
-#include "fdebench/reports/analysis/text.hpp"
 #include "fdebench/reports/command/command.hpp"
 
 namespace fde::bench {
@@ -32,7 +32,7 @@ std::string column_text(const std::vector<std::string>& names) {
 template <typename Entries>
 void print_json(const Entries& entries, std::ostream& out) {
   Json all = Json::array();
-  for (const auto& entry : entries) all.push_back(facts_of(entry));
+  for (const auto& entry : entries) all.push_back(json_of(entry));
   out << all.dump(2) << '\n';
 }
 

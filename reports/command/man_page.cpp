@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/benchmarks/text/output_text.hpp"
 #include "fdebench/reports/command/help_text.hpp"
 
 namespace fde::bench {

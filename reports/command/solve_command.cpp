@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
+#include "fdebench/benchmarks/requests/answers_json.hpp"
 #include "fdebench/benchmarks/requests/solve.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/command/command.hpp"

@@ -11,7 +11,7 @@
 #include "fdebench/reports/analysis/formulations.hpp"
 #include "fdebench/reports/analysis/line_names.hpp"
 #include "fdebench/reports/analysis/line_rates.hpp"
-#include "fdebench/reports/analysis/recommended_run.hpp"
+#include "fdebench/reports/analysis/scene_lines.hpp"
 
 namespace fde::bench {
 

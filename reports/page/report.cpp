@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/files/atomic_file.hpp"
-#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/benchmarks/text/output_text.hpp"
 #include "fdebench/reports/page/assets.hpp"
 #include "fdebench/reports/page/packed.hpp"
 #include "fdebench/reports/page/page_data.hpp"

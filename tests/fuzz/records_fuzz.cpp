@@ -9,7 +9,8 @@
 #include <stdexcept>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
-#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/benchmarks/requests/answers_json.hpp"
+#include "fdebench/reports/analysis/recorded_recommendation.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 #include "fuzz/fuzzing.hpp"
 #include "support/temporary_folder.hpp"

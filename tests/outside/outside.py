@@ -91,6 +91,16 @@ def check_cheapest(program):
         sys.exit(f"cheapest: {errors} must be at most 1e-5")
 
 
+def check_own_scheme(program):
+    """On each of ten scenes the best scheme is within 1 %, and the rule has a run, with its error and time beside the best one's."""
+    printed = run(program)
+    runs = re.findall(r"^(\S+) +(\w+) +N = \d+ +error (\S+), \S+ times as long: (.+)$", printed, re.MULTILINE)
+    best = [float(error) for _, _, error, place in runs if place == "the best"]
+    mine = {scene for scene, scheme, _, _ in runs if scheme == "rectangle_rule"}
+    if len(best) != 10 or max(best) > 1e-2 or len(mine) != 10:
+        sys.exit(f"own_scheme:\n{printed}")
+
+
 def project(cmake, compiler, prefix, work, fdebench):
     shutil.rmtree(work, ignore_errors=True)
     settings = f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_COMPILER={compiler}"
@@ -103,6 +113,7 @@ def project(cmake, compiler, prefix, work, fdebench):
     check_functions(Path(work, "functions"))
     check_judged(Path(work, "judged"), fdebench)
     check_cheapest(Path(work, "cheapest"))
+    check_own_scheme(Path(work, "own_scheme"))
 
 
 def pkg_config(compiler, prefix, work):

@@ -222,6 +222,48 @@ def test_events_are_those_of_the_command_and_a_path_names_a_file():
         fdebench.solve(FALLING, "l1", 16, events=True)
 
 
+def rectangle_rule(problem, times):
+    """y_n = y_0 + sum_{j < n} ((t_n - t_j)^a - (t_n - t_{j+1})^a) / Gamma(a + 1) f(t_j, y_j), of orders up to 1."""
+    orders = numpy.array(problem.orders)
+    y, f = (numpy.zeros((len(times), len(orders))) for _ in range(2))
+    y[0] = [initial[0] for initial in problem.initial]
+    for n, t in enumerate(times):
+        if n > 0:
+            before, after = (t - times[:n, None]) ** orders, (t - times[1 : n + 1, None]) ** orders
+            y[n] = y[0] + ((before - after) * f[:n]).sum(axis=0) / numpy.array([math.gamma(order + 1) for order in orders])
+        f[n] = problem.rhs(t, y[n])
+    return y
+
+
+def test_a_scheme_of_ones_own_is_tried_beside_the_others():
+    answer = fdebench.choose("relaxation", error=1e-2, seconds=5, schemes={"rectangle_rule": rectangle_rule})
+    mine = [run for run in answer["others"] if run["scheme"] == "rectangle_rule"]
+    assert mine and min(run["error"] for run in mine if run["error"]) < 0.1
+    exact = fdebench.choose(relaxation(), error=1e-9, seconds=5, schemes={"exact": lambda problem, times: numpy.exp(times)[:, None] * special_erfc(times)})
+    assert exact["scheme"] == "exact" and exact["command"] is None
+
+
+def special_erfc(times):
+    return numpy.array([[math.erfc(math.sqrt(t))] for t in times])
+
+
+def test_what_a_scheme_of_ones_own_raises_comes_out_as_it_is():
+    class Mine(Exception):
+        pass
+
+    def broken(problem, times):
+        raise Mine("beyond the middle")
+
+    with pytest.raises(Mine, match="beyond the middle"):
+        fdebench.choose("relaxation", error=1e-3, seconds=5, schemes={"broken": broken})
+    with pytest.raises(ValueError, match=r"^scheme short: returned an array of shape \(1\), must be \("):
+        fdebench.choose("relaxation", error=1e-3, seconds=5, schemes={"short": lambda problem, times: [1.0]})
+    with pytest.raises(ValueError, match="^schemes = l1: must be an id"):
+        fdebench.choose("relaxation", error=1e-3, seconds=5, schemes={"l1": rectangle_rule})
+    with pytest.raises(TypeError, match="^schemes = "):
+        fdebench.choose("relaxation", error=1e-3, schemes={"none": None})
+
+
 def test_the_version_is_that_of_the_command():
     printed = subprocess.run([FDEBENCH, "--version"], capture_output=True, text=True, check=True).stdout
     assert printed.split()[-1] == fdebench.__version__

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/benchmarks/records/default_accuracies.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {

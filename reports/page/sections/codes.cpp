@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/records/default_accuracies.hpp"
 #include "fdebench/reports/analysis/compared_columns.hpp"
-#include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {

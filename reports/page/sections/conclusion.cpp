@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/benchmarks/records/default_accuracies.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {

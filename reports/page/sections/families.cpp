@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/benchmarks/records/default_accuracies.hpp"
 #include "fdebench/reports/analysis/robustness.hpp"
 #include "fdebench/reports/page/facts.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/benchmarks/records/default_accuracies.hpp"
 #include "fdebench/reports/analysis/trial_result.hpp"
 #include "fdebench/reports/page/facts.hpp"
 

@@ -3,7 +3,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "fdebench/reports/analysis/recommendation.hpp"
 #include "fdebench/reports/analysis/trial_result.hpp"
 #include "fdebench/reports/page/facts.hpp"
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "fdebench/benchmarks/requests/answers_json.hpp"
 #include "fdebench/benchmarks/text/refusal.hpp"
 #include "support/testing.hpp"
 

@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "fdebench/benchmarks/records/default_accuracies.hpp"
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"

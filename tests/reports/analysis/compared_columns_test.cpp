@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fdebench/reports/analysis/comparison.hpp"
-#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/reports/analysis/recorded_recommendation.hpp"
 #include "reports/synthetic_results.hpp"
 
 namespace fde::bench {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Recommendations from measured runs.
 
-#include "fdebench/reports/analysis/recommendation.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "fdebench/benchmarks/requests/answers_json.hpp"
+#include "fdebench/reports/analysis/recorded_recommendation.hpp"
+#include "fdebench/reports/analysis/scene_lines.hpp"
 #include "reports/synthetic_results.hpp"
 #include "support/matchers.hpp"
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "fdebench/benchmarks/records/default_accuracies.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
 #include "fdebench/reports/analysis/runs.hpp"
 #include "fdebench/reports/page/page_data.hpp"

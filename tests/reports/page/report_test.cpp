@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/text/output_text.hpp"
 #include "fdebench/reports/analysis/line_rates.hpp"
-#include "fdebench/reports/analysis/recommendation.hpp"
-#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/reports/analysis/recorded_recommendation.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 #include "reports/page/page_section.hpp"
 #include "reports/synthetic_results.hpp"

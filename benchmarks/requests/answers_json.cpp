@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/benchmarks/requests/listed_facts.hpp"
+#include "fdebench/benchmarks/requests/answers_json.hpp"
 
 #include <fmt/format.h>
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <variant>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
@@ -52,7 +53,7 @@ std::vector<std::string> defined_by(const Scene& scene) {
   return names;
 }
 
-Json facts_of(const SceneFactory& maker) {
+Json json_of(const SceneFactory& maker) {
   const Scene scene = make_scene(maker);
   Json parameters = Json::array();
   for (const auto& parameter : maker.parameters) parameters.push_back(parameter_json(parameter));
@@ -75,11 +76,39 @@ Json needs_of(const Scheme& scheme) {
           {"start_weights", bool(scheme.starting_powers)}};
 }
 
-Json facts_of(const Scheme& scheme) {
+Json json_of(const Scheme& scheme) {
   Json facts{{"id", scheme.id}, {"title", scheme.title}, {"source", scheme.source}};
   if (!scheme.alias.empty()) facts["other_name"] = scheme.alias;
   facts.update(needs_of(scheme));
   return facts;
+}
+
+nlohmann::ordered_json json_of(const SolveCost& cost) {
+  nlohmann::ordered_json shown{{"seconds", cost.seconds}};
+  const auto add = [&shown](const char* key, const auto& count) {
+    if (count) shown[key] = *count;
+  };
+  const auto add_text = [&shown](const char* key, std::string_view text) {
+    if (!text.empty()) shown[key] = std::string(text);
+  };
+  const Cost& of_scheme = cost.of_scheme;
+  add("rhs", of_scheme.rhs_calls);
+  add("newton", of_scheme.newton_iterations);
+  add_text("grid", cost.grid);
+  add_text("history", of_scheme.history);
+  add("history_bytes", of_scheme.history_bytes);
+  add("states", of_scheme.components);
+  add_text("linear_solver", of_scheme.linear_solver);
+  add("start_weights", of_scheme.starting_weights);
+  add("rejected_steps", of_scheme.rejected_steps);
+  if (cost.checkpoints) {
+    shown["continued"] = cost.checkpoints->continued;
+    shown["checkpoints"] = cost.checkpoints->count;
+    shown["checkpoint_bytes"] = cost.checkpoints->bytes;
+    shown["checkpoint_seconds"] = cost.checkpoints->seconds;
+  }
+  add("expected_rate", cost.expected_rate);
+  return shown;
 }
 
 }  // namespace fde::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/analysis/choice.hpp"
+#include "fdebench/benchmarks/requests/choice.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
@@ -14,7 +15,8 @@
 #include "fdebench/benchmarks/requests/failure.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
-#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/benchmarks/text/output_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 
 namespace fde::bench {
 namespace {
@@ -47,6 +49,14 @@ std::vector<SmallColumn> small_columns(const Scene& scene, const AccuracyTarget&
   return small_columns(question.kind, question.accuracy, names, largest);
 }
 
+void require_own_ids(const std::vector<const Scheme*>& own) {
+  std::set<std::string_view> ids;
+  for (const Scheme* scheme : own) {
+    if (find_scheme(scheme->id) != nullptr || !is_printable(scheme->id) || !ids.insert(scheme->id).second)
+      reject_text("schemes", scheme->id, "an id that prints and that no other scheme has");
+  }
+}
+
 }  // namespace
 
 bool parse_first_run(std::string_view text) {
@@ -54,11 +64,12 @@ bool parse_first_run(std::string_view text) {
   return text == "1";
 }
 
-Recommendation choose(Scene scene, const SceneSettings& settings, const ChoiceRequest& request,
+Recommendation choose(Scene scene, const ChoiceRequest& request, const SceneSettings& settings,
                       const SearchProgress& progress) {
   constexpr double part_of_estimate = 1.0 / 3.0;
   require_in("error", request.error, searched_errors);
   require_in("seconds", request.seconds, searched_seconds);
+  require_own_ids(request.schemes);
   const AccuracyTarget question{request.kind, request.error, columns_of(scene, request.columns),
                                 request.first_run};
   const SearchProgress tell = progress ? progress : [](const std::string&, double) {};
@@ -67,7 +78,8 @@ Recommendation choose(Scene scene, const SceneSettings& settings, const ChoiceRe
   auto known = reference_or_estimate(scene, question, part_of_estimate * request.seconds, tell);
   scene.reference = std::move(known.reference);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  const auto found = search(scene, question, std::max(0.0, request.seconds - taken.count()), tell);
+  const auto found =
+      search(scene, question, std::max(0.0, request.seconds - taken.count()), tell, request.schemes);
   auto made = recommend(found, settings, scene.outputs.names, question, known.estimate);
   made.small = small_columns(scene, question);
   made.examined_at_points_only = at_points_only;

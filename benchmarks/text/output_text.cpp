@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/benchmarks/text/output_text.hpp"
 
 #include <fmt/format.h>
 

@@ -5,17 +5,28 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/requests/recommendation.hpp"
+#include "fdebench/benchmarks/requests/solve_cost.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
 
+// Answers of requests as JSON, for what is printed and for languages with types of their own. docs/command.md
+// lists the keys.
+
+// What is unknown is left out.
+nlohmann::ordered_json json_of(const SolveCost& cost);
+
+// Precondition: there is an option.
+nlohmann::json json_of(const Recommendation& made);
+
 // What a scene with its default parameters is: id, title, source, parameters with what is allowed, end,
 // columns, what it defines, its reference. Many columns u1, u2, ... are a pattern with a range.
-nlohmann::ordered_json facts_of(const SceneFactory& maker);
+nlohmann::ordered_json json_of(const SceneFactory& maker);
 
 // What a scheme is: id, title, source, and what needs_of() has.
-nlohmann::ordered_json facts_of(const Scheme& scheme);
+nlohmann::ordered_json json_of(const Scheme& scheme);
 
 // What a scheme takes and needs of a problem, by name.
 nlohmann::ordered_json needs_of(const Scheme& scheme);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/benchmarks/requests/recommendation.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "fdebench/benchmarks/text/output_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
-#include "fdebench/reports/analysis/text.hpp"
 
 namespace fde::bench {
 namespace {
@@ -61,26 +61,6 @@ const RecommendedRun* runner_up(const Recommendation& made) {
   return made.expected.empty() ? nullptr : &made.expected.front();
 }
 
-std::string options_of(const RunSettings& setup, int steps) {
-  const auto* accuracy = std::get_if<Tolerance>(&setup.resolution);
-  auto options =
-      accuracy != nullptr ? fmt::format("--accuracy {}", accuracy->rtol) : fmt::format("--steps {}", steps);
-  if (setup.grading != 1.0) options += fmt::format(" --grid {}", grid_text(setup.grading));
-  if (setup.history != HistoryKind::automatic) options += fmt::format(" --history {}", name(setup.history));
-  if (setup.tolerance != RunSettings().tolerance) options += fmt::format(" --tolerance {}", setup.tolerance);
-  return options;
-}
-
-std::string options_of(const RecommendedRun& option) {
-  return option.external ? "" : options_of(option.setup, option.steps);
-}
-
-std::string command_of(const SceneSettings& scene, const RecommendedRun& option) {
-  if (option.external) return "";
-  return fmt::format("fdebench solve {} --scheme {} {}", shell_word(label_of(scene)), option.schemes.front(),
-                     options_of(option));
-}
-
 std::string estimate_text(const ErrorEstimate& estimate) {
   return fmt::format(
       "errors are estimated, not verified: there is no reference ({}); in its place {} is used, which {} "
@@ -93,12 +73,6 @@ std::string estimate_text(const ErrorEstimate& estimate) {
 std::string kind_text(const ErrorKind& kind) {
   const auto* where = kind.norm == Norm::end ? "at the end" : "maximum over all steps";
   return fmt::format("{}, {} scale", where, name(kind.scale));
-}
-
-std::string name_of(const RecommendedRun& option) {
-  std::string text = fmt::format("{}", fmt::join(option.schemes, " = "));
-  if (option.setup.grading != 1.0) text += ", " + grid_text(option.setup.grading);
-  return text;
 }
 
 }  // namespace fde::bench

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
+#include "fdebench/benchmarks/requests/own_problem.hpp"
+#include "fdebench/benchmarks/requests/recommendation.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
 #include "fdebench/benchmarks/text/range.hpp"
-#include "fdebench/reports/analysis/recommendation.hpp"
 
 namespace fde::bench {
 
@@ -23,17 +24,20 @@ struct ChoiceRequest {
   std::vector<std::string> columns{};  // that count; empty: all
   double seconds = 60.0;               // for the search
   bool first_run = false;              // ranks by the first run of a process, otherwise by a later one
+  std::vector<const Scheme*>
+      schemes{};  // of the caller, which are tried beside ours; each has an id of its own
 };
 
 // true for "1", the first run of a process, and false for "many". Throws Refusal.
 bool parse_first_run(std::string_view text);
 
 // Searches for the scheme, grid and number of steps that reach the error in the least time. Where there is no
-// reference, an error estimate takes up to a third of the seconds. `settings` name the scene in the answer.
-// Throws Refusal naming the field; std::runtime_error where there is neither reference nor estimate, or
-// none as accurate as the error; and NumericalFailure, which is one, where no run is within the error.
-Recommendation choose(Scene scene, const SceneSettings& settings, const ChoiceRequest& request,
-                      const SearchProgress& progress = {});
+// reference, an error estimate takes up to a third of the seconds. `settings` name the scene in the answer;
+// by default it is a problem of the caller, which no command knows. Throws Refusal naming the field;
+// std::runtime_error where there is neither reference nor estimate, or none as accurate as the error; and
+// NumericalFailure, which is one, where no run is within the error.
+Recommendation choose(Scene scene, const ChoiceRequest& request,
+                      const SceneSettings& settings = {.id = own_id}, const SearchProgress& progress = {});
 
 // Throws NumericalFailure, with what is missing, unless some run is within the accuracy.
 void require_option(const Recommendation& made);

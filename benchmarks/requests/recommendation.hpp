@@ -2,16 +2,16 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "fdebench/benchmarks/requests/recommended_run.hpp"
+#include "fdebench/benchmarks/scenes/parameters.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
-#include "fdebench/reports/analysis/recommended_run.hpp"
 
 namespace fde::bench {
 
@@ -52,10 +52,6 @@ struct Recommendation {
   std::optional<ErrorEstimate> estimate{};  // the basis of all errors; nullopt: there is a reference
 };
 
-// A recommendation from recorded runs. If no run is within the accuracy, `missing` explains what is.
-Recommendation recommend(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
-                         double accuracy);
-
 // A recommendation from the result of search(). `columns` are the names of the scene's columns; `estimate` is
 // given if the errors are estimated.
 Recommendation recommend(const std::vector<SearchCandidate>& searched, const SceneSettings& scene,
@@ -72,22 +68,11 @@ std::vector<std::string> within_noise(const Recommendation& made);
 // Precondition: there is an option.
 const RecommendedRun* runner_up(const Recommendation& made);
 
-// The options of `fdebench solve`, after --scheme, that repeat a run of ours with `steps` steps.
-std::string options_of(const RunSettings& setup, int steps);
-// The same; empty for an external program.
-std::string options_of(const RecommendedRun& option);
-
-// The command that repeats the run; empty for an external program.
-std::string command_of(const SceneSettings& scene, const RecommendedRun& option);
-
 // A sentence that says how the errors were estimated.
 std::string estimate_text(const ErrorEstimate& estimate);
 
 // "maximum over all steps, mixed scale".
 std::string kind_text(const ErrorKind& kind);
-
-// "l1 = commensurate_l1, graded:2".
-std::string name_of(const RecommendedRun& option);
 
 // How the labels and the command of a text are shown: as they are, unless a terminal has colours.
 struct Emphasis {
@@ -101,8 +86,5 @@ struct Emphasis {
 // the schemes. With `verbose` also why it is quickest, all grids, and the schemes that refuse the problem.
 // Precondition: there is an option.
 std::string to_text(const Recommendation& made, bool verbose = false, const Emphasis& emphasis = {});
-
-// The recommendation as one JSON object; docs/command.md lists the fields. Precondition: there is an option.
-nlohmann::json json_of(const Recommendation& made);
 
 }  // namespace fde::bench

@@ -1,38 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
-#include "fdebench/benchmarks/measures/timing_conditions.hpp"
+#include "fdebench/benchmarks/requests/recommended_run.hpp"
 #include "fdebench/benchmarks/search/error_model.hpp"
 #include "fdebench/reports/analysis/runs.hpp"
 
 namespace fde::bench {
-
-// A run with its error and time, measured or predicted.
-struct RecommendedRun {
-  std::vector<std::string> schemes{};  // the scheme that ran, then those with equal bits on this scene
-  RunSettings setup{};
-  int steps = 0;
-  double error = 0.0;
-  std::optional<double> predicted_error{};  // from the errors with other numbers of steps
-  MedianInterval time{};
-  double setup_seconds = 0.0;    // by which the first run of a process takes longer
-  bool first_run = false;        // `time` is that of the first run, otherwise of a later one
-  std::optional<double> rate{};  // observed
-  std::size_t session = 0;       // index into Results::sessions, for recorded runs
-  bool external = false;         // run of an external program
-  bool wall_clock = false;       // `time` is of a whole process
-
-  [[nodiscard]] double first_run_seconds() const { return time.median + (first_run ? 0.0 : setup_seconds); }
-  [[nodiscard]] double later_run_seconds() const { return time.median - (first_run ? setup_seconds : 0.0); }
-  [[nodiscard]] double seconds_per_step() const { return later_run_seconds() / steps; }
-};
 
 // The option with predicted_error and rate from the coarser runs of its line.
 RecommendedRun with_prediction(RecommendedRun option, const Runs& runs, const SceneSettings& scene,
@@ -84,12 +64,5 @@ class SceneLines {
   RunSpan runs_;
   std::vector<NamedLine> lines_;
 };
-
-// "N = 64, error 1.2e-7, 12.3 µs (12.1 ... 12.6)", with clock_note() and without the name of the scheme;
-// `error` is the word for the error.
-std::string run_text(const RecommendedRun& option, std::string_view error = "error");
-
-// "l1, graded:2 would need about N = 35 000 (33 000 ... 37 000), by its errors so far".
-std::string needed_text(const std::string& name, const Prediction& steps);
 
 }  // namespace fde::bench

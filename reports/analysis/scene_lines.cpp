@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/reports/analysis/recommended_run.hpp"
+#include "fdebench/reports/analysis/scene_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "fdebench/benchmarks/search/refinement.hpp"
-#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/benchmarks/text/output_text.hpp"
 
 namespace fde::bench {
 namespace {
@@ -175,24 +175,6 @@ std::optional<Shortfall> SceneLines::shortfall(const ErrorKind& kind, double acc
     found.line = line;
   }
   return found;
-}
-
-std::string run_text(const RecommendedRun& option, std::string_view error) {
-  const auto* accuracy = std::get_if<Tolerance>(&option.setup.resolution);
-  const auto requested = accuracy != nullptr ? fmt::format("accuracy {}, ", error_text(accuracy->rtol)) : "";
-  std::string text =
-      fmt::format("{}N = {}, {} {}", requested, count_text(option.steps), error, error_text(option.error));
-  if (!is_timed(option)) return text + ", not timed";
-  const auto& [median, low, high] = option.time;
-  text += fmt::format(", {} ({} ... {}){}", time_text(median), time_text(low), time_text(high),
-                      clock_note(option.wall_clock));
-  return text;
-}
-
-std::string needed_text(const std::string& name, const Prediction& steps) {
-  return fmt::format("{} would need about N = {} ({} ... {}), by its errors so far", name,
-                     rough_count_text(steps.value), rough_count_text(steps.low),
-                     rough_count_text(steps.high));
 }
 
 }  // namespace fde::bench

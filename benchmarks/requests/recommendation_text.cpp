@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "fdebench/reports/analysis/recommendation.hpp"
-#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/benchmarks/requests/recommendation.hpp"
+#include "fdebench/benchmarks/text/output_text.hpp"
 
 namespace fde::bench {
 namespace {
@@ -121,8 +121,8 @@ std::string coarseness(const Recommendation& made) {
 
 std::string to_text(const Recommendation& made, bool verbose, const Emphasis& emphasis) {
   const RecommendedRun& first = made.options.front();
-  const auto run = first.external ? fmt::format("{} with N = {}", name_of(first), first.steps)
-                                  : command_of(made.scene, first);
+  const auto command = command_of(made.scene, first);
+  const auto run = command.empty() ? fmt::format("{} with N = {}", name_of(first), first.steps) : command;
   std::string text = fmt::format("{}{}\n{} {}\n{} {}\n", emphasis.label("run:"), emphasis.command(" " + run),
                                  emphasis.label("delivers:"), delivery(made, first),
                                  emphasis.label("how sure:"), certainty(made, first));

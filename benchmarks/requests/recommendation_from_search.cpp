@@ -6,9 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "fdebench/reports/analysis/line_names.hpp"
-#include "fdebench/reports/analysis/recommendation.hpp"
-#include "fdebench/reports/analysis/text.hpp"
+#include "fdebench/benchmarks/requests/recommendation.hpp"
+#include "fdebench/benchmarks/text/output_text.hpp"
 
 namespace fde::bench {
 namespace {
@@ -28,7 +27,8 @@ RecommendedRun option_of(const SearchCandidate& of) {
       .time = of.time.value_or(MedianInterval{of.best.seconds, of.best.seconds, of.best.seconds}),
       .setup_seconds = of.best.setup_seconds,
       .first_run = of.best.first_run,
-      .rate = of.rate};
+      .rate = of.rate,
+      .external = find_scheme(of.names.front()) == nullptr};
   if (of.predicted) option.predicted_error = of.predicted->value;
   return option;
 }
@@ -173,54 +173,6 @@ Recommendation recommend(const std::vector<SearchCandidate>& searched, const Sce
     made.constant = std::isinf(of.best.baseline_error);
   }
   made.options.empty() ? tell_shortfall(searched, columns, made) : tell_others(searched, made);
-  return made;
-}
-
-namespace {
-
-// From the solution that the results file has of the scene.
-std::vector<SmallColumn> small_columns(const Runs& runs, const Recommendation& made) {
-  const auto* scene = runs.describe(made.scene);
-  if (scene == nullptr || !scene->solution) return {};
-  std::vector<std::string> names;
-  std::vector<double> largest;
-  const auto& columns = scene->solution->columns;
-  for (std::size_t i = 0; i < columns.names.size(); ++i) {
-    const auto& name = columns.names[i];
-    if (!made.columns.empty() && std::ranges::find(made.columns, name) == made.columns.end()) continue;
-    names.push_back(name);
-    largest.push_back(0.0);
-    for (const auto& value : columns.values[i])
-      largest.back() = std::max(largest.back(), std::abs(value.value_or(0.0)));
-  }
-  return small_columns(made.kind, made.accuracy, names, largest);
-}
-
-}  // namespace
-
-Recommendation recommend(const Runs& runs, const SceneSettings& scene, const ErrorKind& kind,
-                         double accuracy) {
-  const LineNames names(runs);
-  const SceneLines lines(runs, scene);
-  Recommendation made{
-      .scene = scene, .kind = kind, .accuracy = accuracy, .options = lines.within(kind, accuracy)};
-  if (const auto compared = runs.compared.find(scene); compared != runs.compared.end())
-    made.columns = compared->second;
-  made.small = small_columns(runs, made);
-  for (RecommendedRun& option : made.options) option = with_prediction(std::move(option), runs, scene, kind);
-  if (!made.options.empty()) return made;
-  const auto missed = lines.shortfall(kind, accuracy, lines.forecasts(kind));
-  if (!missed) {
-    made.missing.push_back(fmt::format("no finished run has {}", error_measure(kind)));
-    return made;
-  }
-  const auto name = [&](const RecommendedRun& of) { return names.name(of.schemes.front(), of.setup); };
-  made.missing.push_back(fmt::format("best: {}: {}", name(missed->best), run_text(missed->best)));
-  if (missed->untimed > 0) {
-    made.missing.push_back(
-        fmt::format("{} runs within it are not timed yet: continue the sweep", missed->untimed));
-  }
-  if (missed->steps_needed) made.missing.push_back(needed_text(name(missed->line), *missed->steps_needed));
   return made;
 }
 

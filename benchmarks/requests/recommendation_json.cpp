@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "fdebench/reports/analysis/recommendation.hpp"
+#include "fdebench/benchmarks/requests/answers_json.hpp"
 
 namespace fde::bench {
 namespace {
@@ -72,7 +72,7 @@ nlohmann::json json_of(const Recommendation& made) {
             {"factor", nullptr},
             {"command", nullptr}};
   set_resolution(json, first.setup);
-  if (!first.external) json["command"] = command_of(made.scene, first);
+  if (const auto command = command_of(made.scene, first); !command.empty()) json["command"] = command;
   if (made.estimate) {
     json["estimated"] = true;
     json["estimate"] = json_of(*made.estimate);
