@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """browser_test.py FDEBENCH FOLDER: makes small pages in FOLDER.
-browser_test.py FDEBENCH FOLDER PART: tries them by PART.test.js in Debian's Chromium, where possible the one without a window, which
-takes less time.
+browser_test.py FDEBENCH FOLDER PART...: tries them by each PART.test.js in Debian's Chromium, where possible the one without a window,
+which takes less time.
 Exit code 77, for skipped, where Chromium, node or the packages of this folder are missing; ./setup.sh --tests installs them."""
 
 import json
@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-PROGRAM, FOLDER, PART = sys.argv[1], Path(sys.argv[2]).resolve(), sys.argv[3:]
+PROGRAM, FOLDER, PARTS = sys.argv[1], Path(sys.argv[2]).resolve(), sys.argv[3:]
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium-headless-shell", "chromium", "chromium-browser"))), None)
 RESULTS, SCREENSHOTS = FOLDER / "results.jsonl", FOLDER / "screenshots"
 SKIPPED = 77
@@ -73,10 +73,10 @@ def make_pages():
     fdebench("report", both, "--out", FOLDER / "machines")
 
 
-def run(part):
+def run(parts):
     of_tests = {"PROGRAM": PROGRAM, "CHROMIUM": CHROMIUM, "PAGE": FOLDER / "index.html", "RESULTS": RESULTS, "SCREENSHOTS": SCREENSHOTS}
     environment = {**os.environ, **{name: str(value) for name, value in of_tests.items()}}
-    os.execvpe("node", ["node", "--test", str(HERE / f"{part}.test.js")], environment)
+    os.execvpe("node", ["node", str(HERE / "parts.js"), *parts], environment)
 
 
 missing = [name for name, there in [
@@ -85,7 +85,7 @@ missing = [name for name, there in [
 if missing:
     print(f"skipped without {', '.join(missing)}: ./setup.sh --tests installs them")
     sys.exit(SKIPPED)
-if PART:
-    run(*PART)
+if PARTS:
+    run(PARTS)
 else:
     make_pages()

@@ -11,13 +11,16 @@ const shown = "error_maximum_mixed"; // what the page begins with
 
 test("every chart has the marks of its records, and those of another norm and scale", () =>
   withPage({}, async (page) => {
-    await drawAll(page);
-    await checkCharts(page, runs, shown);
+    // Before all sections are drawn, which are drawn again for each choice.
     await page.selectOption("#norm", "end");
     await page.selectOption("#scale", "absolute");
-    await settled(page);
+    await drawAll(page);
     await checkCharts(page, runs, "error_end");
     assert.match(await page.locator("#answer caption").first().textContent(), /scene and error at the end$/);
+    await page.evaluate(() => { location.hash = "#?scale=mixed"; });
+    await page.waitForFunction(() => viewNow().scale === "mixed" && viewNow().norm === "maximum");
+    await settled(page);
+    await checkCharts(page, runs, shown);
   }));
 
 test("errors over a parameter have a point for each line and value", () =>
@@ -41,7 +44,7 @@ test("the band in the chart of errors and times is the Pareto front", () =>
   }));
 
 test("regions of stability follow the order that is chosen", () =>
-  withPage({ address: "#regions" }, async (page) => {
+  withPage({ address: "#regions?scene=none" }, async (page) => {
     await settled(page);
     const figure = page.locator('#regions figure[data-chart="stability-regions"]');
     const reach = () => figure.evaluate((node) => {
@@ -87,7 +90,7 @@ test("hovering tells the run under the pointer", () =>
   }));
 
 test("a click in the legend leaves one line bright", () =>
-  withPage({ address: "#scene-pendulum" }, async (page) => {
+  withPage({ address: "#scene-pendulum?scene=pendulum" }, async (page) => {
     await settled(page);
     const figure = sectionOf(page, "pendulum").locator('figure[data-chart="error-against-time"]');
     const brightLines = () => figure.evaluate((node) => [...new Set([...node.querySelectorAll(".mark-symbol.role-mark path")]

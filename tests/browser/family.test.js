@@ -6,7 +6,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { violations } from "./accessible.js";
-import { PAGE, SCREENSHOTS, settled, withPage } from "./browser.js";
+import { PAGE, screenshot, SCREENSHOTS, settled, withPage } from "./browser.js";
 import { finished, runsOf, scenesOf } from "./records.js";
 
 const folder = (name) => join(dirname(PAGE), name);
@@ -104,8 +104,8 @@ for (const [width, height, dark] of [[1280, 900, true], [390, 844, false], [1280
     withPage({ ...family, width, height, dark }, async (page) => {
       await drawn(page);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
-      assert.deepEqual(await violations(page, [["svg.marks > g"]]), []);
-      await page.locator('[id="family-power"]').screenshot({ path: join(SCREENSHOTS, `family_${width}_${dark ? "dark" : "light"}.png`) });
+      assert.deepEqual(await violations(page, { away: "svg.marks > g" }), []);
+      await screenshot(page.locator('[id="family-power"]'), join(SCREENSHOTS, `family_${width}_${dark ? "dark" : "light"}.png`));
     }));
 }
 

@@ -6,7 +6,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
-import { PAGE, RESULTS, drawAll, withPage } from "./browser.js";
+import { PAGE, RESULTS, drawAll, settled, withPage, withReadPage } from "./browser.js";
 import { sectionOf } from "./charts.js";
 
 const { PROGRAM } = process.env;
@@ -42,8 +42,8 @@ const describe = (scene) => Object.assign(scene.solution, { columns: columns.sli
 
 test("names of JavaScript's members are names like others", async () => {
   let expected = 0;
-  await withPage({ page: written("plain", {}).page }, async (page) => {
-    await drawAll(page);
+  await withReadPage("#scene-pendulum", async (page) => {
+    await settled(page);
     expected = await chartsDrawn(page, "pendulum");
   });
   const { page: file, file: results } = written("members", { schemes: members, describe });
@@ -67,10 +67,11 @@ test("an unknown may have the name of one of JavaScript's members", () => {
 });
 
 test("a formula is shown whatever it is", () =>
-  withPage({}, async (page) => {
+  withReadPage("", async (page) => {
     const shown = (left) => page.evaluate((text) => {
       const made = equation({ left: text, right: "0" });
       document.querySelector("main").prepend(made);
+      made.remove();
       return made.querySelector("mrow").textContent.replace(/=0$/, "");
     }, left);
     for (const [left, text] of [["D(x)", "D(x)"], ["J_right(x)", "J_right(x)"], ["sum(x)", "sum(x)"], ["f(a, b)", "f(a,b)"],

@@ -3,10 +3,10 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 import { violations } from "./accessible.js";
-import { drawAll, SCREENSHOTS, settled, withPage } from "./browser.js";
+import { drawAll, screenshot, SCREENSHOTS, settled, withPage } from "./browser.js";
 
 // Of charts the frame, not each mark.
-const marks = [["svg.marks > g"]];
+const marks = { away: "svg.marks > g" };
 
 const widerThanTheWindow = (page) =>
   page.evaluate(() => [...document.querySelectorAll("body *")]
@@ -32,7 +32,7 @@ async function checkScreen(page, width, colours) {
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
   assert.deepEqual(await widerThanTheWindow(page), [], `at ${width} pixels`);
   await page.screenshot({ path: join(SCREENSHOTS, `first_${width}_${colours}.png`) });
-  await page.locator('[id="scene-pendulum"]').screenshot({ path: join(SCREENSHOTS, `scene_${width}_${colours}.png`) });
+  await screenshot(page.locator('[id="scene-pendulum"]'), join(SCREENSHOTS, `scene_${width}_${colours}.png`));
 }
 
 // A window that changes its width draws all charts again: each width once.

@@ -35,7 +35,7 @@ function nearest(all, matrix) {
 
 for (const dark of [false, true]) {
   test(`colours are distinguished by the colour-blind: ${dark ? "dark" : "light"}`, () =>
-    withPage({ dark }, async (page) => {
+    withPage({ dark, address: "#?scene=none" }, async (page) => {
       const all = await page.evaluate(() => colours);
       assert.equal(new Set(all).size, all.length);
       for (const [kind, matrix] of Object.entries(blindness)) {

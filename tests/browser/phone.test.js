@@ -5,10 +5,11 @@ import { execFile } from "node:child_process";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { promisify } from "node:util";
-import { PAGE, settled, withPage } from "./browser.js";
+import { PAGE, settled, withPage, withReadPage } from "./browser.js";
 import { sectionOf } from "./charts.js";
 
 const { PROGRAM } = process.env;
+const phone = { width: 390, height: 844 };
 const machine = "a machine whose name is much longer than a telephone is wide, as those of processors are";
 
 test("a page with long names of machines and scenes is as wide as a phone", () =>
@@ -21,15 +22,15 @@ test("a page with long names of machines and scenes is as wide as a phone", () =
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   }));
 
-for (const width of [390, 1280]) {
+for (const [width, how] of [[390, phone], [1280, {}]]) {
   test(`short names of the map are said in full beside it: ${width}`, () =>
-    withPage({ width }, async (page) => {
+    withReadPage("", async (page) => {
       const shown = new Set(await page.locator("#answer .map td b").allTextContents());
       const key = await page.locator("#answer .key").textContent();
       const names = await page.evaluate(() => Object.fromEntries(data.lines.map((line) => [shortNameOfLine(line), line])));
       for (const short of shown) if (names[short] !== short) assert.ok(key.includes(`${short} ${names[short]}`), `${short} in ${key}`);
       assert.ok(await page.locator("#answer .key").isVisible());
-    }));
+    }, how));
 }
 
 // The command's answer, of two times. A run with an accuracy chooses its steps, which --points would limit.
@@ -39,16 +40,24 @@ function answerOf(command) {
   return promisify(execFile)(PROGRAM, [...words, ...(words.includes("--accuracy") ? [] : ["--points", "2"])])
     .then((answer) => ({ ...answer, status: 0 }), (refused) => ({ ...refused, status: refused.code }));
 }
-const facts = (page) => page.locator("#cell dl").evaluate((list) => Object.fromEntries([...list.querySelectorAll("dt")].map((name) => [name.textContent, name.nextElementSibling.textContent])));
+
+// What the dialog of a cell shows once its button is pressed.
+const tapped = (button) => button.evaluate((node) => {
+  node.click();
+  const dialog = document.getElementById("cell"), texts = (list) => [...list.querySelectorAll("dt")].map((name) => [name.textContent, name.nextElementSibling.textContent]);
+  return {
+    label: node.getAttribute("aria-label"), title: dialog.querySelector("h2").textContent, name: dialog.querySelector(".name")?.textContent,
+    command: dialog.querySelector(".command code")?.textContent, right: dialog.getBoundingClientRect().right, facts: Object.fromEntries(texts(dialog.querySelector("dl"))),
+  };
+});
 
 // Every cell of a map by its button: [cell, what its dialog shows, the answer of its command].
 async function openEach(page, map) {
   const cells = await page.locator(`${map} .map td button`).all(), opened = [], answers = new Map();
   for (const button of cells) {
-    await button.evaluate((node) => node.click());
-    const shown = await page.locator("#cell").evaluate((dialog) => ({ title: dialog.querySelector("h2").textContent, name: dialog.querySelector(".name")?.textContent, command: dialog.querySelector(".command code")?.textContent, right: dialog.getBoundingClientRect().right }));
+    const shown = await tapped(button);
     if (shown.command && !answers.has(shown.command)) answers.set(shown.command, await answerOf(shown.command));
-    opened.push({ label: await button.getAttribute("aria-label"), ...shown, facts: await facts(page), answer: answers.get(shown.command) });
+    opened.push({ ...shown, answer: answers.get(shown.command) });
     await page.keyboard.press("Escape");
     assert.equal(await page.locator("#cell").isVisible(), false);
   }
@@ -56,7 +65,7 @@ async function openEach(page, map) {
 }
 
 test("a tap on a cell of the map shows the scheme in full, its numbers and a command that runs", () =>
-  withPage({ width: 390, height: 844 }, async (page) => {
+  withReadPage("", async (page) => {
     const lines = await page.evaluate(() => data.lines), opened = await openEach(page, "#answer");
     assert.equal(opened.length, await page.locator("#answer .map td").count());
     for (const { label, title, name, facts: shown, command, answer, right } of opened) {
@@ -67,10 +76,10 @@ test("a tap on a cell of the map shows the scheme in full, its numbers and a com
       assert.match(answer.stdout, /^t,/, command);
       if (command.includes("--steps")) assert.equal(shown.N.replaceAll("\u202f", ""), /--steps (\d+)/.exec(command)[1]);
     }
-  }));
+  }, phone));
 
 test("a tap on a trial shows its verdict with the reason and a command, which ends as the verdict says", () =>
-  withPage({ width: 390, height: 844, address: "#stability" }, async (page) => {
+  withReadPage("#stability", async (page) => {
     await page.locator("#stability td[data-tone]").first().waitFor();
     const opened = await openEach(page, "#stability");
     assert.equal(opened.length, await page.locator("#stability .map td:not(:empty)").count());
@@ -80,10 +89,10 @@ test("a tap on a trial shows its verdict with the reason and a command, which en
       if (/^(survives|inaccurate)$/.test(verdict)) assert.equal(answer.status, 0, `${command}: ${answer.stderr}`);
       if (/^refuses/.test(verdict)) assert.ok(answer.stderr.includes(verdict.replace("refuses: ", "")), `${command}: ${answer.stderr}`);
     }
-  }));
+  }, phone));
 
 test("a cell is opened, copied and closed by the keyboard, and the focus returns to it", () =>
-  withPage({ width: 390, height: 844 }, async (page) => {
+  withPage(phone, async (page) => {
     await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: (of) => { globalThis.copied = of; return Promise.resolve(); } } }));
     const cell = page.locator("#answer .map td button").first(), dialog = page.getByRole("dialog");
     await cell.focus();
@@ -103,7 +112,7 @@ test("a cell is opened, copied and closed by the keyboard, and the focus returns
   }));
 
 test("each recommendation is a command that runs, and a button copies it", () =>
-  withPage({ address: "#scene-pendulum" }, async (page) => {
+  withPage({ address: "#scene-pendulum?scene=pendulum" }, async (page) => {
     await settled(page);
     const rows = sectionOf(page, "pendulum").locator(":scope > div > .frame tbody tr", { has: page.locator(".swatch") });
     assert.ok(await rows.count() > 2);
@@ -138,7 +147,7 @@ test("what is said of schemes, trials and references follow the filters, with no
   }));
 
 test("trials are of the schemes that are wanted", () =>
-  withPage({ address: "#stability?schemes=l1,bdf4&all" }, async (page) => {
+  withPage({ address: "#stability?schemes=l1,bdf4" }, async (page) => {
     await settled(page);
     assert.deepEqual((await page.locator("#stability thead tr").last().locator("th").allTextContents()).slice(1).sort(), ["bdf4", "l1"]);
   }));

@@ -28,9 +28,10 @@ test("scenes, schemes, norms and accuracies are chosen, and a link restores the 
   let address;
   return withPage({ address: "#scene-pendulum" }, async (page) => {
     await settled(page);
+    await page.fill("#scene", "pend");
+    await page.locator("#scene").blur();
     await page.selectOption("#norm", "end");
     await page.selectOption("#accuracy", "1e-6");
-    await page.fill("#scene", "pend");
     await page.locator("#schemes summary").click();
     await page.getByRole("button", { name: "none" }).click();
     for (const scheme of ["l1", "bdf4"]) await page.getByLabel(scheme, { exact: true }).check();
