@@ -27,14 +27,25 @@ function apart(what, make) {
   }
 }
 
+// The page draws its charts again where the window's width changes; Vega need not listen for that too.
+const asWideAs = (place, spec) => (spec.width === "container" ? { ...spec, width: place.clientWidth } : spec);
+
+// Charts listen to the document; those that have left the page are let go.
+let embedded = [];
+function keepWhileShown(place, finalize) {
+  for (const gone of embedded.filter((chart) => !chart.place.isConnected)) gone.finalize();
+  embedded = [...embedded.filter((chart) => chart.place.isConnected), { place, finalize }];
+}
+
 function drawCharts(scene, charts, { lines }, kind, frame) {
   const actions = { export: true, source: false, compiled: false, editor: false };
   for (const made of charts) {
     const { id, title, spec, note, opens } = made;
     const place = element("div", { class: "chart" });
     frame.append(element("figure", { "data-chart": id }, element("figcaption", {}, title), place, ...(note ? [element("p", { class: "key" }, note)] : []), numbersOf(made, scene, kind, lines)));
-    chartLibrary().then(() => vegaEmbed(place, spec, { actions, renderer: "svg", downloadFileName: `${scene.id}-${id}`, tooltip: { theme: isDark ? "dark" : "light" } }))
-      .then(({ view }) => {
+    chartLibrary().then(() => vegaEmbed(place, asWideAs(place, spec), { actions, renderer: "svg", downloadFileName: `${scene.id}-${id}`, tooltip: { theme: isDark ? "dark" : "light" } }))
+      .then(({ view, finalize }) => {
+        keepWhileShown(place, finalize);
         place.querySelector("summary").setAttribute("aria-label", `Save: ${title}`);
         if (opens) view.addEventListener("click", (_, item) => made.points[item?.datum?.index] && openPoint(made, made.points[item.datum.index], lines));
       })
@@ -256,7 +267,7 @@ async function openPage() {
   offerSchemes(data.lines);
   offerMachines(data.sessions.map(({ machine }) => machine));
   readAddress();
-  if (frames.length > 0) draw(frames[0]);  // the answer, wherever the address leads to
+  if (frames.length > 0) frames[0].drawn = true;  // the answer is shown wherever the address leads to
   show();
   if (addressOf().view.has("all")) drawRest();
   goToPlace();
