@@ -120,7 +120,7 @@ int fdebench_problem_of_scene(const char* scene, fdebench_problem** problem) {
     made->scene = text_of("scene", scene);
     const SceneRegistry all = with_equation_files(built_in_scenes());
     const auto variant = read_variant(made->scene, {}, all);
-    made->known = make_scene_unchecked(*variant.maker, variant.values);
+    made->known = make_scene_unchecked(*variant.factory, variant.values);
     made->known.problem.end = variant.until.value_or(made->known.problem.end);
     result = made.release();
   });

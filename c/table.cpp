@@ -122,7 +122,7 @@ int fdebench_exact(const fdebench_problem* problem, size_t count, const double* 
     require_count("count", count, 1, most_entries);
     const std::vector<double> at(&given("times", times, "the times"), times + count);
     const auto unchecked = [](const SceneVariant& variant) {
-      return make_scene_unchecked(*variant.maker, variant.values);
+      return make_scene_unchecked(*variant.factory, variant.values);
     };
     result =
         std::make_unique<FdebenchTable>(table_of_exact(exact(scene_of(handle, unchecked), at), at)).release();

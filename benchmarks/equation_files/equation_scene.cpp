@@ -159,7 +159,7 @@ EquationFormula written(const UnknownText& unknown) {
 SceneFactory factory_of(EquationText text, const NoteReceiver& on_note) {
   const auto kept = std::make_shared<const EquationText>(std::move(text));
   const std::filesystem::path file = kept->file;
-  SceneFactory maker{
+  SceneFactory factory{
       .id = kept->file,
       .title = kept->title.empty() ? file.stem().string() : kept->title,
       .source = kept->source.empty() ? kept->file : kept->source,
@@ -167,15 +167,15 @@ SceneFactory factory_of(EquationText text, const NoteReceiver& on_note) {
       .make = [=](const Parameters& parameters) { return scene_of(*kept, parameters, on_note); },
       .checksum = kept->is_built_in ? "" : sha256(kept->meaning),
       .toml = kept->contents};
-  for (const auto& parameter : kept->parameters) maker.parameters.push_back(parameter.declared);
+  for (const auto& parameter : kept->parameters) factory.parameters.push_back(parameter.declared);
   if (kept->mechanics) {
-    for (auto& parameter : formulation_parameters(*kept)) maker.parameters.push_back(std::move(parameter));
-    maker.equations = mechanical_equations(*kept);
-    if (!are_readable(maker.equations)) maker.display_equations = mechanical_statements(*kept);
-    return maker;
+    for (auto& parameter : formulation_parameters(*kept)) factory.parameters.push_back(std::move(parameter));
+    factory.equations = mechanical_equations(*kept);
+    if (!are_readable(factory.equations)) factory.display_equations = mechanical_statements(*kept);
+    return factory;
   }
-  for (const auto& unknown : kept->unknowns) maker.equations.push_back(written(unknown));
-  return maker;
+  for (const auto& unknown : kept->unknowns) factory.equations.push_back(written(unknown));
+  return factory;
 }
 
 // The folder of the user's equation files; empty if there is none.
@@ -204,9 +204,9 @@ std::optional<SceneFactory> scene_of_file(std::string_view name, const NoteRecei
   if (!file && std::filesystem::exists(fmt::format("{}{}", id, equation_file_extension)))
     reject_text("scene", id, fmt::format("a scene; the file is {}{}", id, equation_file_extension));
   if (!file) return std::nullopt;
-  SceneFactory maker = equation_scene(read_equation_text(*file), on_note);
-  maker.id = id;
-  return maker;
+  SceneFactory factory = equation_scene(read_equation_text(*file), on_note);
+  factory.id = id;
+  return factory;
 }
 
 }  // namespace

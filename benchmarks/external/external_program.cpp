@@ -111,23 +111,23 @@ struct ProgramRun {
 };
 
 ProgramRun run(const SceneVariant& variant, const Scene& scene, const ExternalProgram& program,
-               const RunSettings& setup, TaskPurpose purpose) {
+               const RunSettings& settings, TaskPurpose purpose) {
   const Grid grid{
-      .end = scene.problem.end, .steps = std::get<int>(setup.resolution), .grading = setup.grading};
+      .end = scene.problem.end, .steps = std::get<int>(settings.resolution), .grading = settings.grading};
   const auto times = comparison_times(grid);
   const TemporaryFile task(".json"), out(".csv"), err(".txt");
-  task.write(task_json(variant, scene, setup, times, purpose));
+  task.write(task_json(variant, scene, settings, times, purpose));
   const auto failed = [&](const RunOutcome& reason) {
     return ProgramRun{.failure = reason, .path = {.report = read_report(out.path())}};
   };
   CommandResult end;
   try {
     end = run_command(program.command, task.path().string(), out.descriptor(), err.descriptor(),
-                      {setup.budget, most_bytes});
+                      {settings.budget, most_bytes});
   } catch (const std::system_error& error) {
     return failed({Verdict::program_failed, fmt::format("it cannot be started: {}", error.what())});
   }
-  if (const auto failure = failure_of(end, last_line(err.path()), setup.budget)) return failed(*failure);
+  if (const auto failure = failure_of(end, last_line(err.path()), settings.budget)) return failed(*failure);
   try {
     auto path = read_trajectory(out.path(), scene, "standard output");
     if (path.values.allFinite()) path = judged_rows(path, times);
@@ -181,29 +181,29 @@ ExternalProgram parse_external(std::string_view text) {
   return {std::string(name), std::string(text.substr(equals + 1))};
 }
 
-RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const RunSettings& setup) {
+RunKey key_of(const ExternalProgram& program, const SceneSettings& scene, const RunSettings& settings) {
   return {.scene = scene,
           .scheme = program.name,
-          .setup = {.resolution = setup.resolution, .grading = setup.grading},
+          .settings = {.resolution = settings.resolution, .grading = settings.grading},
           .external = true};
 }
 
 Record examine(const SceneVariant& variant, const Scene& scene, MemoizedReference& reference,
-               const ExternalProgram& program, const RunSettings& setup) {
-  const auto made = run(variant, scene, program, setup, TaskPurpose::errors);
-  return assessed({.key = key_of(program, variant.key(), setup),
-                   .steps = std::get<int>(setup.resolution),
+               const ExternalProgram& program, const RunSettings& settings) {
+  const auto made = run(variant, scene, program, settings, TaskPurpose::errors);
+  return assessed({.key = key_of(program, variant.key(), settings),
+                   .steps = std::get<int>(settings.resolution),
                    .end = scene.problem.end},
                   made,
                   made.failure ? Assessment{*made.failure} : judge_trajectory(scene, made.path, reference));
 }
 
 void time_runs(Record& examined, const SceneVariant& variant, const Scene& scene,
-               const ExternalProgram& program, const RunSettings& setup, int most, double enough_seconds) {
+               const ExternalProgram& program, const RunSettings& settings, int most, double enough_seconds) {
   std::vector<ProgramRun> runs;
   double total = 0.0;
   while (std::ssize(runs) < most && (runs.empty() || total < enough_seconds)) {
-    runs.push_back(run(variant, scene, program, setup, TaskPurpose::times));
+    runs.push_back(run(variant, scene, program, settings, TaskPurpose::times));
     if (runs.back().failure) {
       examined = assessed(examined, runs.back(), {*runs.back().failure});
       return;

@@ -25,7 +25,7 @@ constexpr int format = 1;
 // All parameters, defaults included. One that follows from others is given as its formula.
 Json parameters_of(const SceneVariant& variant) {
   Json parameters = Json::object();
-  for (const Parameter& parameter : variant.maker->parameters) {
+  for (const Parameter& parameter : variant.factory->parameters) {
     const auto found = variant.values.find(parameter.name);
     const ParameterValue& value = found == variant.values.end() ? parameter.value : found->second;
     std::visit([&](const auto& of) { parameters[parameter.name] = of; }, value);
@@ -126,27 +126,27 @@ Json multi_term_of(const Problem& problem, const std::vector<std::string>& rhs) 
 
 }  // namespace
 
-std::string task_json(const SceneVariant& variant, const Scene& scene, const RunSettings& setup,
+std::string task_json(const SceneVariant& variant, const Scene& scene, const RunSettings& settings,
                       const std::vector<double>& times, TaskPurpose purpose) {
   Json task{{"format", format},
-            {"scene", variant.maker->id},
+            {"scene", variant.factory->id},
             {"label", variant.label()},
             {"parameters", parameters_of(variant)},
             {"rows", rows_of(scene.problem)},
             {"columns", scene.outputs.names},
             {"end_time", scene.problem.end},
-            {"steps", std::get<int>(setup.resolution)},
-            {"grid", grid_text(setup.grading)},
+            {"steps", std::get<int>(settings.resolution)},
+            {"grid", grid_text(settings.grading)},
             {"times", times},
             {"timed", purpose == TaskPurpose::times}};
-  if (!variant.maker->equations.empty()) task["equations"] = equations_of(variant.maker->equations);
+  if (!variant.factory->equations.empty()) task["equations"] = equations_of(variant.factory->equations);
   if (const auto text = scene.problem.text ? scene.problem.text() : ProblemText{}; !text.rhs.empty()) {
     task["system"] = system_of(scene, text);
     if (auto equations = multi_term_of(scene.problem, text.rhs); !equations.is_null())
       task["multi_term"] = std::move(equations);
   }
   if (!scene.problem.jump_times.empty()) task["jumps"] = scene.problem.jump_times;
-  if (std::isfinite(setup.budget)) task["budget"] = setup.budget;
+  if (std::isfinite(settings.budget)) task["budget"] = settings.budget;
   return task.dump(1) + '\n';
 }
 

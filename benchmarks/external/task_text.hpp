@@ -13,8 +13,8 @@ namespace fde::bench {
 enum class TaskPurpose { errors, times };
 
 // The input of an external program as JSON; docs/external_solvers.md lists the fields. `times` are the output
-// times. Preconditions: `scene` was made from `variant`, and setup.resolution is a number of steps.
-std::string task_json(const SceneVariant& variant, const Scene& scene, const RunSettings& setup,
+// times. Preconditions: `scene` was made from `variant`, and settings.resolution is a number of steps.
+std::string task_json(const SceneVariant& variant, const Scene& scene, const RunSettings& settings,
                       const std::vector<double>& times, TaskPurpose purpose);
 
 }  // namespace fde::bench

@@ -67,7 +67,7 @@ int steps_of(const Json& line, int fewest) {
 
 Json json_of(const RunKey& run) {
   const RunSettings usual;
-  const auto& [resolution, grading, history, tolerance, budget] = run.setup;
+  const auto& [resolution, grading, history, tolerance, budget] = run.settings;
   Json line = json_of(run.scene);
   line["scheme"] = run.scheme;
   if (run.external) line["external"] = true;
@@ -82,16 +82,16 @@ Json json_of(const RunKey& run) {
 
 RunKey run_of(const Json& line) {
   RunKey run{.scene = scene_of(line), .scheme = line.at("scheme"), .external = line.value("external", false)};
-  RunSettings& setup = run.setup;
+  RunSettings& settings = run.settings;
   if (line.contains("accuracy")) {
-    setup.resolution = tolerance_of(line["accuracy"]);
+    settings.resolution = tolerance_of(line["accuracy"]);
   } else {
-    setup.resolution = steps_of(line, 1);
+    settings.resolution = steps_of(line, 1);
   }
-  if (line.contains("grid")) setup.grading = parse_grading(line["grid"].get<std::string>());
-  if (line.contains("history")) setup.history = parse_history(line["history"].get<std::string>());
-  setup.tolerance = line.value("tolerance", setup.tolerance);
-  setup.budget = line.value("budget", setup.budget);
+  if (line.contains("grid")) settings.grading = parse_grading(line["grid"].get<std::string>());
+  if (line.contains("history")) settings.history = parse_history(line["history"].get<std::string>());
+  settings.tolerance = line.value("tolerance", settings.tolerance);
+  settings.budget = line.value("budget", settings.budget);
   return run;
 }
 

@@ -22,12 +22,12 @@
 namespace fde::bench {
 
 // Identifies a run of one build, or a trajectory of another program. In the latter case `scheme` is the name
-// of the program, and of the setup only the number of times is known; if a sweep started the program, also
+// of the program, and of the settings only the number of times is known; if a sweep started the program, also
 // the requested steps and grid.
 struct RunKey {
   SceneSettings scene{};
   std::string scheme{};
-  RunSettings setup{};
+  RunSettings settings{};
   bool external = false;  // of another program
 
   auto operator<=>(const RunKey&) const = default;  // NOLINT(readability-implicit-bool-conversion)

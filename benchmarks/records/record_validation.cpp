@@ -76,12 +76,12 @@ void require_key(const RunKey& run) {
   } else {
     require_name("scheme", run.scheme);
   }
-  if (const auto* accuracy = std::get_if<Tolerance>(&run.setup.resolution)) {
+  if (const auto* accuracy = std::get_if<Tolerance>(&run.settings.resolution)) {
     require_in("accuracy", accuracy->rtol, not_negative);
     require_in("accuracy", accuracy->atol, not_negative);
   }
-  require_in("tolerance", run.setup.tolerance, {.low = 0.0, .high = 1.0});
-  if (std::isfinite(run.setup.budget)) require_in("budget", run.setup.budget, positive);
+  require_in("tolerance", run.settings.tolerance, {.low = 0.0, .high = 1.0});
+  if (std::isfinite(run.settings.budget)) require_in("budget", run.settings.budget, positive);
 }
 
 void require_timing(const Timing& timing, bool external) {

@@ -16,10 +16,10 @@ Options RunSettings::options() const {
   return {.history = history, .tolerance = tolerance, .budget = budget};
 }
 
-Resolution resolution_of(const RunSettings& setup, double end) {
-  if (const auto* steps = std::get_if<int>(&setup.resolution))
-    return Grid{.end = end, .steps = *steps, .grading = setup.grading};
-  return std::get<Tolerance>(setup.resolution);
+Resolution resolution_of(const RunSettings& settings, double end) {
+  if (const auto* steps = std::get_if<int>(&settings.resolution))
+    return Grid{.end = end, .steps = *steps, .grading = settings.grading};
+  return std::get<Tolerance>(settings.resolution);
 }
 
 bool same_series(RunSettings a, const RunSettings& b) {
@@ -32,9 +32,9 @@ std::string grid_text(double grading) {
   return grading == 1.0 ? std::string(uniform) : fmt::format("{}{}", graded, grading);
 }
 
-std::string resolution_text(const RunSettings& setup) {
-  if (const auto* steps = std::get_if<int>(&setup.resolution)) return fmt::format("N = {}", *steps);
-  const auto& [relative, absolute] = std::get<Tolerance>(setup.resolution);
+std::string resolution_text(const RunSettings& settings) {
+  if (const auto* steps = std::get_if<int>(&settings.resolution)) return fmt::format("N = {}", *steps);
+  const auto& [relative, absolute] = std::get<Tolerance>(settings.resolution);
   return fmt::format("accuracy {}, {}", relative, absolute);
 }
 

@@ -14,7 +14,7 @@ namespace fde::bench {
 
 using StepsOrTolerance = std::variant<int, Tolerance>;
 
-// The settings of a run. Scene, scheme and setup identify a run: a sweep performs each run once.
+// The settings of a run. Scene, scheme and settings identify a run: a sweep performs each run once.
 struct RunSettings {
   StepsOrTolerance resolution = 1;
   double grading = 1.0;  // of the grid
@@ -28,15 +28,15 @@ struct RunSettings {
 };
 
 // The grid up to `end`, or the tolerance, for the scheme.
-Resolution resolution_of(const RunSettings& setup, double end);
+Resolution resolution_of(const RunSettings& settings, double end);
 
-// Whether two setups differ at most in the number of steps or in the tolerance: their runs form one line of a
-// chart.
+// Whether two settings differ at most in the number of steps or in the tolerance: their runs form one line of
+// a chart.
 bool same_series(RunSettings a, const RunSettings& b);
 
 // "uniform" or "graded:R"; "N = 64" or "accuracy 1e-6, 1e-9".
 std::string grid_text(double grading);
-std::string resolution_text(const RunSettings& setup);
+std::string resolution_text(const RunSettings& settings);
 
 // The grading from "uniform" or "graded:R"; the history from "auto", "direct" or "exponentials". Each throws
 // Refusal naming the field, the text and what is allowed: of a grid also what is `allowed_besides`.

@@ -40,7 +40,7 @@ Json schema_of(const TableMetadata& facts) {
 // All resources have the same keys: jsondecode of MATLAB and Octave then makes one array of structures.
 Json resource_of(const TableSpec& table, const std::string& csv) {
   const TableMetadata facts = table.kind->facts(table.of);
-  const std::string of_scene = table.of.maker != nullptr ? fmt::format("Scene {}. ", table.of.label()) : "";
+  const std::string of_scene = table.of.factory != nullptr ? fmt::format("Scene {}. ", table.of.label()) : "";
   return {{"profile", "tabular-data-resource"},
           {"name", resource_name(table)},
           {"path", table.stem() + ".csv"},

@@ -36,7 +36,7 @@ Json schema_of(const TableKind& kind, const TableMetadata& facts) {
 // All parameters of the scene, defaults included.
 Json parameters_of(const SceneVariant& of) {
   Json parameters = Json::object();
-  for (const auto& parameter : of.maker->parameters) {
+  for (const auto& parameter : of.factory->parameters) {
     const auto given = of.values.find(parameter.name);
     const auto& value = given == of.values.end() ? parameter.value : given->second;
     std::visit([&](const auto& one) { parameters[parameter.name] = one; }, value);
@@ -100,8 +100,8 @@ std::string write_description(const TableKind& kind, const SceneVariant& of, con
                               std::string_view checksum) {
   const TableMetadata facts = kind.facts(of);
   Json json{{"schema", schema_of(kind, facts)}, {"title", facts.title}};
-  if (of.maker != nullptr) {
-    json["scene"] = of.maker->id;
+  if (of.factory != nullptr) {
+    json["scene"] = of.factory->id;
     json["parameters"] = parameters_of(of);
   } else {
     json["parameters"] = Json::object();

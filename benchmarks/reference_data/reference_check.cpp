@@ -25,7 +25,7 @@ struct GivenTable {
   DataTable table;
   Description description{};
   const TableKind* kind = nullptr;
-  SceneVariant of{.maker = nullptr};
+  SceneVariant of{.factory = nullptr};
   std::string checksum{};
   TableCheck verdict{};
 };
@@ -57,8 +57,8 @@ const TableKind& kind_of(const DataTable& table) {
 }
 
 // fdebench 0.1 wrote a choice parameter as an index into its words: replaces the index by the word.
-ParameterValues with_words(ParameterValues values, const SceneFactory& maker) {
-  for (const auto& parameter : maker.parameters) {
+ParameterValues with_words(ParameterValues values, const SceneFactory& factory) {
+  for (const auto& parameter : factory.parameters) {
     const auto given = values.find(parameter.name);
     for (std::size_t i = 0; given != values.end() && i < parameter.choices.size(); ++i) {
       if (given->second == ParameterValue(static_cast<double>(i))) given->second = parameter.choices[i];
@@ -71,9 +71,10 @@ ParameterValues with_words(ParameterValues values, const SceneFactory& maker) {
 SceneVariant scene_of(const GivenTable& given, const fs::path& file) {
   const auto& name = given.description.scene.empty() ? file.stem().string() : given.description.scene;
   std::vector<std::string_view> ids;
-  for (const auto& maker : built_in_scenes()) {
-    if (maker.id == name) return {.maker = &maker, .values = with_words(given.description.parameters, maker)};
-    ids.push_back(maker.id);
+  for (const auto& factory : built_in_scenes()) {
+    if (factory.id == name)
+      return {.factory = &factory, .values = with_words(given.description.parameters, factory)};
+    ids.push_back(factory.id);
   }
   reject(given.table.name, fmt::format("scene {}: no such scene{}; there are {}", name,
                                        did_you_mean(name, ids), fmt::join(ids, ", ")));

@@ -15,7 +15,7 @@ namespace fde::bench {
 // One table of the reference data, before it is computed.
 struct TableSpec {
   const TableKind* kind;
-  SceneVariant of{.maker = nullptr};
+  SceneVariant of{.factory = nullptr};
 
   // Path in the folder without .csv or .json: "trajectories/pendulum,alpha=1.9".
   [[nodiscard]] std::string stem() const;

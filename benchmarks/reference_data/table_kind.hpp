@@ -51,7 +51,7 @@ struct ComputedTable {
 using RowCheck = std::function<RowComparison(std::size_t row)>;
 
 // One kind of table of the reference data: the meaning of its columns, how to compute its rows and how to
-// check a row. `of` is the scene and its parameters; tables of functions have none (maker = nullptr).
+// check a row. `of` is the scene and its parameters; tables of functions have none (factory = nullptr).
 struct TableKind {
   std::string_view id;
   std::string_view folder;  // of the tables, one per scene; empty: one table, named after the kind

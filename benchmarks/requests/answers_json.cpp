@@ -53,12 +53,12 @@ std::vector<std::string> defined_by(const Scene& scene) {
   return names;
 }
 
-Json json_of(const SceneFactory& maker) {
-  const Scene scene = make_scene(maker);
+Json json_of(const SceneFactory& factory) {
+  const Scene scene = make_scene(factory);
   Json parameters = Json::array();
-  for (const auto& parameter : maker.parameters) parameters.push_back(parameter_json(parameter));
-  return {{"id", maker.id},           {"title", maker.title},
-          {"source", maker.source},   {"parameters", parameters},
+  for (const auto& parameter : factory.parameters) parameters.push_back(parameter_json(parameter));
+  return {{"id", factory.id},         {"title", factory.title},
+          {"source", factory.source}, {"parameters", parameters},
           {"end", scene.problem.end}, {"columns", names_json(scene.outputs.names)},
           {"has", defined_by(scene)}, {"reference", evidence_of(scene)}};
 }

@@ -23,7 +23,7 @@ nlohmann::json json_of(const Recommendation& made);
 
 // What a scene with its default parameters is: id, title, source, parameters with what is allowed, end,
 // columns, what it defines, its reference. Many columns u1, u2, ... are a pattern with a range.
-nlohmann::ordered_json json_of(const SceneFactory& maker);
+nlohmann::ordered_json json_of(const SceneFactory& factory);
 
 // What a scheme is: id, title, source, and what needs_of() has.
 nlohmann::ordered_json json_of(const Scheme& scheme);

@@ -35,18 +35,18 @@ std::vector<Eigen::Index> columns_of(const Scene& scene, const std::vector<std::
 }
 
 // From the reference, at times that are independent of any grid.
-std::vector<SmallColumn> small_columns(const Scene& scene, const AccuracyTarget& question) {
+std::vector<SmallColumn> small_columns(const Scene& scene, const AccuracyTarget& target) {
   constexpr int evenly = 128;
   std::vector<std::string> names;
-  std::vector<double> largest(question.columns.size(), 0.0);
-  for (const auto column : question.columns)
+  std::vector<double> largest(target.columns.size(), 0.0);
+  for (const auto column : target.columns)
     names.push_back(scene.outputs.names[static_cast<std::size_t>(column)]);
   for (const double t : comparison_times(scene.problem, evenly)) {
     const Vec values = scene.reference.at(t).value;
     for (std::size_t i = 0; i < largest.size(); ++i)
-      largest[i] = std::max(largest[i], std::abs(values[question.columns[i]]));
+      largest[i] = std::max(largest[i], std::abs(values[target.columns[i]]));
   }
-  return small_columns(question.kind, question.accuracy, names, largest);
+  return small_columns(target.kind, target.accuracy, names, largest);
 }
 
 void require_own_ids(const std::vector<const Scheme*>& own) {
@@ -70,18 +70,18 @@ Recommendation choose(Scene scene, const ChoiceRequest& request, const SceneSett
   require_in("error", request.error, searched_errors);
   require_in("seconds", request.seconds, searched_seconds);
   require_own_ids(request.schemes);
-  const AccuracyTarget question{request.kind, request.error, columns_of(scene, request.columns),
-                                request.first_run};
+  const AccuracyTarget target{request.kind, request.error, columns_of(scene, request.columns),
+                              request.first_run};
   const SearchProgress tell = progress ? progress : [](const std::string&, double) {};
   const auto start = std::chrono::steady_clock::now();
   const bool at_points_only = is_examined_at_points_only(scene);
-  auto known = reference_or_estimate(scene, question, part_of_estimate * request.seconds, tell);
+  auto known = reference_or_estimate(scene, target, part_of_estimate * request.seconds, tell);
   scene.reference = std::move(known.reference);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   const auto found =
-      search(scene, question, std::max(0.0, request.seconds - taken.count()), tell, request.schemes);
-  auto made = recommend(found, settings, scene.outputs.names, question, known.estimate);
-  made.small = small_columns(scene, question);
+      search(scene, target, std::max(0.0, request.seconds - taken.count()), tell, request.schemes);
+  auto made = recommend(found, settings, scene.outputs.names, target, known.estimate);
+  made.small = small_columns(scene, target);
   made.examined_at_points_only = at_points_only;
   made.columns = request.columns;
   require_option(made);

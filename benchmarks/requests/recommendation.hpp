@@ -55,7 +55,7 @@ struct Recommendation {
 // A recommendation from the result of search(). `columns` are the names of the scene's columns; `estimate` is
 // given if the errors are estimated.
 Recommendation recommend(const std::vector<SearchCandidate>& searched, const SceneSettings& scene,
-                         const std::vector<std::string>& columns, const AccuracyTarget& question,
+                         const std::vector<std::string>& columns, const AccuracyTarget& target,
                          const std::optional<ErrorEstimate>& estimate = {});
 
 // The word for its errors: "error" or "estimated error".

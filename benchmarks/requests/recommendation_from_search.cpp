@@ -14,14 +14,14 @@ namespace {
 
 constexpr double most_steps_shown = 2e9, most_seconds_shown = 1e4;
 
-RunSettings setup_of(const Configuration& configuration, const StepsOrTolerance& resolution) {
+RunSettings settings_of(const Configuration& configuration, const StepsOrTolerance& resolution) {
   return {.resolution = resolution, .grading = configuration.grading};
 }
 
 RecommendedRun option_of(const SearchCandidate& of) {
   RecommendedRun option{
       .schemes = of.names,
-      .setup = setup_of(of.configuration, resolution_of(of.best)),
+      .settings = settings_of(of.configuration, resolution_of(of.best)),
       .steps = of.best.steps,
       .error = of.best.error,
       .time = of.time.value_or(MedianInterval{of.best.seconds, of.best.seconds, of.best.seconds}),
@@ -34,7 +34,7 @@ RecommendedRun option_of(const SearchCandidate& of) {
 }
 
 std::string name_of(const SearchCandidate& of) {
-  return name_of(RecommendedRun{.schemes = of.names, .setup = setup_of(of.configuration, 1)});
+  return name_of(RecommendedRun{.schemes = of.names, .settings = settings_of(of.configuration, 1)});
 }
 
 // The finest run with a finite error; nullptr if there is none.
@@ -67,7 +67,7 @@ std::string reason_of(const SearchCandidate& of) {
 }
 
 RejectedScheme rejected(const SearchCandidate& of) {
-  RejectedScheme scheme{.finest = {.schemes = of.names, .setup = setup_of(of.configuration, 1)},
+  RejectedScheme scheme{.finest = {.schemes = of.names, .settings = settings_of(of.configuration, 1)},
                         .reason = reason_of(of),
                         .refused = of.outcome == SearchOutcome::refused};
   // Where a run shows that the configuration is slower or fails, that one; otherwise the one with the least
@@ -75,7 +75,7 @@ RejectedScheme rejected(const SearchCandidate& of) {
   const bool explains = of.outcome == SearchOutcome::slower || of.outcome == SearchOutcome::failed;
   const auto* run = explains ? of.finest() : finest(of);
   if (run != nullptr) {
-    scheme.finest.setup.resolution = resolution_of(*run);
+    scheme.finest.settings.resolution = resolution_of(*run);
     scheme.finest.steps = run->steps;
     scheme.finest.error = run->error;
     scheme.finest.time = {run->seconds, run->seconds, run->seconds};
@@ -97,7 +97,7 @@ std::optional<RecommendedRun> expected_of(const SearchCandidate& of, double accu
   const CandidateRun& finest = *of.finest();
   const auto seconds = [&](double n) { return finest.counted_setup() + n * of.seconds_per_step; };
   return RecommendedRun{.schemes = of.names,
-                        .setup = setup_of(of.configuration, 1),
+                        .settings = settings_of(of.configuration, 1),
                         .steps = static_cast<int>(steps.value),
                         .error = accuracy,
                         .time = {seconds(steps.value), seconds(steps.low), seconds(steps.high)},
@@ -162,10 +162,9 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
 }  // namespace
 
 Recommendation recommend(const std::vector<SearchCandidate>& searched, const SceneSettings& scene,
-                         const std::vector<std::string>& columns, const AccuracyTarget& question,
+                         const std::vector<std::string>& columns, const AccuracyTarget& target,
                          const std::optional<ErrorEstimate>& estimate) {
-  Recommendation made{
-      .scene = scene, .kind = question.kind, .accuracy = question.accuracy, .estimate = estimate};
+  Recommendation made{.scene = scene, .kind = target.kind, .accuracy = target.accuracy, .estimate = estimate};
   for (const SearchCandidate& of : searched) {
     if (of.outcome != SearchOutcome::accuracy_reached) continue;
     made.options.push_back(option_of(of));

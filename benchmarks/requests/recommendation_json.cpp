@@ -21,10 +21,10 @@ nlohmann::json json_of(const ErrorEstimate& estimate) {
 }
 
 // Sets `asked`, the tolerance of a run with adaptive step size, or `grid`; the other one is null.
-void set_resolution(nlohmann::json& json, const RunSettings& setup) {
-  const auto* accuracy = std::get_if<Tolerance>(&setup.resolution);
+void set_resolution(nlohmann::json& json, const RunSettings& settings) {
+  const auto* accuracy = std::get_if<Tolerance>(&settings.resolution);
   json["asked"] = accuracy != nullptr ? nlohmann::json(accuracy->rtol) : nlohmann::json();
-  json["grid"] = accuracy != nullptr ? nlohmann::json() : nlohmann::json(grid_text(setup.grading));
+  json["grid"] = accuracy != nullptr ? nlohmann::json() : nlohmann::json(grid_text(settings.grading));
 }
 
 // What was run, what it takes and delivers; null where a scheme has no run, or none to its end.
@@ -32,7 +32,7 @@ nlohmann::json json_of(const RecommendedRun& option, const std::string& outcome)
   nlohmann::json json{
       {"scheme", option.schemes.front()}, {"steps", nullptr},  {"error", nullptr}, {"seconds", nullptr},
       {"first_run_seconds", nullptr},     {"outcome", outcome}};
-  set_resolution(json, option.setup);
+  set_resolution(json, option.settings);
   if (option.steps == 0) return json;
   json["steps"] = option.steps;
   if (std::isfinite(option.error)) json["error"] = option.error;
@@ -71,7 +71,7 @@ nlohmann::json json_of(const Recommendation& made) {
             {"runner_up", nullptr},
             {"factor", nullptr},
             {"command", nullptr}};
-  set_resolution(json, first.setup);
+  set_resolution(json, first.settings);
   if (const auto command = command_of(made.scene, first); !command.empty()) json["command"] = command;
   if (made.estimate) {
     json["estimated"] = true;

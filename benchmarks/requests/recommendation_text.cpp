@@ -37,7 +37,7 @@ std::string reason_for_speed(const RecommendedRun& first, const RecommendedRun& 
 }
 
 std::string steps_text(const RecommendedRun& option) {
-  const auto* accuracy = std::get_if<Tolerance>(&option.setup.resolution);
+  const auto* accuracy = std::get_if<Tolerance>(&option.settings.resolution);
   if (option.steps == 0) return "";
   return count_text(option.steps) + (accuracy != nullptr ? " to " + error_text(accuracy->rtol) : "");
 }
@@ -45,7 +45,7 @@ std::string steps_text(const RecommendedRun& option) {
 TableRow row_of(const RecommendedRun& option, std::string outcome) {
   const auto seconds = [&](double value) { return value > 0.0 ? time_text(value) : std::string(); };
   return {fmt::format("{}", fmt::join(option.schemes, " = ")),
-          option.setup.grading == 1.0 ? "" : grid_text(option.setup.grading),
+          option.settings.grading == 1.0 ? "" : grid_text(option.settings.grading),
           steps_text(option),
           option.steps > 0 && std::isfinite(option.error) ? error_text(option.error) : "",
           seconds(option.later_run_seconds()) + std::string(clock_note(option.wall_clock)),

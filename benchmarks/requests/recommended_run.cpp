@@ -12,18 +12,20 @@
 
 namespace fde::bench {
 
-std::string options_of(const RunSettings& setup, int steps) {
-  const auto* accuracy = std::get_if<Tolerance>(&setup.resolution);
+std::string options_of(const RunSettings& settings, int steps) {
+  const auto* accuracy = std::get_if<Tolerance>(&settings.resolution);
   auto options =
       accuracy != nullptr ? fmt::format("--accuracy {}", accuracy->rtol) : fmt::format("--steps {}", steps);
-  if (setup.grading != 1.0) options += fmt::format(" --grid {}", grid_text(setup.grading));
-  if (setup.history != HistoryKind::automatic) options += fmt::format(" --history {}", name(setup.history));
-  if (setup.tolerance != RunSettings().tolerance) options += fmt::format(" --tolerance {}", setup.tolerance);
+  if (settings.grading != 1.0) options += fmt::format(" --grid {}", grid_text(settings.grading));
+  if (settings.history != HistoryKind::automatic)
+    options += fmt::format(" --history {}", name(settings.history));
+  if (settings.tolerance != RunSettings().tolerance)
+    options += fmt::format(" --tolerance {}", settings.tolerance);
   return options;
 }
 
 std::string options_of(const RecommendedRun& option) {
-  return option.external ? "" : options_of(option.setup, option.steps);
+  return option.external ? "" : options_of(option.settings, option.steps);
 }
 
 std::string command_of(const SceneSettings& scene, const RecommendedRun& option) {
@@ -34,12 +36,12 @@ std::string command_of(const SceneSettings& scene, const RecommendedRun& option)
 
 std::string name_of(const RecommendedRun& option) {
   std::string text = fmt::format("{}", fmt::join(option.schemes, " = "));
-  if (option.setup.grading != 1.0) text += ", " + grid_text(option.setup.grading);
+  if (option.settings.grading != 1.0) text += ", " + grid_text(option.settings.grading);
   return text;
 }
 
 std::string run_text(const RecommendedRun& option, std::string_view error) {
-  const auto* accuracy = std::get_if<Tolerance>(&option.setup.resolution);
+  const auto* accuracy = std::get_if<Tolerance>(&option.settings.resolution);
   const auto requested = accuracy != nullptr ? fmt::format("accuracy {}, ", error_text(accuracy->rtol)) : "";
   std::string text =
       fmt::format("{}N = {}, {} {}", requested, count_text(option.steps), error, error_text(option.error));

@@ -17,7 +17,7 @@ namespace fde::bench {
 // A run with its error and time, measured or predicted.
 struct RecommendedRun {
   std::vector<std::string> schemes{};  // the scheme that ran, then those with equal bits on this scene
-  RunSettings setup{};
+  RunSettings settings{};
   int steps = 0;
   double error = 0.0;
   std::optional<double> predicted_error{};  // from the errors with other numbers of steps
@@ -35,7 +35,7 @@ struct RecommendedRun {
 };
 
 // The options of `fdebench solve`, after --scheme, that repeat a run of ours with `steps` steps.
-std::string options_of(const RunSettings& setup, int steps);
+std::string options_of(const RunSettings& settings, int steps);
 // The same; empty where no command repeats it.
 std::string options_of(const RecommendedRun& option);
 

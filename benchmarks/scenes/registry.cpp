@@ -40,8 +40,8 @@ SceneRegistry::SceneRegistry()
       loaded_(std::make_shared<LoadedScenes>()) {
 }
 
-SceneRegistry::SceneRegistry(const SceneRegistry& others, SceneLoader finder)
-    : entries_(others.entries_), loader_(std::move(finder)), loaded_(std::make_shared<LoadedScenes>()) {}
+SceneRegistry::SceneRegistry(const SceneRegistry& others, SceneLoader loader)
+    : entries_(others.entries_), loader_(std::move(loader)), loaded_(std::make_shared<LoadedScenes>()) {}
 
 const SceneFactory& SceneRegistry::scene_of(Entry& entry) {
   std::call_once(entry.is_made, [&] { entry.scene = entry.make(); });
@@ -59,12 +59,12 @@ std::vector<std::string_view> SceneRegistry::ids() const {
   return ids;
 }
 
-const SceneFactory& SceneRegistry::add(SceneFactory maker) {
-  if (maker.id.empty() || maker.id.find(':') != std::string::npos)
-    reject("id", maker.id, "a name without ':'");
-  if (find(maker.id) != nullptr) reject("id", maker.id, "that of no other scene");
-  const std::string id = maker.id;
-  entries_.push_back(std::make_shared<Entry>(id, [maker = std::move(maker)] { return maker; }));
+const SceneFactory& SceneRegistry::add(SceneFactory factory) {
+  if (factory.id.empty() || factory.id.find(':') != std::string::npos)
+    reject("id", factory.id, "a name without ':'");
+  if (find(factory.id) != nullptr) reject("id", factory.id, "that of no other scene");
+  const std::string id = factory.id;
+  entries_.push_back(std::make_shared<Entry>(id, [factory = std::move(factory)] { return factory; }));
   return scene_of(*entries_.back());
 }
 

@@ -24,11 +24,11 @@ class SceneRegistry {
   using SceneLoader = std::function<std::optional<SceneFactory>(std::string_view name)>;
 
   SceneRegistry();                                                 // the scenes of scenes/list.def
-  SceneRegistry(const SceneRegistry& others, SceneLoader finder);  // and those that `finder` makes on request
+  SceneRegistry(const SceneRegistry& others, SceneLoader loader);  // and those that `loader` makes on request
 
   // Throws std::invalid_argument if a scene has this id, or if the id is empty or contains ':', which
   // separates an id from its settings.
-  const SceneFactory& add(SceneFactory maker);
+  const SceneFactory& add(SceneFactory factory);
 
   // The scene with this id, or the scene that the loader makes from it (cached). Throws std::invalid_argument
   // naming the existing scenes, and whatever the loader throws.

@@ -75,48 +75,49 @@ void add_setting(const std::string& setting, Scene& scene, const Reader& read) {
 
 void add_setting(const std::string& setting, SceneVariant& variant) {
   add_setting(setting, variant, [&](const std::string& name, std::string_view value) {
-    return parameter_named(name, variant.maker->id, variant.maker->parameters).read(value);
+    return parameter_named(name, variant.factory->id, variant.factory->parameters).read(value);
   });
 }
 
 }  // namespace
 
 SceneSettings SceneVariant::key() const {
-  return {.id = maker->id, .values = values, .until = until, .checksum = maker->checksum};
+  return {.id = factory->id, .values = values, .until = until, .checksum = factory->checksum};
 }
 
 SceneSettings SceneVariant::key_of_solution() const {
   SceneSettings of_solution = key();
-  for (const Parameter& parameter : maker->parameters)
+  for (const Parameter& parameter : factory->parameters)
     if (parameter.keeps_solution) of_solution.values.erase(parameter.name);
   return of_solution;
 }
 
-Scene make_scene_unchecked(const SceneFactory& maker, const ParameterValues& values) {
-  const Parameters parameters(maker.id, maker.parameters, values);
-  Scene scene = maker.make(parameters);
+Scene make_scene_unchecked(const SceneFactory& factory, const ParameterValues& values) {
+  const Parameters parameters(factory.id, factory.parameters, values);
+  Scene scene = factory.make(parameters);
   const auto rows = scene.smoothness.powers.size(), components = scene.problem.components.size();
   if (rows != 0 && rows != components && scene.ill_posed_reason.empty()) {
     throw std::invalid_argument(
-        fmt::format("scene {}: its smoothness has {} rows for {} components", maker.id, rows, components));
+        fmt::format("scene {}: its smoothness has {} rows for {} components", factory.id, rows, components));
   }
-  scene.name = fmt::format("{} {}", maker.checksum.empty() ? maker.id : maker.checksum, parameters.text());
+  scene.name =
+      fmt::format("{} {}", factory.checksum.empty() ? factory.id : factory.checksum, parameters.text());
   return scene;
 }
 
-Scene make_scene(const SceneFactory& maker, const ParameterValues& values) {
-  Scene scene = make_scene_unchecked(maker, values);
+Scene make_scene(const SceneFactory& factory, const ParameterValues& values) {
+  Scene scene = make_scene_unchecked(factory, values);
   if (!scene.ill_posed_reason.empty()) throw std::invalid_argument(scene.ill_posed_reason);
   return scene;
 }
 
 Scene make_scene(const SceneVariant& variant) {
-  Scene scene = make_scene(*variant.maker, variant.values);
+  Scene scene = make_scene(*variant.factory, variant.values);
   if (!variant.until) return scene;
   const double end = scene.problem.end;
   if (is_two_sided(scene.problem) && *variant.until != end) {
     reject("until", *variant.until,
-           fmt::format("{}: scene {} is posed at both ends", end, variant.maker->id));
+           fmt::format("{}: scene {} is posed at both ends", end, variant.factory->id));
   }
   set_end(scene, *variant.until);
   return scene;
@@ -125,7 +126,7 @@ Scene make_scene(const SceneVariant& variant) {
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,
                           const SceneRegistry& among) {
   const auto named = split_label(text, settings);
-  SceneVariant variant{.maker = &among.named(named.id)};
+  SceneVariant variant{.factory = &among.named(named.id)};
   for (const auto& setting : named.settings) add_setting(setting, variant);
   return variant;
 }
@@ -141,7 +142,7 @@ SceneSettings read_settings(const std::string& text, const std::vector<std::stri
 std::vector<SceneVariant> read_variants(const std::string& text, const std::vector<std::string>& settings,
                                         const SceneRegistry& among) {
   const auto named = split_label(text, settings);
-  std::vector<SceneVariant> variants{{.maker = &among.named(named.id)}};
+  std::vector<SceneVariant> variants{{.factory = &among.named(named.id)}};
   for (const auto& setting : named.settings) {
     const auto values = values_of(setting);
     if (values.size() * variants.size() > max_variants) {

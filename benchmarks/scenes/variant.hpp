@@ -14,7 +14,7 @@ namespace fde::bench {
 // A scene with some parameters, or its end, replaced. In results and on the command line:
 // "pendulum:alpha=1.9,beta=0.1,until=100", "multi_term:alpha=1.2,1.6,c=0".
 struct SceneVariant {
-  const SceneFactory* maker;  // not owned: its `SceneRegistry` must outlive this object
+  const SceneFactory* factory;  // not owned: its `SceneRegistry` must outlive this object
   ParameterValues values{};
   std::optional<double> until{};  // the end of the time interval
 
@@ -27,11 +27,11 @@ struct SceneVariant {
 
 // The scene made from its defaults with some values replaced. Throws std::invalid_argument if its problem
 // cannot be posed (Scene::ill_posed_reason).
-Scene make_scene(const SceneFactory& maker, const ParameterValues& values = {});
+Scene make_scene(const SceneFactory& factory, const ParameterValues& values = {});
 
 // The same without the check of Scene::ill_posed_reason: for what is known about a scene independently of the
 // form of its problem.
-Scene make_scene_unchecked(const SceneFactory& maker, const ParameterValues& values = {});
+Scene make_scene_unchecked(const SceneFactory& factory, const ParameterValues& values = {});
 
 // make_scene with the end of the variant. Throws std::invalid_argument if the scene is two-sided and the end
 // differs from its own.

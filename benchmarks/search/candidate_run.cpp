@@ -20,24 +20,24 @@ StepsOrTolerance resolution_of(const CandidateRun& attempt) {
   return attempt.steps;
 }
 
-RunEvaluator::RunEvaluator(const Scene& scene, AccuracyTarget question)
-    : scene_(scene), question_(std::move(question)), reference_(scene) {}
+RunEvaluator::RunEvaluator(const Scene& scene, AccuracyTarget target)
+    : scene_(scene), target_(std::move(target)), reference_(scene) {}
 
 Rows RunEvaluator::compared_columns(const Rows& columns) const {
-  return columns(question_.columns, Eigen::all);
+  return columns(target_.columns, Eigen::all);
 }
 
 Trajectory RunEvaluator::solve(const Configuration& configuration, const StepsOrTolerance& resolution,
                                const std::vector<double>& times, double budget) const {
-  const RunSettings setup{.resolution = resolution, .grading = configuration.grading};
-  return configuration.scheme->solve(scene_.problem, resolution_of(setup, scene_.problem.end),
+  const RunSettings settings{.resolution = resolution, .grading = configuration.grading};
+  return configuration.scheme->solve(scene_.problem, resolution_of(settings, scene_.problem.end),
                                      {.budget = budget, .output_times = times});
 }
 
 std::vector<double> RunEvaluator::compared_times(const Configuration& configuration,
                                                  const StepsOrTolerance& resolution, int compared) const {
   const double end = scene_.problem.end;
-  if (question_.kind.norm == Norm::end) return {end};
+  if (target_.kind.norm == Norm::end) return {end};
   if (configuration.is_adaptive()) return comparison_times(scene_.problem, compared);
   return comparison_times({.end = end, .steps = std::get<int>(resolution), .grading = configuration.grading},
                           compared);
@@ -45,7 +45,7 @@ std::vector<double> RunEvaluator::compared_times(const Configuration& configurat
 
 CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const StepsOrTolerance& resolution,
                                     int compared, double budget) {
-  const bool at_end = question_.kind.norm == Norm::end;
+  const bool at_end = target_.kind.norm == Norm::end;
   const auto times = compared_times(configuration, resolution, compared);
   CandidateRun attempt;
   const SetupTime setup;
@@ -59,7 +59,7 @@ CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const St
     attempt.steps = std::get<int>(resolution);
   }
   attempt.setup_seconds = setup.seconds();
-  attempt.first_run = question_.first_run;
+  attempt.first_run = target_.first_run;
   attempt.ending = outcome_of(scene_.problem, path);
   if (path.status != SolveStatus::finished) return attempt;
   const Rows values = compared_columns(columns_of(scene_.outputs, path));
@@ -81,7 +81,7 @@ CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const St
 }
 
 bool RunEvaluator::is_accurate(const CandidateRun& attempt) const {
-  return attempt.error + attempt.reference_bound <= question_.accuracy &&
+  return attempt.error + attempt.reference_bound <= target_.accuracy &&
          attempt.error < attempt.baseline_error;
 }
 
@@ -142,12 +142,12 @@ Rows RunEvaluator::finite_reference(const std::vector<double>& times) {
 void RunEvaluator::measure_maximum_error(const Rows& values, const std::vector<double>& times,
                                          CandidateRun& attempt) {
   const Rows reference = finite_reference(times);
-  const Rows by = divisors(question_.kind.scale, times, reference);
+  const Rows by = divisors(target_.kind.scale, times, reference);
   Eigen::Index row = 0, column = 0;
   attempt.error = (values - reference).cwiseAbs().cwiseQuotient(by).maxCoeff(&row, &column);
   attempt.baseline_error = constant_solution_error(Norm::maximum, times, reference, by);
   attempt.reference_bound = compared_columns(reference_.bounds(times)).cwiseQuotient(by).maxCoeff();
-  attempt.column = question_.columns[static_cast<std::size_t>(row)];
+  attempt.column = target_.columns[static_cast<std::size_t>(row)];
   attempt.time = times[static_cast<std::size_t>(column)];
 }
 
@@ -156,7 +156,7 @@ const RunEvaluator::Samples& RunEvaluator::samples() {
   constexpr int evenly = 64;
   auto times = comparison_times(scene_.problem, evenly);
   Rows reference = finite_reference(times);
-  Rows by = divisors(question_.kind.scale, times, reference);
+  Rows by = divisors(target_.kind.scale, times, reference);
   Rows bounds = compared_columns(reference_.bounds(times));
   TotalVariation variation(std::move(times), reference, by);
   return samples_.emplace(
@@ -166,7 +166,7 @@ const RunEvaluator::Samples& RunEvaluator::samples() {
 bool RunEvaluator::is_constant() { return bench::is_constant(samples().reference, samples().bounds); }
 
 double RunEvaluator::reference_bound() {
-  if (question_.kind.norm == Norm::end) return at_end().bound;
+  if (target_.kind.norm == Norm::end) return at_end().bound;
   return samples().bounds.cwiseQuotient(samples().divisors).maxCoeff();
 }
 
@@ -177,7 +177,7 @@ void RunEvaluator::measure_end_error(const Rows& values, CandidateRun& attempt) 
   attempt.error = difference.cwiseAbs().cwiseQuotient(by.rightCols(1)).maxCoeff(&row);
   attempt.baseline_error = baseline;
   attempt.reference_bound = bound;
-  attempt.column = question_.columns[static_cast<std::size_t>(row)];
+  attempt.column = target_.columns[static_cast<std::size_t>(row)];
   attempt.time = scene_.problem.end;
   if (difference.size() == 1) attempt.signed_error = difference[0];
 }
@@ -189,15 +189,15 @@ const RunEvaluator::EndComparison& RunEvaluator::at_end() {
   constexpr int nearby = 64;
   const double end = scene_.problem.end;
   std::vector<double> times{0.0};
-  if (question_.kind.scale == Scale::peak) {
+  if (target_.kind.scale == Scale::peak) {
     for (const double t : comparison_times(scene_.problem, 9 * nearby))
       if (t > 0.0 && t < 0.9 * end) times.push_back(t);
   }
   for (int i = 0; i <= nearby; ++i) times.push_back(end * (9 * nearby + i) / (10 * nearby));
   Rows reference = finite_reference(times);
-  Rows by = divisors(question_.kind.scale, times, reference);
+  Rows by = divisors(target_.kind.scale, times, reference);
   const double baseline = constant_solution_error(Norm::end, times, reference, by);
-  const Vec unknown = reference_.bounds({end})(question_.columns, 0);
+  const Vec unknown = reference_.bounds({end})(target_.columns, 0);
   const double bound = unknown.cwiseQuotient(by.rightCols(1)).maxCoeff();
   return at_end_.emplace(EndComparison{std::move(reference), std::move(by), baseline, bound});
 }

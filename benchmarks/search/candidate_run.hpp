@@ -25,9 +25,9 @@ struct CandidateRun {
   Eigen::Index column = 0;       // index of the scene's column with the largest error
   double time = 0.0;             // of the largest error
   double signed_error = 0.0;     // at the end time, where exactly one column is compared
-  double reference_bound = 0.0;  // of the compared values, the largest, on the scale of the question
+  double reference_bound = 0.0;  // of the compared values, the largest, on the scale of the target
   bool meets_accuracy = false;   // error + reference_bound <= accuracy, and error < baseline_error
-  double seconds = 0.0;          // wall time of one solve, as the question counts it
+  double seconds = 0.0;          // wall time of one solve, as the target counts it
   double setup_seconds = 0.0;    // by which the first solve of a process takes longer
   bool first_run = false;        // `seconds` is of the first solve of a process, otherwise of a later one
   RunOutcome ending{};
@@ -43,7 +43,7 @@ StepsOrTolerance resolution_of(const CandidateRun& attempt);
 // this object.
 class RunEvaluator {
  public:
-  RunEvaluator(const Scene& scene, AccuracyTarget question);
+  RunEvaluator(const Scene& scene, AccuracyTarget target);
 
   // Compares the run with the reference at about `compared` times, for Norm::end at the end time only. The
   // run stops after `budget` seconds. Throws std::runtime_error if there is no finite reference.
@@ -65,13 +65,13 @@ class RunEvaluator {
   void precompute_reference(int times);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
-  [[nodiscard]] const AccuracyTarget& question() const { return question_; }
+  [[nodiscard]] const AccuracyTarget& target() const { return target_; }
 
   // Whether the solution equals y(0) at all sampled times, to rounding and the bounds of the reference. The
   // baseline y = y(0) is then correct, so `baseline_error` does not apply.
   bool is_constant();
 
-  // Error bound of the reference on the scale of the question: at the end time, or the largest at times that
+  // Error bound of the reference on the scale of the target: at the end time, or the largest at times that
   // are independent of any grid.
   double reference_bound();
 
@@ -87,7 +87,7 @@ class RunEvaluator {
                                  const std::vector<double>& times, double budget) const;
 
   const Scene& scene_;
-  AccuracyTarget question_;
+  AccuracyTarget target_;
   MemoizedReference reference_;
   struct EndComparison {
     Rows reference, divisors;
@@ -95,7 +95,7 @@ class RunEvaluator {
   };
   const EndComparison& at_end();
   std::optional<EndComparison> at_end_{};
-  // The reference at times that are independent of any grid; its variation is on the scale of the question.
+  // The reference at times that are independent of any grid; its variation is on the scale of the target.
   struct Samples {
     Rows reference, bounds, divisors;
     TotalVariation variation;

@@ -37,17 +37,17 @@ struct Difference {
 };
 
 Difference difference_of(const InterpolatedRun& first, const InterpolatedRun& second,
-                         const AccuracyTarget& question) {
+                         const AccuracyTarget& target) {
   if (!first.finished() || !second.finished()) return {};
   const auto times = comparison_times(second.grid(), most_compared);
   const Rows values = first.at(times);
-  const Rows by = divisors(question.kind.scale, times, values);
-  const Rows apart = (second.at(times) - values).cwiseAbs().cwiseQuotient(by)(question.columns, Eigen::all);
+  const Rows by = divisors(target.kind.scale, times, values);
+  const Rows apart = (second.at(times) - values).cwiseAbs().cwiseQuotient(by)(target.columns, Eigen::all);
   constexpr double last_part = 0.9;
-  const auto begin = question.kind.norm == Norm::end
+  const auto begin = target.kind.norm == Norm::end
                          ? std::ranges::lower_bound(times, last_part * times.back()) - times.begin()
                          : 0;
-  const Rows sizes = values.cwiseAbs().cwiseQuotient(by)(question.columns, Eigen::all);
+  const Rows sizes = values.cwiseAbs().cwiseQuotient(by)(target.columns, Eigen::all);
   constexpr double rounding = 4e-15;
   Difference found{.rounding = rounding * sizes.maxCoeff(), .divisors = by.rightCols(1)};
   found.largest = std::max(found.rounding, apart.rightCols(apart.cols() - begin).maxCoeff());
@@ -62,9 +62,8 @@ std::string name_of(const Configuration& configuration, int steps) {
 // Searches for two configurations whose results agree.
 class Estimator {
  public:
-  Estimator(const Scene& scene, const AccuracyTarget& question, double seconds,
-            const SearchProgress& progress)
-      : scene_(scene), question_(question), seconds_(seconds), progress_(progress) {}
+  Estimator(const Scene& scene, const AccuracyTarget& target, double seconds, const SearchProgress& progress)
+      : scene_(scene), target_(target), seconds_(seconds), progress_(progress) {}
 
   SearchReference run(std::string no_reference_reason) {
     estimate_.no_reference_reason = std::move(no_reference_reason);
@@ -99,11 +98,11 @@ class Estimator {
         return !unsupported_reason(scheme, scene_.problem, Grid{scene_.problem.end, steps, grading});
       };
       if (!fits(1.0)) continue;
-      for (const double grading : gradings_of(scheme, scene_, question_.kind.norm)) {
+      for (const double grading : gradings_of(scheme, scene_, target_.kind.norm)) {
         if (elapsed() > seconds_ || !fits(grading)) continue;
         const Configuration configuration{&scheme, grading};
         const double moves =
-            difference_of(*solve(configuration, steps), *solve(configuration, steps / 2), question_).largest;
+            difference_of(*solve(configuration, steps), *solve(configuration, steps / 2), target_).largest;
         if (std::isfinite(moves)) all.push_back({configuration, moves});
       }
     }
@@ -125,7 +124,7 @@ class Estimator {
       };
       // Equal gradings avoid interpolation, which is inaccurate for a solution ~ t^g near 0.
       const auto at_the_same_times = [&](const ConfigurationChange& of) {
-        return other_kind(of) && question_.kind.norm == Norm::maximum &&
+        return other_kind(of) && target_.kind.norm == Norm::maximum &&
                of.configuration.grading == all.front().configuration.grading;
       };
       auto second = std::ranges::find_if(all, at_the_same_times);
@@ -162,11 +161,11 @@ class Estimator {
       estimate_.first_steps = steps;
       estimate_.second_steps = steps / 2;
       first_ = solve(estimate_.first, steps);
-      between_ = difference_of(*first_, *solve(estimate_.second, steps / 2), question_);
+      between_ = difference_of(*first_, *solve(estimate_.second, steps / 2), target_);
       estimate_.difference = between_.largest;
       const double fallen = convergence_ratio(before);
       estimate_.factor = estimate_factor(std::min(ratio, fallen));
-      if (estimate_.error() <= largest_estimate_fraction * question_.accuracy) return;
+      if (estimate_.error() <= largest_estimate_fraction * target_.accuracy) return;
       before = between_.largest;
       ratio = fallen;
       const double next = next_takes * (elapsed() - begin);
@@ -188,7 +187,7 @@ class Estimator {
     const auto differ = fmt::format("{} differ by {:.1e}", runs, between_.largest);
     if (std::isinf(estimate_.factor)) return differ + ", which has not fallen twice with more steps";
     return fmt::format("{}, so the first is off by about {:.1e}, and that is not below {:g} of {:.1e}",
-                       differ, estimate_.error(), largest_estimate_fraction, question_.accuracy);
+                       differ, estimate_.error(), largest_estimate_fraction, target_.accuracy);
   }
 
   [[nodiscard]] std::runtime_error no_estimate(const std::string& why) const {
@@ -204,7 +203,7 @@ class Estimator {
   }
 
   const Scene& scene_;
-  const AccuracyTarget& question_;
+  const AccuracyTarget& target_;
   double seconds_;
   const SearchProgress& progress_;
   Clock::time_point start_ = Clock::now();
@@ -221,13 +220,13 @@ double estimate_factor(double ratio) {
   return ratio > 1.0 ? safety * std::max(1.0, 1.0 / (ratio - 1.0)) : infinity;
 }
 
-SearchReference estimated_reference(const Scene& scene, const AccuracyTarget& question,
+SearchReference estimated_reference(const Scene& scene, const AccuracyTarget& target,
                                     const std::string& no_reference_reason, double seconds,
                                     const SearchProgress& progress) {
-  return Estimator(scene, question, seconds, progress).run(no_reference_reason);
+  return Estimator(scene, target, seconds, progress).run(no_reference_reason);
 }
 
-SearchReference reference_or_estimate(const Scene& scene, const AccuracyTarget& question, double seconds,
+SearchReference reference_or_estimate(const Scene& scene, const AccuracyTarget& target, double seconds,
                                       const SearchProgress& progress) {
   try {
     reference::Reference known = reference_of(scene);
@@ -236,7 +235,7 @@ SearchReference reference_or_estimate(const Scene& scene, const AccuracyTarget& 
   } catch (const reference::Singularity&) {
     throw;
   } catch (const std::runtime_error& missing) {
-    return estimated_reference(scene, question, missing.what(), seconds, progress);
+    return estimated_reference(scene, target, missing.what(), seconds, progress);
   }
 }
 

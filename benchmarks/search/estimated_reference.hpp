@@ -17,7 +17,7 @@ struct ErrorEstimate {
   std::string no_reference_reason{};  // why there is no reference
   Configuration first{}, second{};    // `first` replaces the reference
   int first_steps = 0, second_steps = 0;
-  double difference = 0.0;  // largest over the compared columns, on the scale of the question
+  double difference = 0.0;  // largest over the compared columns, on the scale of the target
   double factor = 0.0;      // estimated error of the first run = factor * difference
 
   [[nodiscard]] double error() const { return factor * difference; }
@@ -44,11 +44,11 @@ struct SearchReference {
 // the smaller of the last two ratios of successive differences. For Norm::end they are compared over the last
 // tenth of the interval. Throws Singularity if a singularity is the reason for the missing reference, and
 // std::runtime_error with both reasons if the two runs do not agree in time.
-SearchReference reference_or_estimate(const Scene& scene, const AccuracyTarget& question, double seconds,
+SearchReference reference_or_estimate(const Scene& scene, const AccuracyTarget& target, double seconds,
                                       const SearchProgress& progress);
 
 // The estimate alone, for a scene that has no reference for the reason `no_reference_reason`.
-SearchReference estimated_reference(const Scene& scene, const AccuracyTarget& question,
+SearchReference estimated_reference(const Scene& scene, const AccuracyTarget& target,
                                     const std::string& no_reference_reason, double seconds,
                                     const SearchProgress& progress);
 

@@ -30,10 +30,10 @@ constexpr double most_of_rest = 0.3;
 
 class Search {
  public:
-  Search(const Scene& scene, const AccuracyTarget& question, double seconds, const SearchProgress& progress,
+  Search(const Scene& scene, const AccuracyTarget& target, double seconds, const SearchProgress& progress,
          std::span<const Scheme* const> own)
-      : evaluator_(scene, question), seconds_(seconds), progress_(progress) {
-    for (auto& choice : configurations_of(scene, question.kind.norm, own)) {
+      : evaluator_(scene, target), seconds_(seconds), progress_(progress) {
+    for (auto& choice : configurations_of(scene, target.kind.norm, own)) {
       refinements_.push_back({.is_adaptive = choice.configuration.is_adaptive(),
                               .is_closed = choice.refused.has_value(),
                               .unit = choice.unit});
@@ -91,8 +91,8 @@ class Search {
   // Seconds left for runs: 70 % of the time is for them, the rest for timing.
   [[nodiscard]] double left() const { return std::max(0.0, 0.7 * seconds_ - elapsed()); }
 
-  [[nodiscard]] bool at_end() const { return evaluator_.question().kind.norm == Norm::end; }
-  [[nodiscard]] double accuracy() const { return evaluator_.question().accuracy; }
+  [[nodiscard]] bool at_end() const { return evaluator_.target().kind.norm == Norm::end; }
+  [[nodiscard]] double accuracy() const { return evaluator_.target().accuracy; }
   [[nodiscard]] double quickest() const { return quickest_seconds(goal_, refinements_).front(); }
 
   std::vector<std::optional<StepsOrTolerance>> next_runs() {
@@ -132,8 +132,8 @@ class Search {
   }
 
   CandidateRun evaluated(const SearchCandidate& of, const StepsOrTolerance& resolution, int compared) {
-    const RunSettings setup{.resolution = resolution, .grading = of.configuration.grading};
-    progress_(fmt::format("{} {}", of.configuration.scheme->id, resolution_text(setup)),
+    const RunSettings settings{.resolution = resolution, .grading = of.configuration.grading};
+    progress_(fmt::format("{} {}", of.configuration.scheme->id, resolution_text(settings)),
               std::min(1.0, elapsed() / seconds_));
     if (!of.configuration.is_adaptive())
       return evaluator_.evaluate(of.configuration, resolution, compared, std::max(1.0, left()));
@@ -286,9 +286,9 @@ class Search {
 
 }  // namespace
 
-std::vector<SearchCandidate> search(const Scene& scene, const AccuracyTarget& question, double seconds,
+std::vector<SearchCandidate> search(const Scene& scene, const AccuracyTarget& target, double seconds,
                                     const SearchProgress& progress, std::span<const Scheme* const> own) {
-  return Search(scene, question, seconds, progress, own).run();
+  return Search(scene, target, seconds, progress, own).run();
 }
 
 }  // namespace fde::bench

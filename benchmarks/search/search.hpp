@@ -8,7 +8,7 @@
 
 namespace fde::bench {
 
-// Searches for `seconds` for the cheapest run of a scene within the accuracy of the question, over all
+// Searches for `seconds` for the cheapest run of a scene within the accuracy of the target, over all
 // schemes of ours and of the caller's `own`, gradings and numbers of steps. Every configuration doubles its
 // steps until its error is within the accuracy or it is expected to be slower than another. fewest_steps()
 // then closes the bracket of the last two runs; for Norm::end, where an error may pass through 0, it also
@@ -16,7 +16,7 @@ namespace fde::bench {
 // compared with the reference at as many steps as a record is. Returns all configurations: first those within
 // the accuracy, the quickest first. Throws std::runtime_error if the reference is missing or less accurate
 // than requested.
-std::vector<SearchCandidate> search(const Scene& scene, const AccuracyTarget& question, double seconds,
+std::vector<SearchCandidate> search(const Scene& scene, const AccuracyTarget& target, double seconds,
                                     const SearchProgress& progress, std::span<const Scheme* const> own = {});
 
 }  // namespace fde::bench

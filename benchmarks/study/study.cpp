@@ -149,14 +149,14 @@ std::string setting_text(const StudyKey& kind, const std::vector<std::string>& t
   return kind.is_list ? fmt::format("{} = [{}]\n", kind.key, list) : fmt::format("{} = {}\n", kind.key, list);
 }
 
-std::string scene_text(const SceneFactory& maker, const std::filesystem::path& folder) {
-  const bool is_file = maker.id.ends_with(equation_file_extension);
-  return is_file ? std::filesystem::relative(maker.id, folder).string() : maker.id;
+std::string scene_text(const SceneFactory& factory, const std::filesystem::path& folder) {
+  const bool is_file = factory.id.ends_with(equation_file_extension);
+  return is_file ? std::filesystem::relative(factory.id, folder).string() : factory.id;
 }
 
 std::string text_of(const StudyFamily& family, const std::filesystem::path& folder) {
   auto text =
-      fmt::format("\n[[family]]\nscene = {}\n", quoted(scene_text(*family.scenes.front().maker, folder)));
+      fmt::format("\n[[family]]\nscene = {}\n", quoted(scene_text(*family.scenes.front().factory, folder)));
   for (const auto& kind : study_keys) {
     const auto setting = family.settings.find(std::string(kind.key));
     if (setting != family.settings.end()) text += setting_text(kind, setting->second.texts);

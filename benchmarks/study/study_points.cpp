@@ -82,11 +82,11 @@ double StudyPoints::number_at(const toml::table& of, const TextPosition& place, 
   return number_value(required(of, place, name, key), fmt::format("{}.{}", name, key));
 }
 
-const Parameter& StudyPoints::declared(const TomlEntry& entry, const SceneFactory& maker) const {
+const Parameter& StudyPoints::declared(const TomlEntry& entry, const SceneFactory& factory) const {
   static const Parameter until{.name = "until", .value = 1.0, .range = valid_end_times, .description = {}};
   if (entry.name == until.name) return until;
   try {
-    return parameter_named(entry.name, maker.id, maker.parameters);
+    return parameter_named(entry.name, factory.id, factory.parameters);
   } catch (const std::invalid_argument& unknown) {
     reject(entry.position, unknown.what());
   }
@@ -241,28 +241,28 @@ StudyPoints::Axis StudyPoints::draws_of(const toml::table& family,
   return axis;
 }
 
-StudyPoints::Axis StudyPoints::listed_points(const toml::node& node, const SceneFactory& maker) const {
+StudyPoints::Axis StudyPoints::listed_points(const toml::node& node, const SceneFactory& factory) const {
   const auto& list = array(node, "points", "a list of tables {NAME = VALUE, ...}");
   if (list.empty()) reject(position_of(node), "points: is an empty list, must have a point");
   Axis axis;
   for (const auto& one : list) {
     auto& point = axis.emplace_back();
     for (const auto& entry : entries(one, "a point"))
-      point.emplace_back(entry.name, value_of(*entry.node, declared(entry, maker)));
+      point.emplace_back(entry.name, value_of(*entry.node, declared(entry, factory)));
   }
   return axis;
 }
 
 std::vector<StudyPoints::Axis> StudyPoints::axes_of(const toml::table& family, const TextPosition& place,
-                                                    const SceneFactory& maker) const {
+                                                    const SceneFactory& factory) const {
   std::vector<Axis> axes;
-  if (const auto* points = family.get("points")) axes.push_back(listed_points(*points, maker));
+  if (const auto* points = family.get("points")) axes.push_back(listed_points(*points, factory));
   std::vector<TomlEntry> varied;
   if (const auto* parameters = family.get("parameters")) varied = entries(*parameters, "parameters");
   if (const auto* until = family.get("until")) varied.push_back({"until", place, until});
   std::vector<DrawnParameter> drawn;
   for (const auto& entry : varied) {
-    const auto& parameter = declared(entry, maker);
+    const auto& parameter = declared(entry, factory);
     if (is_distribution(*entry.node)) {
       drawn.push_back(drawn_of(*entry.node, parameter));
       continue;
@@ -275,9 +275,9 @@ std::vector<StudyPoints::Axis> StudyPoints::axes_of(const toml::table& family, c
 }
 
 std::vector<SceneVariant> StudyPoints::scenes_of(const toml::table& family, const TextPosition& place,
-                                                 const SceneFactory& maker) const {
-  std::vector<SceneVariant> scenes{{.maker = &maker}};
-  for (const auto& axis : axes_of(family, place, maker)) {
+                                                 const SceneFactory& factory) const {
+  std::vector<SceneVariant> scenes{{.factory = &factory}};
+  for (const auto& axis : axes_of(family, place, factory)) {
     if (axis.size() * scenes.size() > max_study_scenes) {
       reject(place,
              fmt::format("the family has more than {} scenes, the most that are allowed", max_study_scenes));

@@ -23,7 +23,7 @@ class StudyPoints : protected TomlReader {
   // The points of a family: all combinations of its listed points, of the values of each parameter and of its
   // draws, the last varying fastest.
   [[nodiscard]] std::vector<SceneVariant> scenes_of(const toml::table& family, const TextPosition& place,
-                                                    const SceneFactory& maker) const;
+                                                    const SceneFactory& factory) const;
 
   [[nodiscard]] std::string text_value(const toml::node& node, std::string_view name) const;
   [[nodiscard]] double number_value(const toml::node& node, std::string_view name) const;
@@ -34,9 +34,9 @@ class StudyPoints : protected TomlReader {
   struct DrawnParameter;
 
   [[nodiscard]] std::vector<Axis> axes_of(const toml::table& family, const TextPosition& place,
-                                          const SceneFactory& maker) const;
-  [[nodiscard]] Axis listed_points(const toml::node& node, const SceneFactory& maker) const;
-  [[nodiscard]] const Parameter& declared(const TomlEntry& entry, const SceneFactory& maker) const;
+                                          const SceneFactory& factory) const;
+  [[nodiscard]] Axis listed_points(const toml::node& node, const SceneFactory& factory) const;
+  [[nodiscard]] const Parameter& declared(const TomlEntry& entry, const SceneFactory& factory) const;
   [[nodiscard]] ParameterValue value_of(const toml::node& node, const Parameter& parameter) const;
   void require_allowed(const TextPosition& place, const ParameterValue& value,
                        const Parameter& parameter) const;

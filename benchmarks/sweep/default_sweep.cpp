@@ -13,7 +13,7 @@ namespace fde::bench {
 
 std::vector<SceneVariant> default_scenes() {
   std::vector<SceneVariant> variants;
-  for (const auto& maker : built_in_scenes()) variants.push_back({.maker = &maker});
+  for (const auto& factory : built_in_scenes()) variants.push_back({.factory = &factory});
   for (const auto* text :
        {"relaxation:gamma=0.2", "relaxation:gamma=1.5", "power:p=0.7", "pendulum:alpha=1.25,beta=0.75",
         "pendulum:alpha=1.9,beta=0.1", "fractional_diffusion:components=8"}) {

@@ -34,10 +34,10 @@ DisplayEquation displayed(const EquationFormula& equation) {
   return {fmt::format("{}", fmt::join(sum, " + ")), rhs};
 }
 
-std::vector<DisplayEquation> equations_of(const SceneFactory& maker) {
-  if (!maker.display_equations.empty()) return maker.display_equations;
+std::vector<DisplayEquation> equations_of(const SceneFactory& factory) {
+  if (!factory.display_equations.empty()) return factory.display_equations;
   std::vector<DisplayEquation> equations;
-  for (const auto& equation : maker.equations) equations.push_back(displayed(equation));
+  for (const auto& equation : factory.equations) equations.push_back(displayed(equation));
   return equations;
 }
 
@@ -49,7 +49,7 @@ std::string value_text(const Parameter& parameter, const ParameterValues& given)
 
 std::vector<DescribedParameter> parameters_of(const SceneVariant& variant) {
   std::vector<DescribedParameter> parameters;
-  for (const Parameter& parameter : variant.maker->parameters) {
+  for (const Parameter& parameter : variant.factory->parameters) {
     parameters.push_back({.name = parameter.name,
                           .value = value_text(parameter, variant.values),
                           .meaning = parameter.description,
@@ -74,9 +74,9 @@ SceneDescription describe(const SceneVariant& variant, const Scene& scene, Memoi
                           bool with_solution) {
   const SceneSettings key = variant.key();
   SceneDescription description{.scene = key,
-                               .title = variant.maker->title,
-                               .source = variant.maker->source,
-                               .equations = equations_of(*variant.maker),
+                               .title = variant.factory->title,
+                               .source = variant.factory->source,
+                               .equations = equations_of(*variant.factory),
                                .parameters = parameters_of(variant),
                                .discontinuities = scene.discontinuities,
                                .evidence = std::string(evidence_of(scene)),

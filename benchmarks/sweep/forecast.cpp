@@ -31,10 +31,10 @@ double seconds_of(const std::function<void()>& work) {
 // what a further step takes, not by the whole time, most of which may be the same for any number of steps.
 class Probe {
  public:
-  Probe(const Scene& scene, const Scheme& scheme, const RunSettings& setup, const SweepPlan& plan)
-      : budget_(setup.budget), is_adaptive_(scheme.capabilities.is_adaptive()) {
-    take_refusals(scene, scheme, setup, plan);
-    is_adaptive_ ? probe_accuracy(scene, scheme, setup) : probe_steps(scene, scheme, setup, plan);
+  Probe(const Scene& scene, const Scheme& scheme, const RunSettings& settings, const SweepPlan& plan)
+      : budget_(settings.budget), is_adaptive_(scheme.capabilities.is_adaptive()) {
+    take_refusals(scene, scheme, settings, plan);
+    is_adaptive_ ? probe_accuracy(scene, scheme, settings) : probe_steps(scene, scheme, settings, plan);
   }
 
   // The predicted run with this number of steps or tolerance.
@@ -67,10 +67,10 @@ class Probe {
   };
 
   // Of each listed resolution; of others that of one of the kind that the scheme takes.
-  void take_refusals(const Scene& scene, const Scheme& scheme, const RunSettings& setup,
+  void take_refusals(const Scene& scene, const Scheme& scheme, const RunSettings& settings,
                      const SweepPlan& plan) {
     const auto reason = [&](const StepsOrTolerance& requested) {
-      RunSettings of = setup;
+      RunSettings of = settings;
       of.resolution = requested;
       return unsupported_reason(scheme, scene.problem, resolution_of(of, scene.problem.end)).value_or("");
     };
@@ -89,23 +89,23 @@ class Probe {
     return std::clamp(steps / part, 1, most);
   }
 
-  void probe_steps(const Scene& scene, const Scheme& scheme, const RunSettings& setup,
+  void probe_steps(const Scene& scene, const Scheme& scheme, const RunSettings& settings,
                    const SweepPlan& plan) {
     const int fewest = fewest_steps(plan);
-    coarse_ = solve(scene, scheme, setup, fewest);
-    const Solve between = coarse_.failed ? Solve{} : solve(scene, scheme, setup, 2 * fewest);
+    coarse_ = solve(scene, scheme, settings, fewest);
+    const Solve between = coarse_.failed ? Solve{} : solve(scene, scheme, settings, 2 * fewest);
     if (between.failed) return;
-    fine_ = solve(scene, scheme, setup, 4 * fewest);
+    fine_ = solve(scene, scheme, settings, 4 * fewest);
     if (fine_.failed) return;
     error_ = (fine_.at_end - between.at_end).cwiseAbs().maxCoeff();
-    const Grid grid{scene.problem.end, 4 * fewest, setup.grading};
+    const Grid grid{scene.problem.end, 4 * fewest, settings.grading};
     end_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::end);
     maximum_rate_ = theoretical_rate(scheme, scene.problem, scene.smoothness, grid, Norm::maximum);
   }
 
-  void probe_accuracy(const Scene& scene, const Scheme& scheme, const RunSettings& setup) {
-    coarse_ = solve(scene, scheme, setup, Tolerance{coarsest, coarsest});
-    if (!coarse_.failed) fine_ = solve(scene, scheme, setup, Tolerance{finest, finest});
+  void probe_accuracy(const Scene& scene, const Scheme& scheme, const RunSettings& settings) {
+    coarse_ = solve(scene, scheme, settings, Tolerance{coarsest, coarsest});
+    if (!coarse_.failed) fine_ = solve(scene, scheme, settings, Tolerance{finest, finest});
   }
 
   [[nodiscard]] double seconds_with(double steps) const {
@@ -122,18 +122,18 @@ class Probe {
   }
 
   // Short solves are timed a second time: the first one of a process also computes tables.
-  [[nodiscard]] Solve solve(const Scene& scene, const Scheme& scheme, RunSettings setup,
+  [[nodiscard]] Solve solve(const Scene& scene, const Scheme& scheme, RunSettings settings,
                             const StepsOrTolerance& requested) {
     constexpr double most_seconds = 0.25, short_seconds = 0.02;
-    setup.resolution = requested;
-    setup.budget = std::min(setup.budget, most_seconds);
+    settings.resolution = requested;
+    settings.budget = std::min(settings.budget, most_seconds);
     const double end = scene.problem.end;
     if (!refusal_.empty()) return {};
-    Options options = setup.options();
+    Options options = settings.options();
     options.output_times = {end};
     Trajectory path;
     const auto once = [&] {
-      return seconds_of([&] { path = scheme.solve(scene.problem, resolution_of(setup, end), options); });
+      return seconds_of([&] { path = scheme.solve(scene.problem, resolution_of(settings, end), options); });
     };
     double seconds = once();
     is_long_ = path.status == SolveStatus::out_of_budget;
@@ -197,12 +197,12 @@ struct ProbedScene {
     has_solution = scene.reference.at != nullptr;
     reference = seconds_of_reference(scene);
     for (const auto* scheme : sweep.schemes) {
-      for (const RunSettings& setup : setups_of(sweep, *scheme, &scene.problem))
-        lines.push_back({scheme, Probe(scene, *scheme, setup, sweep.plan)});
+      for (const RunSettings& settings : settings_of(sweep, *scheme, &scene.problem))
+        lines.push_back({scheme, Probe(scene, *scheme, settings, sweep.plan)});
     }
   }
 
-  // The probe of the scheme with its setup of this number, or its last.
+  // The probe of the scheme with its settings of this number, or its last.
   [[nodiscard]] const Probe& probe(const Scheme* scheme, std::size_t number) const {
     const auto first = std::ranges::find(lines, scheme, &ProbedLine::scheme);
     const auto count = static_cast<std::size_t>(std::ranges::count(lines, scheme, &ProbedLine::scheme));
@@ -251,7 +251,7 @@ class RefinementSimulation {
 
   RefinementRun take(const RefinementSeries& line, const Probe& probe) {
     if (const auto run = made(line)) return *run;
-    const auto& resolution = line.setup.resolution;
+    const auto& resolution = line.settings.resolution;
     RefinementRun run = probe.forecast(resolution);
     expected_[line.key] = {seconds_of(run),
                            sweep_.examines_only ? 0.0 : seconds_of_timing(run, sweep_.repeats),
@@ -264,7 +264,7 @@ class RefinementSimulation {
     constexpr double guess = 1.0;
     if (const auto run = made(line)) return *run;
     expected_[line.key] = {guess, sweep_.examines_only ? 0.0 : guess * sweep_.repeats.most, ""};
-    const auto& resolution = line.setup.resolution;
+    const auto& resolution = line.settings.resolution;
     return {.resolution = resolution, .steps = std::get<int>(resolution)};
   }
 

@@ -107,13 +107,13 @@ struct Examined {
 };
 
 Examined solve_and_judge(const Scene& scene, MemoizedReference& reference, const Scheme& scheme,
-                         const RunSettings& setup) {
-  const Resolution resolution = resolution_of(setup, scene.problem.end);
+                         const RunSettings& settings) {
+  const Resolution resolution = resolution_of(settings, scene.problem.end);
   if (auto reason = unsupported_reason(scheme, scene.problem, resolution))
     return {.judgement = {{SolveStatus::refused, std::move(*reason)}}};
   RunObservations observed;
   if (const auto* grid = std::get_if<Grid>(&resolution)) observed.grid = *grid;
-  Options options = setup.options();
+  Options options = settings.options();
   const int compared = comparison_steps_for(scene.outputs.names.size());
   options.output_times =
       observed.grid ? comparison_times(*observed.grid, compared) : comparison_times(scene.problem);
@@ -158,21 +158,21 @@ TimedSolves solve_repeatedly(const Scheme& scheme, const Problem& problem, const
 
 // Over a grid the steps are the requested ones, also if the run stopped earlier.
 Record examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
-               const Scheme& scheme, const RunSettings& setup) {
-  const auto [steps, judgement] = solve_and_judge(scene, reference, scheme, setup);
-  const auto* requested = std::get_if<int>(&setup.resolution);
-  return assessed({.key = {.scene = name, .scheme = std::string(scheme.id), .setup = setup},
+               const Scheme& scheme, const RunSettings& settings) {
+  const auto [steps, judgement] = solve_and_judge(scene, reference, scheme, settings);
+  const auto* requested = std::get_if<int>(&settings.resolution);
+  return assessed({.key = {.scene = name, .scheme = std::string(scheme.id), .settings = settings},
                    .steps = requested != nullptr ? *requested : static_cast<int>(steps),
                    .end = scene.problem.end},
                   judgement);
 }
 
-Timing time_solves(const Scene& scene, const Scheme& scheme, const RunSettings& setup,
+Timing time_solves(const Scene& scene, const Scheme& scheme, const RunSettings& settings,
                    const TimingRepeats& repeats) {
-  Options options = setup.options();
+  Options options = settings.options();
   options.budget = std::numeric_limits<double>::infinity();  // the examined run has finished
   options.output_times = {scene.problem.end};
-  const auto resolution = resolution_of(setup, scene.problem.end);
+  const auto resolution = resolution_of(settings, scene.problem.end);
   TimedSolves timed;
   for (int attempt = 0; attempt < repeats.attempts && (attempt == 0 || is_disturbed(timed)); ++attempt)
     timed = solve_repeatedly(scheme, scene.problem, resolution, options, repeats);

@@ -12,7 +12,7 @@ namespace fde::bench {
 // reference at comparison_times. `name` is the scene's key in the record. Thread safe if each thread has its
 // own MemoizedReference.
 Record examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
-               const Scheme& scheme, const RunSettings& setup);
+               const Scheme& scheme, const RunSettings& settings);
 
 // The number of timed repeats of a run: `most`; more while they take less than `min_seconds` in total, no
 // more once they have taken `enough_seconds`. Where other work disturbs them, all are repeated, `attempts`
@@ -25,7 +25,7 @@ struct TimingRepeats {
 
 // The times of a run; of several attempts the last. The solves store the last step only. Preconditions:
 // is_compared(ending) of the run, and no other work on the machine during the call.
-Timing time_solves(const Scene& scene, const Scheme& scheme, const RunSettings& setup,
+Timing time_solves(const Scene& scene, const Scheme& scheme, const RunSettings& settings,
                    const TimingRepeats& repeats);
 
 }  // namespace fde::bench

@@ -21,30 +21,30 @@ bool starts_singular(const Problem& problem) {
 
 }  // namespace
 
-std::vector<RunSettings> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem* problem) {
+std::vector<RunSettings> settings_of(const Sweep& sweep, const Scheme& scheme, const Problem* problem) {
   const bool graded =
       std::ranges::find(sweep.graded, &scheme) != sweep.graded.end() && starts_singular(*problem);
-  std::vector<RunSettings> setups{sweep.setup};
-  if (!sweep.optimal_grids && !graded) return setups;
-  RunSettings optimal = sweep.setup;
+  std::vector<RunSettings> settings{sweep.settings};
+  if (!sweep.optimal_grids && !graded) return settings;
+  RunSettings optimal = sweep.settings;
   optimal.grading = optimal_grading(scheme, *problem);
   if (sweep.optimal_grids) return {optimal};
-  if (optimal != sweep.setup) setups.push_back(optimal);
-  return setups;
+  if (optimal != sweep.settings) settings.push_back(optimal);
+  return settings;
 }
 
 SceneRefinements::SceneRefinements(const Sweep& sweep, const SceneSettings& scene, const Problem* problem) {
   for (const auto* scheme : sweep.schemes) {
-    for (const RunSettings& setup : setups_of(sweep, *scheme, problem))
-      add({scheme, {scene, std::string(scheme->id), setup}, setup}, scheme->capabilities, sweep.plan);
+    for (const RunSettings& settings : settings_of(sweep, *scheme, problem))
+      add({scheme, {scene, std::string(scheme->id), settings}, settings}, scheme->capabilities, sweep.plan);
   }
   for (const auto& program : sweep.programs)
-    add({&program, key_of(program, scene, sweep.setup), sweep.setup}, Capabilities{}, sweep.plan);
+    add({&program, key_of(program, scene, sweep.settings), sweep.settings}, Capabilities{}, sweep.plan);
 }
 
 void SceneRefinements::add(RefinementSeries of, const Capabilities& capabilities, const SweepPlan& plan) {
   const auto is_same = [&](const RefinementSeries& other) {
-    return other.solver == of.solver && other.setup == of.setup;
+    return other.solver == of.solver && other.settings == of.settings;
   };
   if (std::ranges::any_of(series, is_same)) return;
   of.listed = resolutions_for(plan, capabilities);
@@ -73,7 +73,7 @@ bool SceneRefinements::choose_next(const SweepPlan& plan) {
   bool is_any = false;
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (!series[i].is_due) continue;
-    series[i].key.setup.resolution = series[i].setup.resolution = *next[i];
+    series[i].key.settings.resolution = series[i].settings.resolution = *next[i];
     is_any = true;
   }
   return is_any;

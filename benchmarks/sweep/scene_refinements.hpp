@@ -12,13 +12,13 @@ namespace fde::bench {
 // The settings of a scheme's runs on a problem, one element per grading: one, or two for a scheme of
 // sweep.graded on a problem whose solution is not smooth at 0. A sweep without graded and optimal grids needs
 // no problem.
-std::vector<RunSettings> setups_of(const Sweep& sweep, const Scheme& scheme, const Problem* problem);
+std::vector<RunSettings> settings_of(const Sweep& sweep, const Scheme& scheme, const Problem* problem);
 
 // The runs of one scheme (with one grading) or program on a scene.
 struct RefinementSeries {
   std::variant<const Scheme*, const ExternalProgram*> solver;
-  RunKey key;           // of the current run
-  RunSettings setup{};  // of the current run; a program's key has fewer settings
+  RunKey key;              // of the current run
+  RunSettings settings{};  // of the current run; a program's key has fewer settings
   std::vector<StepsOrTolerance> listed{};
   bool ended = false;   // there is no further run
   bool is_due = false;  // it has a current run

@@ -90,17 +90,17 @@ bool is_timed_next(const Record& run, const Sweep& sweep) {
 
 Record examine(SweptScene& of, const RefinementSeries& line) {
   if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
-    return examine(of.variant, of.scene, *of.reference, **program, line.setup);
-  return examine(of.name, of.scene, *of.reference, *std::get<const Scheme*>(line.solver), line.setup);
+    return examine(of.variant, of.scene, *of.reference, **program, line.settings);
+  return examine(of.name, of.scene, *of.reference, *std::get<const Scheme*>(line.solver), line.settings);
 }
 
 // Times the current run. A program may fail then; its run is examined anew.
 void time(const SweptScene& of, const RefinementSeries& line, Record& run, const TimingRepeats& repeats,
           GuardedCallbacks& log) {
   if (const auto* scheme = std::get_if<const Scheme*>(&line.solver)) {
-    run.take(time_solves(of.scene, **scheme, line.setup, repeats));
+    run.take(time_solves(of.scene, **scheme, line.settings, repeats));
   } else {
-    time_runs(run, of.variant, of.scene, *std::get<const ExternalProgram*>(line.solver), line.setup,
+    time_runs(run, of.variant, of.scene, *std::get<const ExternalProgram*>(line.solver), line.settings,
               repeats.most, repeats.enough_seconds);
   }
   run.timing.values.empty() ? log.append(run) : log.append_times(run);

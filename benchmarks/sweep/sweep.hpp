@@ -25,8 +25,8 @@ struct Sweep {
   std::vector<const Scheme*> schemes;
   std::vector<ExternalProgram> programs{};
   SweepPlan plan;
-  RunSettings setup{.budget = 600.0};   // settings of all runs except the resolution
-  bool optimal_grids = false;           // each scheme with optimal_grading() instead of the setup's grading
+  RunSettings settings{.budget = 600.0};  // settings of all runs except the resolution
+  bool optimal_grids = false;  // each scheme with optimal_grading() instead of the settings's grading
   std::vector<const Scheme*> graded{};  // these with both gradings, where solutions are not smooth at 0
   TimingRepeats repeats{};
   bool describes_solutions = true;    // results have the reference solution of each scene

@@ -20,7 +20,7 @@ void SweepEstimate::on_event(const SweepEvent& event) {
       if (event.with_reference) references_.insert(event.run.scene);
       at_hand_ = fmt::format("{}{}{} {} {}{}", event.with_reference ? "computes the reference of " : "",
                              label_of(event.run.scene), event.with_reference ? " for" : "", event.run.scheme,
-                             resolution_text(event.run.setup),
+                             resolution_text(event.run.settings),
                              event.kind == SweepEvent::Kind::times ? ", time" : "");
       return;
     case SweepEvent::Kind::is_done: {
@@ -42,9 +42,9 @@ void SweepEstimate::on_event(const SweepEvent& event) {
 void SweepEstimate::drop_series(const RunKey& last) {
   auto run = left_.lower_bound({.scene = last.scene,
                                 .scheme = last.scheme,
-                                .setup = {.resolution = std::numeric_limits<int>::lowest()}});
+                                .settings = {.resolution = std::numeric_limits<int>::lowest()}});
   while (run != left_.end() && run->first.scene == last.scene && run->first.scheme == last.scheme) {
-    if (same_series(run->first.setup, last.setup)) {
+    if (same_series(run->first.settings, last.settings)) {
       seconds_left_ -= run->second.total();
       run = left_.erase(run);
     } else {

@@ -41,7 +41,7 @@ std::vector<StepsOrTolerance> resolutions_for(const SweepPlan& plan, const Capab
 }
 
 RefinementRun refinement_run(const Record& run) {
-  const auto& resolution = run.key.setup.resolution;
+  const auto& resolution = run.key.settings.resolution;
   const auto* steps = std::get_if<int>(&resolution);
   return {.resolution = resolution,
           .steps = steps != nullptr ? *steps : 0,

@@ -56,9 +56,9 @@ py::tuple facts(const std::string& name, const std::vector<std::string>& setting
   const auto [id, scene] = without_gil([&]() -> std::pair<std::string, Scene> {
     const SceneRegistry all = named_scenes([&](const std::string& note) { changes = note; });
     const auto variant = read_variant(name, settings, all);
-    Scene known = make_scene_unchecked(*variant.maker, variant.values);
+    Scene known = make_scene_unchecked(*variant.factory, variant.values);
     known.problem.end = variant.until.value_or(known.problem.end);
-    return {variant.maker->id, std::move(known)};
+    return {variant.factory->id, std::move(known)};
   });
   std::vector<double> orders;
   for (const auto& component : scene.problem.components) orders.push_back(component.order);
@@ -78,7 +78,7 @@ Scene checked_scene(const SceneVariant& variant) { return make_scene(variant); }
 
 // For what is known of a scene independently of the form of its problem.
 Scene unchecked_scene(const SceneVariant& variant) {
-  return make_scene_unchecked(*variant.maker, variant.values);
+  return make_scene_unchecked(*variant.factory, variant.values);
 }
 
 // One row of the array for each column of the matrix.

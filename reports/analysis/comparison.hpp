@@ -68,7 +68,7 @@ struct Comparison {
   [[nodiscard]] bool has_all() const { return only_before == 0 && timed_before == 0; }
 };
 
-// Runs are equal if scene, scheme and setup are. Compares all quantities whose names begin with error_ and
+// Runs are equal if scene, scheme and settings are. Compares all quantities whose names begin with error_ and
 // lists the worst change of each run. `before` and `now` must outlive the result, which points into them.
 Comparison compare(const Runs& before, const Runs& now);
 

@@ -18,8 +18,8 @@ constexpr std::size_t most_rows = 20;  // per table
 
 std::string label(const CommonRun& run, const LineNames& names) {
   const RunKey& key = run.now->key;
-  return fmt::format("{} {} {}", label_of(key.scene), names.name(key.scheme, key.setup),
-                     key.external ? fmt::format("{} rows", run.now->steps) : resolution_text(key.setup));
+  return fmt::format("{} {} {}", label_of(key.scene), names.name(key.scheme, key.settings),
+                     key.external ? fmt::format("{} rows", run.now->steps) : resolution_text(key.settings));
 }
 
 // A heading and the first rows, each followed by the name of its run.

@@ -12,16 +12,17 @@
 namespace fde::bench {
 namespace {
 
-std::array<std::string, 4> means_of(const RunSettings& setup, bool one_grading = false) {
-  const auto grid = one_grading ? "graded" : grid_text(setup.grading);
-  return {std::string(name(setup.history)), setup.grading == 1.0 ? "" : grid,
-          fmt::format("tolerance {:g}", setup.tolerance),
-          std::isfinite(setup.budget) ? fmt::format("budget {:g} s", setup.budget) : "no budget"};
+std::array<std::string, 4> means_of(const RunSettings& settings, bool one_grading = false) {
+  const auto grid = one_grading ? "graded" : grid_text(settings.grading);
+  return {std::string(name(settings.history)), settings.grading == 1.0 ? "" : grid,
+          fmt::format("tolerance {:g}", settings.tolerance),
+          std::isfinite(settings.budget) ? fmt::format("budget {:g} s", settings.budget) : "no budget"};
 }
 
 // The selected settings, joined by commas.
-std::string differing_settings(const RunSettings& setup, const std::array<bool, 4>& which, bool one_grading) {
-  const auto means = means_of(setup, one_grading);
+std::string differing_settings(const RunSettings& settings, const std::array<bool, 4>& which,
+                               bool one_grading) {
+  const auto means = means_of(settings, one_grading);
   std::vector<std::string> words;
   for (std::size_t i = 0; i < means.size(); ++i) {
     if (which[i] && !means[i].empty()) words.push_back(means[i]);
@@ -36,7 +37,7 @@ bool differ_by_scene_only(const Runs& runs) {
   bool differ = false;
   for (const auto* some : {&runs.finished, &runs.failed}) {
     for (const Record& run : *some) {
-      const double grading = run.key.setup.grading;
+      const double grading = run.key.settings.grading;
       if (grading == 1.0) continue;
       const auto [first, is_new] = gradings.try_emplace({run.key.scene, run.key.scheme}, grading);
       if (first->second != grading) return false;
@@ -57,16 +58,16 @@ LineNames::LineNames(const Runs& runs) {
         continue;
       }
       if (first == nullptr) first = &run;
-      const auto means = means_of(run.key.setup), others = means_of(first->key.setup);
+      const auto means = means_of(run.key.settings), others = means_of(first->key.settings);
       for (std::size_t i = 0; i < means.size(); ++i) differ_[i] = differ_[i] || means[i] != others[i];
     }
   }
 }
 
-std::string LineNames::name(const std::string& scheme, const RunSettings& setup) const {
+std::string LineNames::name(const std::string& scheme, const RunSettings& settings) const {
   constexpr std::array grid_alone{false, true, false, false};
   const auto means =
-      differing_settings(setup, external_.contains(scheme) ? grid_alone : differ_, one_grading_);
+      differing_settings(settings, external_.contains(scheme) ? grid_alone : differ_, one_grading_);
   return means.empty() ? scheme : fmt::format("{}, {}", scheme, means);
 }
 
@@ -76,8 +77,8 @@ LineNames LineNames::of_several_scenes(const Runs& runs) {
   return names;
 }
 
-std::string LineNames::grid(const RunSettings& setup) const {
-  return one_grading_ && setup.grading != 1.0 ? grid_text(setup.grading) : "";
+std::string LineNames::grid(const RunSettings& settings) const {
+  return one_grading_ && settings.grading != 1.0 ? grid_text(settings.grading) : "";
 }
 
 }  // namespace fde::bench

@@ -21,9 +21,9 @@ class LineNames {
   static LineNames of_several_scenes(const Runs& runs);
 
   // "l1", or "l1, direct, graded:2".
-  [[nodiscard]] std::string name(const std::string& scheme, const RunSettings& setup) const;
+  [[nodiscard]] std::string name(const std::string& scheme, const RunSettings& settings) const;
   // "graded:2" if name() omits the grading, otherwise empty.
-  [[nodiscard]] std::string grid(const RunSettings& setup) const;
+  [[nodiscard]] std::string grid(const RunSettings& settings) const;
 
  private:
   std::array<bool, 4> differ_{};                   // history, grid, tolerance, budget

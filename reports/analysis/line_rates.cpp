@@ -36,7 +36,7 @@ RateRow rate_of(RunSpan line) {
   const RunKey& key = fitted.back().key;
   return {.scene = key.scene,
           .scheme = key.scheme,
-          .setup = key.setup,
+          .settings = key.settings,
           .coarsest = fitted.front().steps,
           .finest = fitted.back().steps,
           .end = norm_rate(fitted, "error_end", "expected_rate_end"),
@@ -46,7 +46,8 @@ RateRow rate_of(RunSpan line) {
 std::vector<RateRow> rates(const Runs& runs) {
   std::vector<RateRow> rows;
   for (const RunSpan line : by_line(runs.finished)) {
-    if (!std::holds_alternative<Tolerance>(line.front().key.setup.resolution)) rows.push_back(rate_of(line));
+    if (!std::holds_alternative<Tolerance>(line.front().key.settings.resolution))
+      rows.push_back(rate_of(line));
   }
   return rows;
 }

@@ -24,7 +24,7 @@ struct NormRate {
 struct RateRow {
   SceneSettings scene;
   std::string scheme;
-  RunSettings setup;
+  RunSettings settings;
   int coarsest = 0, finest = 0;  // steps
   NormRate end{}, maximum{};
 };

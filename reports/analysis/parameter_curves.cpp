@@ -17,11 +17,11 @@ namespace {
 // Runs of scenes that differ in one parameter, by its value.
 using ScenesByValue = std::map<double, RunSpan>;
 
-// A scheme with its setup except the resolution.
+// A scheme with its settings except the resolution.
 using Line = std::pair<std::string, RunSettings>;
 
 Line line_of(const RunKey& run) {
-  Line line{run.scheme, run.setup};
+  Line line{run.scheme, run.settings};
   line.second.resolution = 1;
   return line;
 }
@@ -33,7 +33,7 @@ std::map<Line, std::set<int>> common_steps(const ScenesByValue& family) {
   std::map<Line, std::size_t> values;
   for (const auto& [value, scene] : family) {
     for (const RunSpan runs : by_line(scene)) {
-      if (!std::holds_alternative<int>(runs.front().key.setup.resolution)) continue;
+      if (!std::holds_alternative<int>(runs.front().key.settings.resolution)) continue;
       const Line line = line_of(runs.front().key);
       std::set<int> here, both;
       for (const Record& run : runs) here.insert(run.steps);

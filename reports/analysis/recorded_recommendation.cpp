@@ -49,7 +49,7 @@ Recommendation recommend(const Runs& runs, const SceneSettings& scene, const Err
     made.missing.push_back(fmt::format("no finished run has {}", error_measure(kind)));
     return made;
   }
-  const auto name = [&](const RecommendedRun& of) { return names.name(of.schemes.front(), of.setup); };
+  const auto name = [&](const RecommendedRun& of) { return names.name(of.schemes.front(), of.settings); };
   made.missing.push_back(fmt::format("best: {}: {}", name(missed->best), run_text(missed->best)));
   if (missed->untimed > 0) {
     made.missing.push_back(

@@ -24,18 +24,18 @@ std::ptrdiff_t position(const List& list, const std::string& of, Id id = {}) {
 }
 
 // Increases with resolution: more steps, or a smaller tolerance.
-std::tuple<int, double, double> fineness(const RunSettings& setup) {
-  if (const auto* steps = std::get_if<int>(&setup.resolution)) return {*steps, 0.0, 0.0};
-  const auto& [relative, absolute] = std::get<Tolerance>(setup.resolution);
+std::tuple<int, double, double> fineness(const RunSettings& settings) {
+  if (const auto* steps = std::get_if<int>(&settings.resolution)) return {*steps, 0.0, 0.0};
+  const auto& [relative, absolute] = std::get<Tolerance>(settings.resolution);
   return {0, -relative, -absolute};
 }
 
 // Sort key of runs. The runs of a line are contiguous.
 auto order_of(const RunKey& key) {
-  RunSettings line = key.setup;
+  RunSettings line = key.settings;
   line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrTolerance(0) : Tolerance{};
   return std::tuple(position(scene_ids(), key.scene.id), key.scene,
-                    position(schemes(), key.scheme, &Scheme::id), key.scheme, line, fineness(key.setup));
+                    position(schemes(), key.scheme, &Scheme::id), key.scheme, line, fineness(key.settings));
 }
 template <typename Same>
 std::vector<RunSpan> chunks(RunSpan runs, Same same) {
@@ -116,7 +116,7 @@ std::vector<RunSpan> by_scene(RunSpan runs) { return chunks(runs, same_scene); }
 
 std::vector<RunSpan> by_line(RunSpan runs) {
   return chunks(runs, [](const Record& a, const Record& b) {
-    return same_scene(a, b) && a.key.scheme == b.key.scheme && same_series(a.key.setup, b.key.setup);
+    return same_scene(a, b) && a.key.scheme == b.key.scheme && same_series(a.key.settings, b.key.settings);
   });
 }
 

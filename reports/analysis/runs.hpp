@@ -17,8 +17,8 @@ namespace fde::bench {
 std::optional<MedianInterval> time_of(const Record& run);
 
 // The runs of a results file, ordered by scene, scheme (as in the lists of this build, unknown ones last) and
-// setup, from coarse to fine. Errors of a scene are over the same columns (compare_over_common_columns). If a
-// run was examined in several sessions, the last one counts.
+// settings, from coarse to fine. Errors of a scene are over the same columns (compare_over_common_columns).
+// If a run was examined in several sessions, the last one counts.
 struct Runs {
   std::vector<Record> finished, failed;  // failed: any ending but `finished`, refusals included
   std::map<SceneSettings, SceneDescription>
@@ -46,7 +46,7 @@ struct ReadRuns {
 ReadRuns read_runs(const std::filesystem::path& file);
 ReadRuns read_runs(Results results);
 
-// Contiguous runs: of the same scene; or of the same scene, scheme and setup except the resolution. The
+// Contiguous runs: of the same scene; or of the same scene, scheme and settings except the resolution. The
 // latter are a line of a chart, from coarse to fine. Precondition: `runs` has the order of Runs.
 using RunSpan = std::span<const Record>;
 std::vector<RunSpan> by_scene(RunSpan runs);

@@ -25,7 +25,7 @@ std::optional<RecommendedRun> option_of(const Record& run, const ErrorKind& kind
   const auto error = counted_error(run, kind);
   if (!error) return std::nullopt;
   RecommendedRun option{.schemes = {run.key.scheme},
-                        .setup = run.key.setup,
+                        .settings = run.key.settings,
                         .steps = run.steps,
                         .error = *error,
                         .session = run.last_session(),
@@ -50,7 +50,7 @@ bool counts(const Record& run, const ErrorKind& kind) { return !run[baseline_mea
 std::vector<TrialError> errors_of(RunSpan line, const ErrorKind& kind, int below) {
   std::vector<TrialError> errors;
   for (const Record& run : line) {
-    if (!std::holds_alternative<int>(run.key.setup.resolution)) continue;
+    if (!std::holds_alternative<int>(run.key.settings.resolution)) continue;
     const auto error = run[error_measure(kind)];
     if (error && run.steps > 0 && run.steps < below) errors.push_back({run.steps, *error});
   }
@@ -71,7 +71,7 @@ std::optional<RecommendedRun> quickest_within(RunSpan line, const ErrorKind& kin
 Refinement refinement_of(RunSpan line) {
   Refinement refinement;
   for (const Record& run : line) {
-    refinement.is_adaptive = !std::holds_alternative<int>(run.key.setup.resolution);
+    refinement.is_adaptive = !std::holds_alternative<int>(run.key.settings.resolution);
     RefinementRun seen{.resolution = run.steps, .steps = run.steps};
     for (const auto* error : {"error_end", "error_maximum"})
       seen.errors.push_back({.value = run[error].value_or(INFINITY)});
@@ -81,7 +81,7 @@ Refinement refinement_of(RunSpan line) {
 }
 
 bool is_one_algorithm(RunSpan a, RunSpan b) {
-  return same_series(a.front().key.setup, b.front().key.setup) &&
+  return same_series(a.front().key.settings, b.front().key.settings) &&
          is_same_algorithm(refinement_of(a), refinement_of(b));
 }
 
@@ -133,7 +133,7 @@ RecommendedRun with_prediction(RecommendedRun option, const Runs& runs, const Sc
                                const ErrorKind& kind) {
   for (const RunSpan line : by_line(of_scene(runs.finished, scene))) {
     const RunKey& key = line.front().key;
-    if (key.scheme != option.schemes.front() || !same_series(key.setup, option.setup)) continue;
+    if (key.scheme != option.schemes.front() || !same_series(key.settings, option.settings)) continue;
     option.rate = observed_rate(errors_of(line, kind, option.steps + 1));
     const ErrorModel model(errors_of(line, kind, option.steps));
     if (!model.empty()) option.predicted_error = model.error(option.steps).value;

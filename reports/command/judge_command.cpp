@@ -34,7 +34,7 @@ void end_with(const ExternalTrajectory& path, const std::string& file, SceneVari
   if (last == end) return;
   if (is_two_sided(scene.problem)) {
     throw std::invalid_argument(fmt::format("{}: ends at t = {}, scene {} is posed at both ends, 0 and {}",
-                                            file, last, variant.maker->id, end));
+                                            file, last, variant.factory->id, end));
   }
   variant.until = last;
   set_end(scene, last);
@@ -73,7 +73,7 @@ constexpr std::chrono::seconds longest_wait{60};
 // A run without an assessment. The settings of the other program are unknown.
 Record run_of(const SceneVariant& scene, const std::string& name, const ExternalTrajectory& path) {
   const auto steps = static_cast<int>(path.times.size());
-  return {.key = {.scene = scene.key(), .scheme = name, .setup = {.resolution = steps}, .external = true},
+  return {.key = {.scene = scene.key(), .scheme = name, .settings = {.resolution = steps}, .external = true},
           .steps = steps,
           .end = path.times.back(),
           .program = path.report.facts};

@@ -45,9 +45,9 @@ std::vector<Row> titles(const Entries& entries) {
 
 std::vector<Row> parameters_of(const SceneRegistry& known) {
   std::vector<Row> rows{{"scene", "parameter", "default", "allowed", "meaning"}};
-  for (const auto& maker : known) {
-    std::string id = maker.id;
-    for (const auto& parameter : maker.parameters) {
+  for (const auto& factory : known) {
+    std::string id = factory.id;
+    for (const auto& parameter : factory.parameters) {
       rows.push_back(
           {id, parameter.name, to_text(parameter.value), parameter.allowed(), parameter.description});
       id.clear();
@@ -75,8 +75,8 @@ std::vector<Row> needs_of_all(std::span<const Scheme> known) {
 }
 
 // Prints all data of one scene, one item a line.
-void print_one(const SceneFactory& maker, std::ostream& out) {
-  const Scene scene = make_scene_unchecked(maker);
+void print_one(const SceneFactory& factory, std::ostream& out) {
+  const Scene scene = make_scene_unchecked(factory);
   std::vector<std::string> over_grids, to_accuracies;
   for (const auto& scheme : schemes()) {
     if (!scene.ill_posed_reason.empty()) break;
@@ -88,23 +88,23 @@ void print_one(const SceneFactory& maker, std::ostream& out) {
   out << fmt::format(
       "{}: {}\nsource: {}\nend: {}\ncolumns: {}\nhas: {}\nreference: {}\nschemes: {}\n"
       "schemes that take an accuracy: {}\n",
-      maker.id, maker.title, maker.source, scene.problem.end, column_text(scene.outputs.names),
+      factory.id, factory.title, factory.source, scene.problem.end, column_text(scene.outputs.names),
       fmt::join(defined_by(scene), ", "), evidence_of(scene), fmt::join(over_grids, ", "),
       fmt::join(to_accuracies, ", "));
-  if (!maker.parameters.empty()) {
+  if (!factory.parameters.empty()) {
     std::vector<Row> rows{{"parameter", "default", "allowed", "meaning"}};
-    for (const auto& parameter : maker.parameters)
+    for (const auto& parameter : factory.parameters)
       rows.push_back({parameter.name, to_text(parameter.value), parameter.allowed(), parameter.description});
     out << '\n';
     out << aligned(rows, gap);
   }
   if (!over_grids.empty()) {
-    out << fmt::format("\nfdebench solve {} --scheme {} --steps 1024 --at {}\n", shell_word(maker.id),
+    out << fmt::format("\nfdebench solve {} --scheme {} --steps 1024 --at {}\n", shell_word(factory.id),
                        over_grids.back(), scene.problem.end);
   }
   if (!to_accuracies.empty()) {
     out << fmt::format("{}fdebench solve {} --scheme {} --accuracy 1e-6 --at {}\n",
-                       over_grids.empty() ? "\n" : "", shell_word(maker.id), to_accuracies.front(),
+                       over_grids.empty() ? "\n" : "", shell_word(factory.id), to_accuracies.front(),
                        scene.problem.end);
   }
 }
@@ -120,9 +120,9 @@ void print_one(const Scheme& scheme, std::ostream& out) {
 }
 
 // Prints the equation file of a scene.
-void print_toml(const SceneFactory& maker, std::ostream& out) {
-  if (maker.toml.empty()) reject_text("--toml", maker.id, "a scene that is an equation file");
-  out << maker.toml;
+void print_toml(const SceneFactory& factory, std::ostream& out) {
+  if (factory.toml.empty()) reject_text("--toml", factory.id, "a scene that is an equation file");
+  out << factory.toml;
 }
 
 // Prints all: id and title, or `details` with the flag `detail`, or JSON.

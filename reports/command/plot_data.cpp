@@ -31,7 +31,7 @@ json page_of(json section) {
 json solution(const SceneVariant& of, bool with_all_columns) {
   SampleLimits limits{.times = most_drawn_times};
   if (with_all_columns) limits.columns = std::numeric_limits<Eigen::Index>::max();
-  Scene scene = make_scene_unchecked(*of.maker, of.values);
+  Scene scene = make_scene_unchecked(*of.factory, of.values);
   if (of.until) set_end(scene, *of.until);
   try {
     return json_of(sample_solution(scene, reference_of(scene), limits));
@@ -57,7 +57,7 @@ std::string parameter_of(const std::vector<SceneVariant>& scenes) {
 // Of a family over the parameter.
 json member(const SceneVariant& of, const std::string& parameter, bool with_all_columns) {
   json made{{"value", to_text(of.values.at(parameter))}, {"solution", solution(of, with_all_columns)}};
-  for (const auto& [name, limit] : make_scene_unchecked(*of.maker, of.values).discontinuities)
+  for (const auto& [name, limit] : make_scene_unchecked(*of.factory, of.values).discontinuities)
     if (name == parameter) made["limits"].push_back(limit);
   return made;
 }
@@ -92,7 +92,7 @@ json data_of_drifts(ReadRuns read, const SceneSettings& scene) {
 
 json data_of_solutions(const std::vector<SceneVariant>& scenes, bool with_all_columns) {
   const auto& first = scenes.front();
-  json section{{"id", section_of(first.key())}, {"title", with_settings(first.maker->title, first.key())}};
+  json section{{"id", section_of(first.key())}, {"title", with_settings(first.factory->title, first.key())}};
   if (scenes.size() == 1) {
     section["solution"] = solution(first, with_all_columns);
     return page_of(std::move(section));

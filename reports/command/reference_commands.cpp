@@ -62,14 +62,14 @@ std::string rows_in_digits(const std::vector<std::vector<reference::Decimal>>& t
 
 // The table of the scene as CSV.
 std::string exact_rows(const SceneVariant& variant, const Given& given, ReferenceProgress& work) {
-  const Scene scene = make_scene_unchecked(*variant.maker, variant.values);
+  const Scene scene = make_scene_unchecked(*variant.factory, variant.values);
   const auto times = increasing(given.numbers("--at"));
   const auto before = [&](double t) { work.set_place(fmt::format("t = {}", t)); };
   const bool each_bound = given.has("--bounds");
   try {
     const auto digits = given.find_count("--digits");
     if (!digits) return rows_in_double(exact(scene, times, before), times, each_bound);
-    return rows_in_digits(exact_in_digits(scene, variant.maker->id, times, *digits, before),
+    return rows_in_digits(exact_in_digits(scene, variant.factory->id, times, *digits, before),
                           scene.outputs.names, times, each_bound);
   } catch (const Refusal& refusal) {
     given.refuse(refusal, {{"times", "--at"}});

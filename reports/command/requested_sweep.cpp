@@ -76,7 +76,7 @@ Sweep sweep_of(const Given& given, std::vector<SceneVariant> scenes) {
               .schemes = chosen_schemes(given),
               .programs = chosen_programs(given),
               .plan = chosen_plan(given),
-              .setup = parse_run_settings(given),
+              .settings = parse_run_settings(given),
               .optimal_grids = grid == optimal_grid};
   if (given.has("--accuracy") && !given.has("--steps") && grid != uniform_grid)
     given.refuse("--grid", "with --steps: schemes that take --accuracy choose their times");
@@ -84,9 +84,9 @@ Sweep sweep_of(const Given& given, std::vector<SceneVariant> scenes) {
     given.refuse("--grid", "uniform or graded:R beside --external");
   if (sweep.plan.goal) sweep.repeats = of_default_sweep;
   if (!given.has("--budget")) {
-    sweep.setup.budget = is_listed(given)  ? usual_budget
-                         : sweep.plan.goal ? budget_of_search
-                                           : thorough_budget;
+    sweep.settings.budget = is_listed(given)  ? usual_budget
+                            : sweep.plan.goal ? budget_of_search
+                                              : thorough_budget;
   }
   sweep.repeats.most = given.count("--repeat");
   return sweep;

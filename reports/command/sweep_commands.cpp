@@ -35,7 +35,7 @@ class Refusals {
     if (run.ending.kind != SolveStatus::refused) return;
     if (++count_ == 1) {
       first_ = fmt::format("{} {} {}: {}", label_of(run.key.scene), run.key.scheme,
-                           resolution_text(run.key.setup), run.ending.detail);
+                           resolution_text(run.key.settings), run.ending.detail);
     }
   }
 
@@ -92,7 +92,7 @@ void list_runs(const std::vector<Sweep>& sweeps, const std::optional<std::string
   for (const auto& [run, seconds] : expected) {
     refused += seconds.refusal.empty() ? 0 : 1;
     streams.out << fmt::format(
-        "{} {} {}  {}\n", label_of(run.scene), run.scheme, resolution_text(run.setup),
+        "{} {} {}  {}\n", label_of(run.scene), run.scheme, resolution_text(run.settings),
         seconds.refusal.empty() ? time_text(seconds.total()) : fmt::format("refused: {}", seconds.refusal));
   }
   streams.out << fmt::format("{}{} runs, {}about {}\n", count_is_exact(sweeps) ? "" : "about ",

@@ -81,7 +81,7 @@ class TablesOfResults {
   }
 
   void write(const Record& run, std::size_t id) {
-    const auto& [resolution, grading, history, tolerance, budget] = run.key.setup;
+    const auto& [resolution, grading, history, tolerance, budget] = run.key.settings;
     const auto* accuracy = std::get_if<Tolerance>(&resolution);
     const bool ours = !run.key.external;
     put(TableId::runs, {number(id),

@@ -56,7 +56,7 @@ json ending_facts(const RunOutcome& outcome) {
 
 json run_facts(const PageInput& page, const Record& run, std::initializer_list<std::string_view> quantities) {
   json facts{{"line", page.label(run.key)},
-             {"grid", page.grid(run.key.setup)},
+             {"grid", page.grid(run.key.settings)},
              {"steps", run.steps},
              {"wall_clock", run.timing.wall_clock}};
   for (const auto quantity : quantities) facts[std::string(quantity)] = fact(run[quantity]);
@@ -64,10 +64,10 @@ json run_facts(const PageInput& page, const Record& run, std::initializer_list<s
 }
 
 json run_facts(const PageInput& page, const RecommendedRun& option) {
-  const auto* requested = std::get_if<Tolerance>(&option.setup.resolution);
+  const auto* requested = std::get_if<Tolerance>(&option.settings.resolution);
   const auto& [median, low, high] = option.time;
   const bool is_timed = median > 0.0;
-  json facts{{"line", page.label(option)},      {"grid", page.grid(option.setup)},
+  json facts{{"line", page.label(option)},      {"grid", page.grid(option.settings)},
              {"steps", option.steps},           {"error", fact(option.error)},
              {"wall_clock", option.wall_clock}, {"session", session_number(page, option.session)}};
   if (requested != nullptr) facts["requested"] = fact(requested->rtol);

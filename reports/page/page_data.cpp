@@ -43,8 +43,8 @@ bool is_trial(const Runs& runs, const RunKey& run) {
   const auto* described = runs.describe(run.scene);
   if (described == nullptr || !described->trial) return false;
   const auto& [number, kind, steps, accuracy] = *described->trial;
-  return run.setup.resolution == StepsOrTolerance(steps) ||
-         run.setup.resolution == StepsOrTolerance(accuracy);
+  return run.settings.resolution == StepsOrTolerance(steps) ||
+         run.settings.resolution == StepsOrTolerance(accuracy);
 }
 
 // Returns the runs of trials, and removes those of scenes without other runs from `runs`.

@@ -31,16 +31,16 @@ struct PageInput {
   LineNames names;
 
   // The name of the run's line on the page.
-  [[nodiscard]] std::string label(const RunKey& run) const { return names.name(run.scheme, run.setup); }
+  [[nodiscard]] std::string label(const RunKey& run) const { return names.name(run.scheme, run.settings); }
   [[nodiscard]] std::string label(const RecommendedRun& of) const {
-    return names.name(of.schemes.front(), of.setup);
+    return names.name(of.schemes.front(), of.settings);
   }
-  [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.setup); }
+  [[nodiscard]] std::string label(const RateRow& of) const { return names.name(of.scheme, of.settings); }
   // The labels of the lines of these runs, without repetitions, in the order of the list of schemes; those of
   // schemes that this build does not have last.
   [[nodiscard]] std::vector<std::string> labels(std::initializer_list<RunSpan> of) const;
   // The line's grid if its name omits it; otherwise empty.
-  [[nodiscard]] std::string grid(const RunSettings& setup) const { return names.grid(setup); }
+  [[nodiscard]] std::string grid(const RunSettings& settings) const { return names.grid(settings); }
 };
 
 // Date, machine, compiler and flags of each session.

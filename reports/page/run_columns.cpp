@@ -37,7 +37,7 @@ std::optional<double> common_end(const std::vector<const Record*>& runs) {
 }
 
 json requested_tolerance(const Record& run) {
-  const auto* accuracy = std::get_if<Tolerance>(&run.key.setup.resolution);
+  const auto* accuracy = std::get_if<Tolerance>(&run.key.settings.resolution);
   return accuracy != nullptr ? json(accuracy->rtol) : json();
 }
 
@@ -69,8 +69,9 @@ json run_columns(const PageInput& page, const std::vector<const Record*>& runs) 
     add(std::string(name), [&](const Record& run) { return chart_number(run[name]); });
   for (const auto name : cost_names)
     add(std::string(name), [&](const Record& run) { return chart_number(run[name], few_digits); });
-  add("grading",
-      [](const Record& run) { return run.key.setup.grading == 1.0 ? json() : json(run.key.setup.grading); });
+  add("grading", [](const Record& run) {
+    return run.key.settings.grading == 1.0 ? json() : json(run.key.settings.grading);
+  });
   add("wall_clock", [](const Record& run) { return run.timing.wall_clock ? json(true) : json(); });
   if (page.sessions.size() > 1)
     add("session", [](const Record& run) { return json(run.last_session() + 1); });

@@ -34,8 +34,8 @@ inline std::vector<FinalValues> final_values() {
   for (const std::string_view id :
        {"relaxation", "relaxation_pair", "diethelm", "bagley_torvik", "pendulum", "brusselator", "knife_edge",
         "fractional_constraint_2d", "two_sided_constraint"}) {
-    const SceneFactory& maker = *find_scene(id);
-    const Scene scene = make_scene(maker);
+    const SceneFactory& factory = *find_scene(id);
+    const Scene scene = make_scene(factory);
     for (const auto& scheme : schemes()) {
       for (const int steps : {64, 1500}) {
         const Grid grid{.end = scene.problem.end, .steps = steps};

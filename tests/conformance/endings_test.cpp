@@ -8,14 +8,14 @@
 namespace fde::bench {
 namespace {
 
-const SceneFactory& maker(std::string_view id) { return *find_scene(id); }
+const SceneFactory& factory(std::string_view id) { return *find_scene(id); }
 
 // A mass on a vertical spring that is released far out passes through its point of suspension: the angle is
 // not defined there, while every formula remains finite.
 class Singularity : public testing::TestWithParam<const Scheme*> {};
 
 TEST_P(Singularity, EndsTheRunWithStepAndTime) {
-  Scene scene = make_scene(maker("extensible_pendulum"),
+  Scene scene = make_scene(factory("extensible_pendulum"),
                            {{"phi0", 0.0}, {"xi0", 3.0}, {"K_over_m", 5.0}, {"g_over_L", 0.1}});
   const auto path = GetParam()->solve(scene.problem, Grid{scene.problem.end, 4096}, {});
   ASSERT_EQ(path.status, SolveStatus::left_domain);
@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(, Singularity,
 
 // Backward Euler damps the free pendulum by 5 % a step, to below the smallest doubles.
 TEST(Underflow, IsNoFailureOfNewtonsMethod) {
-  Scene scene = make_scene(maker("pendulum"), {{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}});
+  Scene scene = make_scene(factory("pendulum"), {{"mu", 0.0}, {"nu", 0.0}, {"lambda", 0.0}});
   const auto path = solve("l1", scene.problem, Grid{4e3, 10000}, {.output_times = {4e3}});
   EXPECT_EQ(path.status, SolveStatus::finished) << describe(scene.problem, path);
   EXPECT_LT(path.y.cwiseAbs().maxCoeff(), 1e-290);
@@ -41,7 +41,7 @@ TEST(Underflow, IsNoFailureOfNewtonsMethod) {
 TEST(Examination, TellsStopsAtASingularityFromWrongOnesAndFromNone) {
   const auto ending = [](const ParameterValues& values, double until, std::string_view scheme, int steps) {
     const Scene scene =
-        make_scene({.maker = &maker("extensible_pendulum"), .values = values, .until = until});
+        make_scene({.factory = &factory("extensible_pendulum"), .values = values, .until = until});
     MemoizedReference reference(scene);
     return examine({}, scene, reference, *find_scheme(scheme), {steps}).ending.kind;
   };
@@ -55,7 +55,7 @@ TEST(Examination, TellsStopsAtASingularityFromWrongOnesAndFromNone) {
 class Budget : public testing::TestWithParam<const Scheme*> {};
 
 TEST_P(Budget, OfNoTimeEndsTheRun) {
-  const Scene scene = make_scene(maker("relaxation"));
+  const Scene scene = make_scene(factory("relaxation"));
   const auto path = GetParam()->solve(scene.problem, Grid{1.0, 1000}, {.budget = 0.0});
   EXPECT_EQ(path.status, SolveStatus::out_of_budget);
   EXPECT_LT(path.steps, 100);
@@ -70,12 +70,12 @@ INSTANTIATE_TEST_SUITE_P(, Budget,
                          id_of_param);
 
 TEST(BudgetOfShortRuns, IsLookedAtToo) {
-  const Scene scene = make_scene(maker("relaxation"));
+  const Scene scene = make_scene(factory("relaxation"));
   EXPECT_EQ(solve("l1", scene.problem, Grid{1.0, 2}, {.budget = 0.0}).status, SolveStatus::out_of_budget);
 }
 
 TEST(BudgetOfTwoSided, EndsNewtonsMethod) {
-  const Scene scene = make_scene(maker("fractional_hamilton"));
+  const Scene scene = make_scene(factory("fractional_hamilton"));
   const auto path = solve("product_trapezoidal", scene.problem, 64, {.budget = 0.0});
   EXPECT_EQ(path.status, SolveStatus::out_of_budget);
 }

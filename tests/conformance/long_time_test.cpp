@@ -14,7 +14,7 @@ constexpr double end = 1e5;
 constexpr int steps = 1 << 20;
 
 Scene pendulum(const ParameterValues& values) {
-  return make_scene({.maker = find_scene("pendulum"), .values = values, .until = end});
+  return make_scene({.factory = find_scene("pendulum"), .values = values, .until = end});
 }
 
 struct Energies {

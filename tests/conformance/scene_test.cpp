@@ -50,8 +50,8 @@ TEST_P(EveryScene, FitsEverySchemeOrIsRefusedWithAReason) {
 }
 
 TEST_P(EveryScene, SaysItsEquations) {
-  const SceneFactory& maker = *GetParam();
-  EXPECT_FALSE(maker.equations.empty() && maker.display_equations.empty());
+  const SceneFactory& factory = *GetParam();
+  EXPECT_FALSE(factory.equations.empty() && factory.display_equations.empty());
 }
 
 TEST_P(EveryScene, HasConsistentShapes) {
@@ -134,7 +134,7 @@ TEST_P(EveryScene, ItsPowerIsTheRateOfEnergy) {
 
 std::vector<const SceneFactory*> every_scene() {
   std::vector<const SceneFactory*> all;
-  for (const auto& maker : built_in_scenes()) all.push_back(&maker);
+  for (const auto& factory : built_in_scenes()) all.push_back(&factory);
   return all;
 }
 INSTANTIATE_TEST_SUITE_P(, EveryScene, testing::ValuesIn(every_scene()), id_of_param);

@@ -89,17 +89,17 @@ void check_reference(const Scene& scene, double t) {
 
 FDE_FUZZ_TARGET(parameter_values) {
   fuzz::Bytes bytes(data, size);
-  const auto& maker = named(built_in_scenes(), bytes.line());
+  const auto& factory = named(built_in_scenes(), bytes.line());
   const auto& scheme = named(schemes(), bytes.line());
   const int steps = 1 + static_cast<int>(bytes.index_below(24));
   const bool exact = bytes.index_below(4) == 0;
   ParameterValues values;
-  while (!bytes.empty() && !maker.parameters.empty()) {
-    const auto& parameter = maker.parameters[bytes.index_below(maker.parameters.size())];
+  while (!bytes.empty() && !factory.parameters.empty()) {
+    const auto& parameter = factory.parameters[bytes.index_below(factory.parameters.size())];
     values[parameter.name] = value(bytes, parameter);
   }
   fuzz::require_one_line_errors([&] {
-    const Scene scene = make_scene(maker, values);
+    const Scene scene = make_scene(factory, values);
     if (!scene.ill_posed_reason.empty()) return;
     if (exact) {
       check_reference(scene, scene.problem.end);

@@ -61,7 +61,7 @@ FDE_FUZZ_TARGET(records) {
   }
   show(results);
   const auto count = results.records.size();
-  ResultsFile(file).append(Record{.key = {.scene = {"power"}, .scheme = "l1", .setup = {1}}, .steps = 1});
+  ResultsFile(file).append(Record{.key = {.scene = {"power"}, .scheme = "l1", .settings = {1}}, .steps = 1});
   fuzz::require(read_results(file).records.size() == count + 1, "a file that was read can be continued");
   return 0;
 }

@@ -57,7 +57,7 @@ TEST_F(Unwritable, AFolderThatVanishesDuringARun) {
   folder_.write("here/nothing", "");
   const fs::path file = folder_.path() / "here" / "r.jsonl";
   ResultsFile results(file);
-  const Record run{.key = {.scene = {"power"}, .scheme = "l1", .setup = {8}}, .steps = 8};
+  const Record run{.key = {.scene = {"power"}, .scheme = "l1", .settings = {8}}, .steps = 8};
   results.append(run);
   fs::remove_all(folder_.path() / "here");
   EXPECT_THAT([&] { results.append(run); },

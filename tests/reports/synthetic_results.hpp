@@ -33,7 +33,7 @@ struct SyntheticRun {
 
 // The record of the run in the last session, which is added if there is none.
 inline Record& record_of(Results& results, const SyntheticRun& run) {
-  const RunKey key{.scene = {run.scene}, .scheme = run.scheme, .setup = {.resolution = run.steps}};
+  const RunKey key{.scene = {run.scene}, .scheme = run.scheme, .settings = {.resolution = run.steps}};
   const std::size_t session = results.sessions.size() - 1;
   const auto found = std::ranges::find_if(
       results.records, [&](const Record& other) { return other.key == key && other.session == session; });

@@ -83,8 +83,8 @@ int main(int count, char** arguments) {
     fmt::print("{:15} {:22} {:>8} {:>8} {:>6}   {}\n", "system", "scheme", "file", "by hand", "ratio",
                "difference at the end");
     for (const auto& system : systems_written_twice()) {
-      const auto maker = equation_scene(parse_equation_text("system.toml", system.file));
-      const Scene scene = make_scene(maker);
+      const auto factory = equation_scene(parse_equation_text("system.toml", system.file));
+      const Scene scene = make_scene(factory);
       for (const auto* id : {"adams_pc", "product_trapezoidal", "bdf2", "decoupled_multi_order"})
         print_row(system, *find_scheme(id), scene.problem, steps, pairs);
     }

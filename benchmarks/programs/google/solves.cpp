@@ -20,7 +20,7 @@ using namespace fde::bench;
 
 // A scene with its reference, which is computed once, by the first benchmark of the scene.
 struct Subject {
-  explicit Subject(const SceneFactory& maker) : id(maker.id), scene(make_scene(maker)) {}
+  explicit Subject(const SceneFactory& factory) : id(factory.id), scene(make_scene(factory)) {}
   std::string_view id;
   Scene scene;
   MemoizedReference reference{scene};
@@ -122,14 +122,14 @@ void register_steps(std::list<Subject>& subjects) {
 
 int main(int count, char** arguments) {
   std::list<Subject> subjects;  // stable addresses: the benchmarks keep references
-  for (const auto& maker : built_in_scenes()) {
-    auto& subject = subjects.emplace_back(maker);
+  for (const auto& factory : built_in_scenes()) {
+    auto& subject = subjects.emplace_back(factory);
     for (const auto& scheme : schemes()) {
       for (const int steps : {256, 1024, 4096}) {
         if (unsupported_reason(scheme, subject.scene.problem, Grid{subject.scene.problem.end, steps}))
           continue;
         benchmark::RegisterBenchmark(
-            fmt::format("solve/{}/{}/{}", maker.id, scheme.id, steps).c_str(),
+            fmt::format("solve/{}/{}/{}", factory.id, scheme.id, steps).c_str(),
             [&subject, &scheme, steps](benchmark::State& state) { solve(state, subject, scheme, steps); })
             ->Unit(benchmark::kMillisecond);
       }

@@ -60,8 +60,8 @@ double processor_seconds_of(const auto& work) {
 Scene scene_of(const Row& row) {
   const auto points = std::round(std::pow(static_cast<double>(row.unknowns), 1.0 / row.dimensions));
   const bool line = row.dimensions == 1;
-  const auto& maker = built_in_scenes().named(line ? "fractional_diffusion" : "fractional_diffusion_2d");
-  return make_scene(maker, {{"gamma", order_of_l1}, {line ? "components" : "n", points}});
+  const auto& factory = built_in_scenes().named(line ? "fractional_diffusion" : "fractional_diffusion_2d");
+  return make_scene(factory, {{"gamma", order_of_l1}, {line ? "components" : "n", points}});
 }
 
 // Mean CPU seconds of a step of the history alone, over `count` steps.

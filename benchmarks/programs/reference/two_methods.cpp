@@ -36,18 +36,18 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 // The initial value problems among the nonlinear scenes: problems at both ends have two other methods.
 std::vector<const SceneFactory*> nonlinear_scenes() {
   std::vector<const SceneFactory*> found;
-  for (const auto& maker : built_in_scenes()) {
-    const Scene scene = make_scene(maker);
-    if (!scene.reference.at && !is_two_sided(scene.problem)) found.push_back(&maker);
+  for (const auto& factory : built_in_scenes()) {
+    const Scene scene = make_scene(factory);
+    if (!scene.reference.at && !is_two_sided(scene.problem)) found.push_back(&factory);
   }
   return found;
 }
 
 // Draws each number within a third of its default, if allowed; integers, words and lists keep their defaults.
-ParameterValues drawn_values(const SceneFactory& maker, std::mt19937_64& generator) {
+ParameterValues drawn_values(const SceneFactory& factory, std::mt19937_64& generator) {
   std::uniform_real_distribution<double> factor(2.0 / 3.0, 4.0 / 3.0);
   ParameterValues values;
-  for (const Parameter& parameter : maker.parameters) {
+  for (const Parameter& parameter : factory.parameters) {
     const double* number = std::get_if<double>(&parameter.value);
     if (number == nullptr || !parameter.default_formula.empty() || *number == std::rint(*number)) continue;
     const ParameterValue drawn = std::round(1e4 * factor(generator) * *number) / 1e4;
@@ -82,12 +82,12 @@ int random_problems(int count) {
   std::uniform_real_distribution<double> end(0.3, 10.0);
   int without = 0, beyond = 0;
   for (int i = 0; i < count; ++i) {
-    const SceneFactory& maker = *makers[static_cast<std::size_t>(i) % makers.size()];
-    const auto values = drawn_values(maker, generator);
-    std::string label = maker.id;
+    const SceneFactory& factory = *makers[static_cast<std::size_t>(i) % makers.size()];
+    const auto values = drawn_values(factory, generator);
+    std::string label = factory.id;
     for (const auto& [name, value] : values) label += fmt::format(" {}={}", name, to_text(value));
     try {
-      Scene scene = make_scene(maker, values);
+      Scene scene = make_scene(factory, values);
       scene.problem.end = end(generator);
       const double difference = difference_in_bounds(reference_problem_of(scene).problem);
       if (difference <= 1.0) continue;
@@ -102,7 +102,7 @@ int random_problems(int count) {
   return beyond;
 }
 
-void print_rows(const SceneFactory& maker, Scene scene) {
+void print_rows(const SceneFactory& factory, Scene scene) {
   scene.problem.end = compared_times.back();
   const auto start = std::chrono::steady_clock::now();
   const auto [problem, outputs] = reference_problem_of(scene);
@@ -111,7 +111,7 @@ void print_rows(const SceneFactory& maker, Scene scene) {
   const double both = seconds_since(start);
   const auto second =
       reference::diffusive_solution(problem, {}, {compared_times.begin(), compared_times.end()});
-  fmt::print(stderr, "{}: reference {:.2f} s, its second method {:.2f} s in {} steps\n", maker.id, both,
+  fmt::print(stderr, "{}: reference {:.2f} s, its second method {:.2f} s in {} steps\n", factory.id, both,
              seconds_since(start) - both, second.times.size());
   for (const double t : compared_times) {
     const reference::ReferenceValue known = reference.at(t);
@@ -120,7 +120,7 @@ void print_rows(const SceneFactory& maker, Scene scene) {
               others = columns_at(outputs, t, second.values[static_cast<std::size_t>(k)]);
     const Vec bounds = propagated_bound(outputs, t, known, values);
     for (Eigen::Index c = 0; c < values.size(); ++c) {
-      fmt::print("{},{},{},{:.17g},{:.17g},{:.1e},{:.1e}\n", maker.id, t,
+      fmt::print("{},{},{},{:.17g},{:.17g},{:.1e},{:.1e}\n", factory.id, t,
                  scene.outputs.names[static_cast<std::size_t>(c)], values[c], others[c],
                  std::abs(values[c] - others[c]), bounds[c]);
     }
@@ -136,7 +136,7 @@ void two_methods(const Words& words) {
   }
   if (!words.empty()) throw std::invalid_argument("two_methods [--random N]");
   fmt::print("scene,t,quantity,collocation,second_method,difference,bound\n");
-  for (const auto* maker : nonlinear_scenes()) print_rows(*maker, make_scene(*maker));
+  for (const auto* factory : nonlinear_scenes()) print_rows(*factory, make_scene(*factory));
 }
 
 }  // namespace fde::bench::figures

@@ -60,8 +60,8 @@ std::string tell(const std::string& label) {
   fmt::print("| `{}`", label);
   std::vector<SearchCandidate> found;
   for (const double accuracy : accuracies) {
-    const AccuracyTarget question{{Norm::end, Scale::mixed}, accuracy, all_columns(scene)};
-    found = search(scene, question, 60.0, [](const std::string&, double) {});
+    const AccuracyTarget target{{Norm::end, Scale::mixed}, accuracy, all_columns(scene)};
+    found = search(scene, target, 60.0, [](const std::string&, double) {});
     fmt::print(" | {}", cell(found.front()));
     std::fflush(stdout);
   }

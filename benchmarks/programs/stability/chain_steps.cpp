@@ -21,8 +21,8 @@ namespace fde::bench::figures {
 namespace {
 
 Problem oscillator(double alpha, double beta, double mu, double nu) {
-  const auto& maker = built_in_scenes().named("damped_oscillator");
-  return make_scene(maker, {{"alpha", alpha}, {"beta", beta}, {"mu", mu}, {"nu", nu}}).problem;
+  const auto& factory = built_in_scenes().named("damped_oscillator");
+  return make_scene(factory, {{"alpha", alpha}, {"beta", beta}, {"mu", mu}, {"nu", nu}}).problem;
 }
 
 double largest_step(const Problem& problem) {

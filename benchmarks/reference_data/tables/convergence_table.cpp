@@ -30,11 +30,11 @@ const std::vector<std::string> measured{"h", "error_end", "error_maximum", "expe
 
 TableMetadata convergence_facts(const SceneVariant& of) {
   return {
-      .title = fmt::format("{}: errors of every scheme against the number of steps", of.maker->title),
+      .title = fmt::format("{}: errors of every scheme against the number of steps", of.factory->title),
       .method = fmt::format("each scheme on a uniform grid of [0, {}], compared at every step with the "
                             "reference, in double; reproducible to {:g} of the error and {:g} of 1 + max |y|",
                             make_scene(of).problem.end, relative_tolerance, rounding_tolerance),
-      .source = std::string(of.maker->source),
+      .source = std::string(of.factory->source),
       .bound = "of the reference at the end, against which the errors are measured",
       .digits = double_digits,
       .columns = {

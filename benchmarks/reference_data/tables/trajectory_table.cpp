@@ -39,9 +39,9 @@ TableMetadata trajectory_facts(const SceneVariant& of) {
   const Scene scene = make_scene(of);
   const bool exact = static_cast<bool>(scene.reference.digits);
   TableMetadata facts{
-      .title = fmt::format("{}: the solution at stated times", of.maker->title),
+      .title = fmt::format("{}: the solution at stated times", of.factory->title),
       .method = method_of(scene),
-      .source = std::string(of.maker->source),
+      .source = std::string(of.factory->source),
       .bound = scene.reference.at
                    ? "the largest over the columns, of the absolute error, the rounding of the texts included"
                    : "an estimate, the largest over the columns, of the absolute error",
@@ -149,7 +149,7 @@ RowCheck trajectory_check(const SceneVariant& of, const DataTable& given) {
 }
 
 bool has_table(const SceneVariant& of) {
-  return make_scene(*of.maker, of.values).outputs.names.size() <= most_columns;
+  return make_scene(*of.factory, of.values).outputs.names.size() <= most_columns;
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 int main() {
   const fde::bench::Scene scene =
       fde::bench::make_scene(fde::bench::read_variant("relaxation", {"gamma=0.7"}));
-  const fde::bench::AccuracyTarget question{
+  const fde::bench::AccuracyTarget target{
       {fde::Norm::end, fde::bench::Scale::mixed}, 1e-5, fde::bench::all_columns(scene)};
-  const auto candidates = fde::bench::search(scene, question, 2.0, [](const std::string&, double) {});
+  const auto candidates = fde::bench::search(scene, target, 2.0, [](const std::string&, double) {});
   for (const fde::bench::SearchCandidate& candidate : candidates) {
     if (candidate.outcome != fde::bench::SearchOutcome::accuracy_reached) continue;
     std::printf("%s N = %d grading %g: error %.1e\n", std::string(candidate.configuration.scheme->id).c_str(),

@@ -19,7 +19,7 @@ constexpr std::size_t most_rows = 200;  // per kind of change
 json row(const PageInput& page, const CommonRun& run) {
   const RunKey& key = run.now->key;
   json facts{{"scene", label_of(key.scene)}, {"to", section_of(key.scene)}, {"line", page.label(key)}};
-  if (const auto* requested = std::get_if<Tolerance>(&key.setup.resolution)) {
+  if (const auto* requested = std::get_if<Tolerance>(&key.settings.resolution)) {
     facts["requested"] = {requested->rtol, requested->atol};
   } else {
     facts["steps"] = run.now->steps;

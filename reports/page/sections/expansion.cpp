@@ -22,9 +22,9 @@ struct Pair {
   const Record *chain, *expansion;
 };
 
-const Record* find(RunSpan runs, std::string_view scheme, const RunSettings& setup) {
+const Record* find(RunSpan runs, std::string_view scheme, const RunSettings& settings) {
   const auto found = std::ranges::find_if(
-      runs, [&](const Record& run) { return run.key.scheme == scheme && run.key.setup == setup; });
+      runs, [&](const Record& run) { return run.key.scheme == scheme && run.key.settings == settings; });
   return found == runs.end() ? nullptr : &*found;
 }
 
@@ -33,7 +33,7 @@ std::optional<Pair> finest_pair(const Scheme& expansion, RunSpan scene) {
   std::optional<Pair> finest;
   for (const Record& run : scene) {
     if (run.key.scheme != expansion.id || (finest && finest->expansion->steps > run.steps)) continue;
-    if (const auto* chain = find(scene, expansion.expansion_of, run.key.setup)) finest = Pair{chain, &run};
+    if (const auto* chain = find(scene, expansion.expansion_of, run.key.settings)) finest = Pair{chain, &run};
   }
   return finest;
 }

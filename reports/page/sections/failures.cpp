@@ -42,7 +42,7 @@ std::vector<EqualEndings> endings_of(const PageInput& page, RunSpan line) {
       found.push_back({{page.label(run.key)}, {}, {}, run.ending, {}});
     auto& of = found.back();
     of.last = run.ending;
-    if (const auto* requested = std::get_if<Tolerance>(&run.key.setup.resolution)) {
+    if (const auto* requested = std::get_if<Tolerance>(&run.key.settings.resolution)) {
       of.tolerances.push_back(requested->rtol);
     } else {
       of.steps.push_back(run.steps);

@@ -34,8 +34,8 @@ struct Plane {
   Places labels{}, options{};
 
   std::size_t label(const RecommendedRun& run) { return labels(page.label(run)); }
-  std::size_t label(const std::string& scheme, const RunSettings& setup) {
-    return labels(page.names.name(scheme, setup));
+  std::size_t label(const std::string& scheme, const RunSettings& settings) {
+    return labels(page.names.name(scheme, settings));
   }
 };
 
@@ -88,13 +88,13 @@ using RankedRuns = std::vector<std::vector<RecommendedRun>>;
 TimesOfScenes times_of(Plane& plane, const RankedRuns& ranked) {
   for (const auto& runs : ranked) {
     for (const auto& run : runs)
-      for (const auto& scheme : run.schemes) plane.label(scheme, run.setup);
+      for (const auto& scheme : run.schemes) plane.label(scheme, run.settings);
   }
   TimesOfScenes times(ranked.size(), {plane.labels.texts().size(), std::nullopt});
   for (std::size_t member = 0; member < ranked.size(); ++member) {
     for (const auto& run : ranked[member]) {
       for (const auto& scheme : run.schemes) {
-        auto& time = times[member][plane.label(scheme, run.setup)];
+        auto& time = times[member][plane.label(scheme, run.settings)];
         if (!time || run.time.median < time->median) time = run.time;
       }
     }

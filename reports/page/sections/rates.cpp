@@ -25,7 +25,7 @@ json rate_facts(const NormRate& rate) {
 
 json row(const PageInput& page, const RateRow& rate) {
   return {{"line", page.label(rate)},
-          {"grid", page.grid(rate.setup)},
+          {"grid", page.grid(rate.settings)},
           {"steps", {rate.coarsest, rate.finest}},
           {"end", rate_facts(rate.end)},
           {"maximum", rate_facts(rate.maximum)}};

@@ -12,7 +12,7 @@ using nlohmann::json;
 std::optional<double> observed_rate_of(const PageInput& page, const SceneSettings& scene,
                                        const RecommendedRun& line, Norm norm) {
   for (const RateRow& row : page.rates) {
-    if (row.scene != scene || row.scheme != line.schemes.front() || !same_series(row.setup, line.setup))
+    if (row.scene != scene || row.scheme != line.schemes.front() || !same_series(row.settings, line.settings))
       continue;
     const NormRate& rate = norm == Norm::end ? row.end : row.maximum;
     if (rate.fit.points > 0) return rate.fit.slope;

@@ -52,7 +52,7 @@ constexpr ErrorKind judged{.norm = Norm::maximum, .scale = Scale::mixed};
 constexpr double fine = 1e-12;
 
 bool takes_accuracy(const RecommendedRun& option) {
-  return std::holds_alternative<Tolerance>(option.setup.resolution);
+  return std::holds_alternative<Tolerance>(option.settings.resolution);
 }
 
 // The time of the quickest plain scheme on a grid within 1e-12, extrapolated by the error model if no run

@@ -34,7 +34,7 @@ json cell(const PageInput& page, const SceneSettings& scene, int steps, const st
              {"wall_clock", found->timing.wall_clock}};
   if (!found->key.external) {
     facts["scheme"] = found->key.scheme;
-    facts["options"] = options_of(found->key.setup, steps);
+    facts["options"] = options_of(found->key.settings, steps);
   }
   if (found->ending.kind != SolveStatus::finished) facts.update(ending_facts(found->ending));
   return facts;

@@ -19,8 +19,8 @@ namespace {
 
 std::vector<const SceneFactory*> built_in_files() {
   std::vector<const SceneFactory*> makers;
-  for (const SceneFactory& maker : built_in_scenes())
-    if (!maker.toml.empty()) makers.push_back(&maker);
+  for (const SceneFactory& factory : built_in_scenes())
+    if (!factory.toml.empty()) makers.push_back(&factory);
   return makers;
 }
 
@@ -33,13 +33,13 @@ TEST_P(BuiltInFile, IsPrintedAsItIs) {
 }
 
 TEST_P(BuiltInFile, IsTheSameSceneWhenItIsSaved) {
-  const SceneFactory& maker = *GetParam();
-  const SceneFactory saved = equation_scene(parse_equation_text("saved.toml", maker.toml));
-  EXPECT_EQ(saved.title, maker.title);
-  EXPECT_EQ(saved.source, maker.source);
+  const SceneFactory& factory = *GetParam();
+  const SceneFactory saved = equation_scene(parse_equation_text("saved.toml", factory.toml));
+  EXPECT_EQ(saved.title, factory.title);
+  EXPECT_EQ(saved.source, factory.source);
   EXPECT_FALSE(saved.checksum.empty());
-  EXPECT_TRUE(maker.checksum.empty());
-  const Scene a = make_scene(saved), b = make_scene(maker);
+  EXPECT_TRUE(factory.checksum.empty());
+  const Scene a = make_scene(saved), b = make_scene(factory);
   EXPECT_TRUE(a.from_file);
   EXPECT_FALSE(b.from_file);
   EXPECT_EQ(a.outputs.names, b.outputs.names);

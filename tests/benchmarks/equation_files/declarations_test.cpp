@@ -25,12 +25,12 @@ std::string with_parameters(const std::string& parameters) {
 }
 
 TEST(DeclaredParameters, HaveRangesAndMeanings) {
-  const auto maker =
+  const auto factory =
       maker_of(with_parameters("k = { value = 1.5, above = 1, at_most = 2, meaning = \"rate\" }\n"));
-  ASSERT_EQ(maker.parameters.size(), 1U);
-  EXPECT_EQ(maker.parameters[0].description, "rate");
-  EXPECT_EQ(maker.parameters[0].allowed(), "a number in (1, 2]");
-  expect_message([&] { make_scene(maker, {{"k", 1.0}}); }, "k = 1: must be a number in (1, 2]");
+  ASSERT_EQ(factory.parameters.size(), 1U);
+  EXPECT_EQ(factory.parameters[0].description, "rate");
+  EXPECT_EQ(factory.parameters[0].allowed(), "a number in (1, 2]");
+  expect_message([&] { make_scene(factory, {{"k", 1.0}}); }, "k = 1: must be a number in (1, 2]");
 }
 
 struct WrongDeclaration {
@@ -60,11 +60,11 @@ double linear_part_of(const Problem& problem) {
 }
 
 TEST(DerivedParameter, IsItsFormulaUnlessItIsGiven) {
-  const auto maker = maker_of(with_parameters("a = 2\nk = { formula = \"a^2\", meaning = \"rate\" }\n"));
-  EXPECT_EQ(linear_part_of(make_scene(maker).problem), -4.0);
-  EXPECT_EQ(linear_part_of(make_scene(maker, {{"a", 3.0}}).problem), -9.0);
-  EXPECT_EQ(linear_part_of(make_scene(maker, {{"a", 3.0}, {"k", 5.0}}).problem), -5.0);
-  EXPECT_EQ(maker.parameters[1].allowed(), "a finite number, or a^2");
+  const auto factory = maker_of(with_parameters("a = 2\nk = { formula = \"a^2\", meaning = \"rate\" }\n"));
+  EXPECT_EQ(linear_part_of(make_scene(factory).problem), -4.0);
+  EXPECT_EQ(linear_part_of(make_scene(factory, {{"a", 3.0}}).problem), -9.0);
+  EXPECT_EQ(linear_part_of(make_scene(factory, {{"a", 3.0}, {"k", 5.0}}).problem), -5.0);
+  EXPECT_EQ(factory.parameters[1].allowed(), "a finite number, or a^2");
 }
 
 TEST(DerivedParameter, DependsOnParametersAboveIt) {
@@ -73,11 +73,11 @@ TEST(DerivedParameter, DependsOnParametersAboveIt) {
 }
 
 TEST(Requirement, NamesTheParameterAndWhatIsAllowed) {
-  const auto maker = maker_of(with_parameters("k = 1\nm = 2\n") +
-                              "[[require]]\nparameter = \"k\"\nnot_negative = \"m - k\"\n"
-                              "allowed = \"at most m\"\n");
-  EXPECT_NO_THROW(make_scene(maker, {{"k", 2.0}}));
-  expect_message([&] { make_scene(maker, {{"k", 3.0}}); }, "k = 3: must be at most m");
+  const auto factory = maker_of(with_parameters("k = 1\nm = 2\n") +
+                                "[[require]]\nparameter = \"k\"\nnot_negative = \"m - k\"\n"
+                                "allowed = \"at most m\"\n");
+  EXPECT_NO_THROW(make_scene(factory, {{"k", 2.0}}));
+  expect_message([&] { make_scene(factory, {{"k", 3.0}}); }, "k = 3: must be at most m");
 }
 
 const std::string two_unknowns =
@@ -86,9 +86,9 @@ const std::string two_unknowns =
     "[unknown.z]\norder = 0.5\nrhs = \"im*y - z\"\ninitial = [0]\nunless = { im = 0 }\n";
 
 TEST(Unless, LeavesOutAnUnknown) {
-  const auto maker = maker_of(two_unknowns);
-  EXPECT_EQ(make_scene(maker).outputs.names, Names{"y"});
-  EXPECT_EQ(make_scene(maker, {{"im", 2.0}}).outputs.names, (Names{"y", "z"}));
+  const auto factory = maker_of(two_unknowns);
+  EXPECT_EQ(make_scene(factory).outputs.names, Names{"y"});
+  EXPECT_EQ(make_scene(factory, {{"im", 2.0}}).outputs.names, (Names{"y", "z"}));
   expect_message([] { scene_of_text(two_unknowns + "[energy]\nvalue = \"y + z\"\n"); },
                  "test.toml: line 15, column 14: z: no such name here");
 }
@@ -124,12 +124,12 @@ TEST(Columns, MustNotDependOnThemselves) {
 
 // (1 + m F) x'' + F x' = rhs with F = 1/(1 + x)^2.
 TEST(Factor, MultipliesAllTermsButTheFirst) {
-  const auto maker = maker_of(
+  const auto factory = maker_of(
       "end = 1\n[parameters]\nm = 0\n[unknown.x]\nterms = [[1, 2], [0.3, 1], [\"m\", 2]]\n"
       "factor = \"1/(1 + x)^2\"\nrhs = \"-sin(x)\"\ninitial = [1, 0]\n");
   const Vec y = (Vec(2) << 0.7, -0.4).finished();
   for (const double m : {0.0, 0.6}) {
-    const Scene scene = make_scene(maker, {{"m", m}});
+    const Scene scene = make_scene(factory, {{"m", m}});
     const double factor = 1.0 / (1.7 * 1.7), exact = (-std::sin(0.7) + factor * 0.3 * 0.4) / (1 + m * factor);
     Vec f(2);
     scene.problem.rhs(0.0, y, f);
@@ -143,26 +143,26 @@ TEST(Factor, MultipliesAllTermsButTheFirst) {
 TEST(SingleRow, HasAnOrderAboveOne) {
   const std::string start =
       "end = 1\n[parameters]\ng = 1.5\ns = 0\n[unknown.x]\norder = \"g\"\nchain = false\n";
-  const auto maker = maker_of(start + "rhs = \"-x\"\ninitial = [1, \"s\"]\n");
-  const Scene scene = make_scene(maker, {{"s", 2.0}});
+  const auto factory = maker_of(start + "rhs = \"-x\"\ninitial = [1, \"s\"]\n");
+  const Scene scene = make_scene(factory, {{"s", 2.0}});
   ASSERT_EQ(scene.problem.size(), 1);
   EXPECT_EQ(scene.problem.components[0].order, 1.5);
   EXPECT_EQ(scene.problem.components[0].initial, (std::vector{1.0, 2.0}));
   EXPECT_EQ(scene.smoothness.powers, (std::vector<std::vector<double>>{{1.5, 2.5, 3.0}}));
-  EXPECT_EQ(make_scene(maker, {{"g", 0.5}}).problem.components[0].initial, std::vector{1.0});
+  EXPECT_EQ(make_scene(factory, {{"g", 0.5}}).problem.components[0].initial, std::vector{1.0});
   expect_message(
       [&] {
-        make_scene(maker, {{"g", 0.5}, {"s", 2.0}});
+        make_scene(factory, {{"g", 0.5}, {"s", 2.0}});
       },
       "s = 2: must be 0 when g is at most 1");
 }
 
 TEST(Energy, MayContainADerivativeWhoseCoefficientIsZero) {
-  const auto maker = maker_of(
+  const auto factory = maker_of(
       "end = 1\n[parameters]\nmu = 0.5\n[unknown.x]\nterms = [[1, 2], [\"mu\", 0.5]]\nrhs = \"-x\"\n"
       "initial = [1, 0]\n[energy]\nvalue = \"(D(x, 1)^2 + x^2)/2\"\npower = \"-mu*D(x, 1)*D(x, 0.5)\"\n");
-  EXPECT_EQ(make_scene(maker, {{"mu", 0.0}}).energy.power(0.0, Vec::Ones(2)), 0.0);
-  EXPECT_EQ(make_scene(maker).energy.power(0.0, Vec::Ones(3)), -0.5);
+  EXPECT_EQ(make_scene(factory, {{"mu", 0.0}}).energy.power(0.0, Vec::Ones(2)), 0.0);
+  EXPECT_EQ(make_scene(factory).energy.power(0.0, Vec::Ones(3)), -0.5);
 }
 
 }  // namespace

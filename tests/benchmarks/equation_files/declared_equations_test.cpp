@@ -23,18 +23,18 @@ namespace {
 
 FormulaText formula(const std::string& text) { return {.text = text}; }
 
-bool is_unknown(const SceneFactory& maker, const std::string& name) {
-  return std::ranges::find(maker.equations, name, &EquationFormula::unknown) != maker.equations.end();
+bool is_unknown(const SceneFactory& factory, const std::string& name) {
+  return std::ranges::find(factory.equations, name, &EquationFormula::unknown) != factory.equations.end();
 }
 
 // A parameter may have the name of the unknown whose initial value it is.
-std::string of_parameters(const SceneFactory& maker, const std::string& formula) {
-  return is_unknown(maker, formula) ? formula + "_0" : formula;
+std::string of_parameters(const SceneFactory& factory, const std::string& formula) {
+  return is_unknown(factory, formula) ? formula + "_0" : formula;
 }
 
 // Replaces a derived parameter by its formula, also an initial value that has the name of its unknown.
-std::string without_derived(const SceneFactory& maker, std::string formula) {
-  for (const auto& parameter : maker.parameters) {
+std::string without_derived(const SceneFactory& factory, std::string formula) {
+  for (const auto& parameter : factory.parameters) {
     if (!parameter.default_formula.empty()) {
       formula = std::regex_replace(formula, std::regex("\\b" + parameter.name + "\\b"),
                                    "(" + parameter.default_formula + ")");
@@ -65,27 +65,27 @@ void add_nodes(EquationText& text) {
   }
 }
 
-bool has_algebraic_rows(const SceneFactory& maker) {
+bool has_algebraic_rows(const SceneFactory& factory) {
   return std::ranges::any_of(
-      maker.equations, [](const EquationFormula& equation) { return equation.terms.front().order == "0"; });
+      factory.equations, [](const EquationFormula& equation) { return equation.terms.front().order == "0"; });
 }
 
-EquationText equation_text_of(const SceneFactory& maker, double end) {
-  EquationText text{.file = maker.id, .title = maker.title, .end = formula(to_text(ParameterValue(end)))};
-  for (const auto& parameter : maker.parameters) {
+EquationText equation_text_of(const SceneFactory& factory, double end) {
+  EquationText text{.file = factory.id, .title = factory.title, .end = formula(to_text(ParameterValue(end)))};
+  for (const auto& parameter : factory.parameters) {
     if (const auto* value = std::get_if<double>(&parameter.value)) {
       text.parameters.push_back(
-          {.declared = {of_parameters(maker, parameter.name), *value, any_number, parameter.description}});
+          {.declared = {of_parameters(factory, parameter.name), *value, any_number, parameter.description}});
     }
   }
-  for (const auto& equation : maker.equations) {
+  for (const auto& equation : factory.equations) {
     UnknownText unknown{.name = equation.unknown,
                         .may_be_algebraic = equation.terms.front().order == "0",
-                        .rhs = formula(without_derived(maker, equation.rhs))};
+                        .rhs = formula(without_derived(factory, equation.rhs))};
     for (const auto& [coefficient, order] : equation.terms)
       unknown.terms.push_back({formula(coefficient), formula(order)});
     for (const auto& value : equation.initial)
-      unknown.initial.push_back(formula(of_parameters(maker, value)));
+      unknown.initial.push_back(formula(of_parameters(factory, value)));
     text.unknowns.push_back(unknown);
   }
   add_nodes(text);
@@ -105,14 +105,14 @@ void keep_initial_values(EquationText& text, const Parameters& parameters) {
 class DeclaredEquations : public testing::TestWithParam<const SceneFactory*> {};
 
 TEST_P(DeclaredEquations, AreThoseOfTheProblem) {
-  const SceneFactory& maker = *GetParam();
-  Scene code = make_scene(maker);
-  EquationText text = equation_text_of(maker, code.problem.end);
+  const SceneFactory& factory = *GetParam();
+  Scene code = make_scene(factory);
+  EquationText text = equation_text_of(factory, code.problem.end);
   for (const double jump : code.problem.jump_times)
     text.jumps.push_back(formula(to_text(ParameterValue(jump))));
-  keep_initial_values(text, Parameters(maker.id, maker.parameters, {}));
+  keep_initial_values(text, Parameters(factory.id, factory.parameters, {}));
   const Scene written = make_scene(equation_scene(text));
-  const bool constrained = has_algebraic_rows(maker);
+  const bool constrained = has_algebraic_rows(factory);
   const auto* scheme = find_scheme(constrained ? "radau_exponentials" : "spectral_collocation");
   const double error = constrained ? 1e-8 : 1e-10;
   const Tolerance accuracy{error, error};
@@ -121,7 +121,7 @@ TEST_P(DeclaredEquations, AreThoseOfTheProblem) {
              b = solve("spectral_collocation", code.problem, Tolerance{1e-10, 1e-10}, options);
   ASSERT_EQ(a.status, b.status);
   const auto theirs = columns_of(written.outputs, a), ours = columns_of(code.outputs, b);
-  for (const auto& equation : maker.equations) {
+  for (const auto& equation : factory.equations) {
     const auto of_code = std::ranges::find(code.outputs.names, equation.unknown);
     if (of_code == code.outputs.names.end()) continue;
     const auto of_text = std::ranges::find(written.outputs.names, equation.unknown);
@@ -134,8 +134,8 @@ TEST_P(DeclaredEquations, AreThoseOfTheProblem) {
 
 std::vector<const SceneFactory*> with_equations() {
   std::vector<const SceneFactory*> makers;
-  for (const SceneFactory& maker : built_in_scenes()) {
-    if (!maker.equations.empty() && maker.toml.empty()) makers.push_back(&maker);
+  for (const SceneFactory& factory : built_in_scenes()) {
+    if (!factory.equations.empty() && factory.toml.empty()) makers.push_back(&factory);
   }
   return makers;
 }

@@ -134,7 +134,7 @@ TEST_F(ExternalRuns, AreAskedForTheGrid) {
                 .code,
             0);
   EXPECT_THAT(values("error_end"), testing::SizeIs(2));
-  EXPECT_EQ(runs().back().key.setup.grading, 2.0);
+  EXPECT_EQ(runs().back().key.settings.grading, 2.0);
 }
 
 TEST_F(ExternalRuns, AreToldTheWholeTask) {

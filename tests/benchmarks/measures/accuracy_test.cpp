@@ -91,7 +91,7 @@ TEST_P(OtherUnits, ChangeNothingButRounding) {
 
 std::vector<const SceneFactory*> makers() {
   std::vector<const SceneFactory*> all;
-  for (const auto& maker : built_in_scenes()) all.push_back(&maker);
+  for (const auto& factory : built_in_scenes()) all.push_back(&factory);
   return all;
 }
 INSTANTIATE_TEST_SUITE_P(, OtherUnits, testing::ValuesIn(makers()), id_of_param);

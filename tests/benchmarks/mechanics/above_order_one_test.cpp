@@ -79,16 +79,16 @@ TEST(AboveOrderOne, TheFormWithAMultiplierTakesOtherSteps) {
 
 // The reference does not depend on the formulation, nor on whether it can be posed: a.b = 0.
 TEST(AboveOrderOne, TheReferenceIsThatOfEveryFormulation) {
-  const SceneFactory& maker = scene_maker("fractional_constraint_2d");
+  const SceneFactory& factory = scene_maker("fractional_constraint_2d");
   ParameterValues values{{"alpha", 1.5}, {"b1", 0.6}, {"b2", -0.3}};
   const auto at_three = [&](const std::string& formulation) -> Vec {
     values["formulation"] = formulation;
-    return reference_of(make_scene_unchecked(maker, values)).at(3.0).value;
+    return reference_of(make_scene_unchecked(factory, values)).at(3.0).value;
   };
   const Vec known_there = at_three("multiplier");
   for (const auto* formulation : {"integrated", "acceleration", "stabilised"}) {
     EXPECT_EQ(at_three(formulation), known_there) << formulation;
-    expect_message([&] { make_scene(maker, values); }, "formulation = " + std::string(formulation));
+    expect_message([&] { make_scene(factory, values); }, "formulation = " + std::string(formulation));
   }
 }
 

@@ -54,7 +54,7 @@ std::optional<Scene> in_form(const ConstrainedMotion& motion, const std::string&
   ParameterValues values = motion.values;
   values["formulation"] = formulation;
   try {
-    return make_scene({.maker = &scene_maker(motion.scene), .values = values, .until = motion.end});
+    return make_scene({.factory = &scene_maker(motion.scene), .values = values, .until = motion.end});
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
@@ -110,11 +110,11 @@ INSTANTIATE_TEST_SUITE_P(, AlgebraicRowsOfScenes,
 // motions() has every scene with algebraic rows, and the schemes that support such rows accept the multiplier
 // form.
 TEST(ConstrainedMotions, AreOfAllScenesWithAlgebraicRows) {
-  for (const SceneFactory& maker : built_in_scenes()) {
-    const auto choice = std::ranges::find(maker.parameters, "formulation", &Parameter::name);
-    const bool has = choice != maker.parameters.end();
+  for (const SceneFactory& factory : built_in_scenes()) {
+    const auto choice = std::ranges::find(factory.parameters, "formulation", &Parameter::name);
+    const bool has = choice != factory.parameters.end();
     const auto all = motions();
-    EXPECT_EQ(has, std::ranges::count(all, maker.id, &ConstrainedMotion::scene) > 0) << maker.id;
+    EXPECT_EQ(has, std::ranges::count(all, factory.id, &ConstrainedMotion::scene) > 0) << factory.id;
   }
   for (const auto& motion : motions()) {
     const Scene scene = *in_form(motion, "multiplier");

@@ -35,11 +35,12 @@ void choose(std::vector<ConstraintForm>& forms, const Parameter& parameter) {
 }
 
 // Those of a scene with a constraint, of several orders where it has one; some may be refused.
-std::vector<ConstraintForm> forms_of(const SceneFactory& maker) {
-  std::vector<ConstraintForm> forms{{maker.id, {}}};
-  for (const auto& parameter : maker.parameters) choose(forms, parameter);
-  if (forms.size() == 1 && maker.id != "vakonomic_particle") return {};
-  if (std::ranges::find(maker.parameters, "alpha", &Parameter::name) == maker.parameters.end()) return forms;
+std::vector<ConstraintForm> forms_of(const SceneFactory& factory) {
+  std::vector<ConstraintForm> forms{{factory.id, {}}};
+  for (const auto& parameter : factory.parameters) choose(forms, parameter);
+  if (forms.size() == 1 && factory.id != "vakonomic_particle") return {};
+  if (std::ranges::find(factory.parameters, "alpha", &Parameter::name) == factory.parameters.end())
+    return forms;
   std::vector<ConstraintForm> of_orders;
   for (const auto& form : forms) {
     for (const double alpha : {0.3, 0.8, 1.0, 1.5}) {
@@ -53,8 +54,8 @@ std::vector<ConstraintForm> forms_of(const SceneFactory& maker) {
 
 std::vector<const SceneFactory*> scenes_with_forms() {
   std::vector<const SceneFactory*> some;
-  for (const auto& maker : built_in_scenes()) {
-    if (!forms_of(maker).empty()) some.push_back(&maker);
+  for (const auto& factory : built_in_scenes()) {
+    if (!forms_of(factory).empty()) some.push_back(&factory);
   }
   return some;
 }

@@ -31,7 +31,7 @@ SceneDescription description() {
 }
 
 Record run() {
-  return {.key = {.scene = description().scene, .scheme = "l1", .setup = {.resolution = 64}},
+  return {.key = {.scene = description().scene, .scheme = "l1", .settings = {.resolution = 64}},
           .steps = 64,
           .end = 1.0};
 }

@@ -30,7 +30,7 @@ class Merges : public testing::Test {
     std::string text = line_of(session);
     for (const int n : steps) {
       Record run{
-          .key = {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = n}}, .steps = n, .end = 1.0};
+          .key = {.scene = {"power"}, .scheme = "l1", .settings = {.resolution = n}}, .steps = n, .end = 1.0};
       run.values.set("error_end", 1.0 / n);
       text += line_of(run);
     }

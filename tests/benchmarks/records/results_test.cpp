@@ -28,7 +28,7 @@ class ResultsFiles : public ResultsFileTest {
   }
 
   static RunKey key(const std::string& scheme, int steps) {
-    return {.scene = {"relaxation"}, .scheme = scheme, .setup = {.resolution = steps}};
+    return {.scene = {"relaxation"}, .scheme = scheme, .settings = {.resolution = steps}};
   }
 };
 
@@ -57,18 +57,18 @@ TEST_F(ResultsFiles, TellRunsApartByTheirWholeKey) {
   EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.scene.values["gamma"] = 0.5; }));
   EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.scene.until = 1.0; }));
   EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.scheme = "adams_pc"; }));
-  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.setup.resolution = Tolerance{1e-6, 1e-9}; }));
-  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.setup.grading = 2.0; }));
-  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.setup.history = HistoryKind::direct; }));
-  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.setup.tolerance = 1e-8; }));
-  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.setup.budget = 60.0; }));
+  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.resolution = Tolerance{1e-6, 1e-9}; }));
+  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.grading = 2.0; }));
+  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.history = HistoryKind::direct; }));
+  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.tolerance = 1e-8; }));
+  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.budget = 60.0; }));
 }
 
 TEST_F(ResultsFiles, KeepEveryMemberOfARun) {
   Record some = run("l1", 64);
   some.key = {.scene = {"knife_edge", {{"omega", 1.9}, {"formulation", "multiplier"}}, 5.0},
               .scheme = "l1",
-              .setup = {Tolerance{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
+              .settings = {Tolerance{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
   some.ending = RunOutcome{SolveStatus::non_finite, "at step 3, t = 0.5"};
   some.ended_at = 0.5;
   some.columns = {.names = {"x", "dx"}, .is_part = true, .values = {{"error_end", {0.25, 1e-300}}}};

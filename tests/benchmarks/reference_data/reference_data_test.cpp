@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 // A scene with two hundred columns has no table of trajectories; its variants with few columns have one.
 TEST(ReferenceData, HasATableOfEveryKindAndScene) {
   std::vector<SceneVariant> all;
-  for (const auto& maker : built_in_scenes()) all.push_back({.maker = &maker});
+  for (const auto& factory : built_in_scenes()) all.push_back({.factory = &factory});
   const auto tables = planned_tables(all);
   EXPECT_EQ(tables.size(), 1 + 2 * built_in_scenes().size() - 1);  // no trajectories of fractional_diffusion
   EXPECT_EQ(tables[0].stem(), "mittag_leffler");

@@ -37,13 +37,13 @@ class EstimatedErrors : public testing::TestWithParam<SearchCase> {
     static std::map<std::string, SearchReference> known;
     const std::string scene = GetParam().scene;
     if (!known.contains(scene))
-      known[scene] = estimated_reference(unknown_, question_, "it is taken away", 30.0, silence);
+      known[scene] = estimated_reference(unknown_, target_, "it is taken away", 30.0, silence);
     return known[scene];
   }
 
  protected:
   const Scene scene_ = make_scene(parse_variant(GetParam().scene));
-  const AccuracyTarget question_ = question_of(scene_, GetParam());
+  const AccuracyTarget target_ = target_of(scene_, GetParam());
   const Scene unknown_ = without_reference(scene_);
   const SearchReference& found_ = found();
 };
@@ -57,7 +57,7 @@ TEST_P(EstimatedErrors, AreAgainstARunThatIsAsAccurateAsItSays) {
   EXPECT_NE(estimate.first.scheme, estimate.second.scheme);
   EXPECT_EQ(estimate.first_steps, 2 * estimate.second_steps);
   EXPECT_LE(estimate.error(), largest_estimate_fraction * GetParam().accuracy);
-  RunEvaluator evaluator(scene_, question_);
+  RunEvaluator evaluator(scene_, target_);
   const auto run = evaluator.evaluate(estimate.first, estimate.first_steps, 8192, 60.0);
   EXPECT_LE(run.error, estimate.error());
 }
@@ -66,9 +66,9 @@ TEST_P(EstimatedErrors, AreAgainstARunThatIsAsAccurateAsItSays) {
 TEST_P(EstimatedErrors, ChooseRunsWithinTheAccuracy) {
   Scene estimated = unknown_;
   estimated.reference = found_.reference;
-  const auto ways = search(estimated, question_, 10.0, silence);
+  const auto ways = search(estimated, target_, 10.0, silence);
   ASSERT_EQ(ways.front().outcome, SearchOutcome::accuracy_reached);
-  RunEvaluator evaluator(scene_, question_);
+  RunEvaluator evaluator(scene_, target_);
   for (const SearchCandidate& of : ways) {
     if (of.outcome != SearchOutcome::accuracy_reached || !of.time) continue;
     const auto run = evaluator.evaluate(of.configuration, resolution_of(of.best), 2048, 60.0);
@@ -132,9 +132,9 @@ TEST(Estimates, SeeALoadThatFewStepsMiss) {
                           .end = 1.0,
                           .jump_times = {1e-4, 3e-4}},
               .outputs = {.names = {"y"}}};
-  const AccuracyTarget question{{Norm::end, Scale::absolute}, 0.1, all_columns(scene)};
-  const auto found = estimated_reference(scene, question, "there is none", 30.0, silence);
-  EXPECT_NEAR(found.reference.at(1.0).value[0], 2.0, question.accuracy);
+  const AccuracyTarget target{{Norm::end, Scale::absolute}, 0.1, all_columns(scene)};
+  const auto found = estimated_reference(scene, target, "there is none", 30.0, silence);
+  EXPECT_NEAR(found.reference.at(1.0).value[0], 2.0, target.accuracy);
 }
 
 // At the times t = T (n/N)^(3/2) the solution t^2 is a cubic in n.

@@ -17,8 +17,8 @@ inline std::ostream& operator<<(std::ostream& out, const SearchCase& asked) {
   return out << asked.scene << " " << error_measure(asked.kind) << " " << asked.accuracy;
 }
 
-// The question over all columns.
-inline AccuracyTarget question_of(const Scene& scene, const SearchCase& asked) {
+// The target over all columns.
+inline AccuracyTarget target_of(const Scene& scene, const SearchCase& asked) {
   return {asked.kind, asked.accuracy, all_columns(scene)};
 }
 

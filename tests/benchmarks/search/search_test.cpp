@@ -20,7 +20,7 @@ namespace fde::bench {
 namespace {
 
 std::vector<SearchCandidate> found_for(const Scene& scene, const SearchCase& asked) {
-  return search(scene, question_of(scene, asked), 100.0, [](const std::string&, double) {});
+  return search(scene, target_of(scene, asked), 100.0, [](const std::string&, double) {});
 }
 
 class SearchFor : public testing::TestWithParam<SearchCase> {};
@@ -32,7 +32,7 @@ void expect_the_fewest_steps(const SearchCase& asked) {
   const auto found = found_for(scene, asked);
   const SearchCandidate& first = found.front();
   ASSERT_EQ(first.outcome, SearchOutcome::accuracy_reached);
-  RunEvaluator evaluator(scene, question_of(scene, asked));
+  RunEvaluator evaluator(scene, target_of(scene, asked));
   const int compared = first.configuration.is_adaptive() ? evenly_spaced_comparisons : first.best.steps;
   const auto again = evaluator.evaluate(first.configuration, resolution_of(first.best), compared, 60.0);
   EXPECT_TRUE(again.meets_accuracy);
@@ -57,7 +57,7 @@ TEST(SearchOverGrids, FindsTheFewestSteps) {
 // by chance, so the median over all schemes is compared.
 TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
   const Scene scene = make_scene(parse_variant(GetParam().scene));
-  RunEvaluator evaluator(scene, question_of(scene, GetParam()));
+  RunEvaluator evaluator(scene, target_of(scene, GetParam()));
   std::vector<double> ratios;
   for (const Scheme& scheme : schemes()) {
     if (unsupported_reason(scheme, scene.problem, Grid{scene.problem.end, 16})) continue;
@@ -101,9 +101,9 @@ TEST(SearchOverGrids, CallsNoSchemeSlowerWithoutARunThatShowsIt) {
 // bdf6 takes about 20 microseconds, and its start weights 100 more in the first run of a process.
 TEST(Search, RanksByTheFirstRunWhereThatIsAsked) {
   const Scene scene = scene_of("relaxation");
-  auto question = question_of(scene, {"", {Norm::end, Scale::mixed}, 1e-12});
+  auto target = target_of(scene, {"", {Norm::end, Scale::mixed}, 1e-12});
   const auto found = [&] {
-    auto all = search(scene, question, 100.0, [](const std::string&, double) {});
+    auto all = search(scene, target, 100.0, [](const std::string&, double) {});
     std::erase_if(all, [](const auto& of) { return of.outcome != SearchOutcome::accuracy_reached; });
     return all;
   };
@@ -114,7 +114,7 @@ TEST(Search, RanksByTheFirstRunWhereThatIsAsked) {
   const auto later = found();
   ASSERT_NE(bdf6(later), later.end());
   EXPECT_GT(bdf6(later)->best.setup_seconds, 2.0 * bdf6(later)->best.seconds);
-  question.first_run = true;
+  target.first_run = true;
   const auto first = found();
   ASSERT_FALSE(first.empty());
   for (const auto& of : first) EXPECT_GT(median(of), of.best.setup_seconds) << of.names.front();
@@ -184,7 +184,7 @@ TEST(Search, TakesAConstantSolutionForOne) {
 TEST(Search, SeesMotionBetweenTheTimesOfAGrid) {
   const Scene scene = scene_of("relaxation", {{"lambda", -1e6}});
   for (const auto& [norm, within] : {std::pair{Norm::end, true}, {Norm::maximum, false}}) {
-    RunEvaluator evaluator(scene, question_of(scene, {"", {norm, Scale::mixed}, 1e-3}));
+    RunEvaluator evaluator(scene, target_of(scene, {"", {norm, Scale::mixed}, 1e-3}));
     for (const int steps : {1, 64})
       EXPECT_EQ(evaluator.evaluate({find_scheme("l1")}, steps, 8192, 60.0).meets_accuracy, within) << steps;
   }

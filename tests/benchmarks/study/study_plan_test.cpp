@@ -25,7 +25,7 @@ namespace fde::bench {
 namespace {
 
 RunKey run_of(const SceneVariant& scene, int steps) {
-  return {.scene = scene.key(), .scheme = "l1", .setup = {.resolution = steps}};
+  return {.scene = scene.key(), .scheme = "l1", .settings = {.resolution = steps}};
 }
 
 // Scenes that take 1, 2, ..., 10 seconds; the first also in a second family.

@@ -20,7 +20,7 @@ namespace {
 
 TEST(Runs, AreAtTheFloorOfRoundingOrOfTheReference) {
   const auto run = [](const std::map<std::string, double>& values) {
-    Record recorded{.key = {.setup = {64}}};
+    Record recorded{.key = {.settings = {64}}};
     for (const auto& [quantity, value] : values) recorded.values.set(quantity, value);
     return refinement_run(recorded);
   };
@@ -61,7 +61,7 @@ class RecordedSweep {
   [[nodiscard]] std::map<std::string, std::vector<int>> steps() const {
     std::map<std::string, std::vector<int>> steps;
     for (const auto& [key, run] : runs_) {
-      steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
+      steps[key.scheme].push_back(std::get<int>(key.settings.resolution));
     }
     return steps;
   }
@@ -121,7 +121,7 @@ TEST(Forecasts, OfAFixedSweepAreItsRuns) {
   book.run(sweep);
   std::map<std::string, std::vector<int>> steps;
   for (const auto& [key, seconds] : expected) {
-    steps[key.scheme].push_back(std::get<int>(key.setup.resolution));
+    steps[key.scheme].push_back(std::get<int>(key.settings.resolution));
     EXPECT_GT(seconds.examination, 0.0);
     EXPECT_GT(seconds.timing, 0.0);
   }
@@ -172,7 +172,7 @@ TEST(Forecasts, OfARunAreWithinItsBudget) {
   Sweep sweep{.scenes = {{&scene_maker("pendulum")}},
               .schemes = {find_scheme("adaptive_pc"), find_scheme("l1")},
               .plan = {.resolutions = {Tolerance{1e-13, 1e-13}, 100'000'000}}};
-  sweep.setup.budget = 0.5;
+  sweep.settings.budget = 0.5;
   sweep.repeats = {.most = 1, .min_seconds = 0.0, .enough_seconds = 0.0};
   const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return std::optional<Record>(); });
   EXPECT_EQ(expected.size(), 2U);
@@ -181,7 +181,7 @@ TEST(Forecasts, OfARunAreWithinItsBudget) {
 }
 
 RunKey run_with(int steps, const std::string& scheme = "l1") {
-  return {.scene = {"power"}, .scheme = scheme, .setup = {.resolution = steps}};
+  return {.scene = {"power"}, .scheme = scheme, .settings = {.resolution = steps}};
 }
 
 TEST(Remainings, LeaveOutTheRunsOfALineThatEnds) {
@@ -258,7 +258,7 @@ TEST(Sweeps, TakeOnlyEqualSolutionsForOne) {
     const Scene scene = make_scene(variant);
     const Scheme& scheme = *find_scheme("radau_exponentials");
     if (unsupported_reason(scheme, scene.problem, Tolerance{accuracy, accuracy})) continue;
-    if (std::ranges::none_of(variant.maker->parameters, &Parameter::keeps_solution)) continue;
+    if (std::ranges::none_of(variant.factory->parameters, &Parameter::keeps_solution)) continue;
     const auto path = scheme.solve(scene.problem, Tolerance{accuracy, accuracy}, {});
     ASSERT_EQ(path.status, SolveStatus::finished) << variant.label();
     const Vec columns = columns_of(scene.outputs, path).rightCols(1);

@@ -47,7 +47,7 @@ TEST(Sweeps, DescribeASolutionWithAJumpSoThatItIsReadBack) {
   for (const double end : {30.0, 0.013}) {
     for (const double part : {0.4, 0.999}) {
       const SceneVariant variant{
-          .maker = &scene_maker("bagley_torvik"), .values = {{"load_until", part * end}}, .until = end};
+          .factory = &scene_maker("bagley_torvik"), .values = {{"load_until", part * end}}, .until = end};
       const Scene scene = make_scene(variant);
       MemoizedReference reference(scene);
       const auto line = line_of(describe(variant, scene, reference, true));
@@ -62,7 +62,7 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
                     .plan = {{16, 32}},
                     .repeats = {.most = 2}};
   const auto [examined, timed] = appended(sweep, [](const RunKey& run) {
-    const bool first = run.scheme == "l1" && run.setup.resolution == StepsOrTolerance(16);
+    const bool first = run.scheme == "l1" && run.settings.resolution == StepsOrTolerance(16);
     return first ? std::optional(complete(run)) : std::nullopt;
   });
   EXPECT_EQ(examined.size(), 3U);
@@ -109,7 +109,7 @@ TEST(Sweeps, ExamineFirstAndTimeLater) {
 
 TEST(Sweeps, TimeAgainWhatWasDisturbedUpToALimit) {
   Sweep sweep{.scenes = {{&scene_maker("relaxation")}}, .schemes = {find_scheme("l1")}, .plan = {{16}}};
-  Record run = complete({.scene = {"relaxation"}, .scheme = "l1", .setup = sweep.setup});
+  Record run = complete({.scene = {"relaxation"}, .scheme = "l1", .settings = sweep.settings});
   const auto timed = [&] {
     return appended(sweep, [&](const RunKey&) { return std::optional(run); }).timed.size();
   };

@@ -40,7 +40,7 @@ TEST(ContinuedSweeps, TimeWhatIsExamined) {
 }
 
 std::string words_of(const SweepEvent& event) {
-  const std::string run = resolution_text(event.run.setup);
+  const std::string run = resolution_text(event.run.settings);
   switch (event.kind) {
     case SweepEvent::Kind::examines:
       return "examines " + run;

@@ -128,7 +128,8 @@ TEST(Options, OfOneAlgorithmAreOneWithSeveralNames) {
 }
 
 RecommendedRun option(const std::string& scheme, int steps, const MedianInterval& time) {
-  return {.schemes = {scheme}, .setup = {.resolution = steps}, .steps = steps, .error = 1e-7, .time = time};
+  return {
+      .schemes = {scheme}, .settings = {.resolution = steps}, .steps = steps, .error = 1e-7, .time = time};
 }
 
 // Time intervals [9, 11], [10.5, 13] and [20, 21].
@@ -209,7 +210,7 @@ TEST(Recommendation, RanksByTheRunThatIsAskedFor) {
 
 TEST(Recommendation, SaysWhatToAskASchemeWithoutAGridFor) {
   RecommendedRun asked = option("spectral_collocation", 12, {1.0, 1.0, 1.0});
-  asked.setup.resolution = Tolerance{.rtol = 1e-7, .atol = 1e-7};
+  asked.settings.resolution = Tolerance{.rtol = 1e-7, .atol = 1e-7};
   const auto json = json_of({.scene = {"pendulum"}, .kind = at_end, .accuracy = 1e-6, .options = {asked}});
   EXPECT_TRUE(json["grid"].is_null()) << json["grid"];
   EXPECT_EQ(json["asked"], 1e-7);

@@ -15,7 +15,7 @@ namespace {
 
 class RecordedRuns : public testing::Test {
  protected:
-  static RunKey key() { return {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = 16}}; }
+  static RunKey key() { return {.scene = {"power"}, .scheme = "l1", .settings = {.resolution = 16}}; }
   static Record examination(const RunOutcome& how = {}, double error = 0.1) {
     Record run{.key = key(), .steps = 16, .end = 1.0, .ending = how, .ended_at = 1.0};
     run.values.set("error_end", error);

@@ -248,10 +248,10 @@ TEST(Run, WritesTheWholeSetupAndContinuesByIt) {
   const auto size = std::filesystem::file_size(file);
   EXPECT_EQ(fdebench(sweep + " --grid graded:2 --history direct --tolerance 1e-8 --budget 60").code, 0);
   EXPECT_GT(std::filesystem::file_size(file), size);
-  std::vector<RunSettings> setups;
-  for (const auto& run : read_results(file).records) setups.push_back(run.key.setup);
-  EXPECT_EQ(setups, (std::vector<RunSettings>{{.resolution = 16, .budget = 600.0},
-                                              {16, 2.0, HistoryKind::direct, 1e-8, 60.0}}));
+  std::vector<RunSettings> settings;
+  for (const auto& run : read_results(file).records) settings.push_back(run.key.settings);
+  EXPECT_EQ(settings, (std::vector<RunSettings>{{.resolution = 16, .budget = 600.0},
+                                                {16, 2.0, HistoryKind::direct, 1e-8, 60.0}}));
   EXPECT_THAT(fdebench("choose relaxation --error 0.9 --results " + file).out,
               HasSubstr("--scheme l1 --steps 16"));
 }

@@ -36,7 +36,7 @@ TEST(OptimalGrid, ResultsNameTheGradingOfEachScheme) {
   std::set<double> gradings;
   for (const Record& run : read_results(file).records) {
     EXPECT_EQ(run.ending.kind, SolveStatus::finished);
-    gradings.insert(run.key.setup.grading);
+    gradings.insert(run.key.settings.grading);
   }
   EXPECT_EQ(gradings, (std::set{1.0, 2.0, 3.0}));
 }
@@ -49,8 +49,8 @@ TEST(OptimalGrid, OfASweepIsBesideTheUniformOne) {
   const auto gradings = [&](const char* scheme, const char* scene) {
     std::vector<double> found;
     const Scene target = scene_of(scene);
-    for (const auto& setup : setups_of(sweep, *find_scheme(scheme), &target.problem))
-      found.push_back(setup.grading);
+    for (const auto& settings : settings_of(sweep, *find_scheme(scheme), &target.problem))
+      found.push_back(settings.grading);
     return found;
   };
   EXPECT_EQ(gradings("l1", "relaxation"), (std::vector{1.0, 3.0}));

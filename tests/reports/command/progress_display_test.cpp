@@ -61,7 +61,7 @@ TEST(Durations, AreTextsOfTwoUnits) {
   EXPECT_EQ(duration_text(4320.0), "1 h 12 min");
 }
 
-RunKey run_with(int steps) { return {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = steps}}; }
+RunKey run_with(int steps) { return {.scene = {"power"}, .scheme = "l1", .settings = {.resolution = steps}}; }
 
 // The standard error of a sweep of two runs with this expected total time, of which the first takes some
 // time.

@@ -48,7 +48,7 @@ class Comparisons : public testing::Test {
   }
 
   static std::string text_of(const WrittenRun& made) {
-    Record run{.key = {.scene = {"power"}, .scheme = "l1", .setup = {.resolution = made.steps}},
+    Record run{.key = {.scene = {"power"}, .scheme = "l1", .settings = {.resolution = made.steps}},
                .steps = made.steps,
                .end = 1.0,
                .ending = {made.ending, {}}};

@@ -36,7 +36,7 @@ Course course_to(double drift) { return {{0.5 * drift_end, drift_end}, {0.5 * dr
 void add_line(Results& results, const Line& line) {
   for (int steps = 64; steps <= line.finest; steps *= 2) {
     const double h = drift_end / steps, fallen = std::pow(h, line.rate);
-    Record run{.key = {.scene = line.scene, .scheme = "l1", .setup = {.resolution = steps}},
+    Record run{.key = {.scene = line.scene, .scheme = "l1", .settings = {.resolution = steps}},
                .steps = steps,
                .end = drift_end,
                .ending = line.ending};
@@ -181,7 +181,7 @@ TEST(DriftSection, DrawsNothingOfRounding) {
 
 TEST(DriftSection, IsThereOnlyWithDrift) {
   Results results = results_without_runs();
-  results.records.push_back({.key = {.scene = {"pendulum"}, .scheme = "l1", .setup = {64}}, .steps = 64});
+  results.records.push_back({.key = {.scene = {"pendulum"}, .scheme = "l1", .settings = {64}}, .steps = 64});
   EXPECT_TRUE(section_of(results).is_null());
 }
 

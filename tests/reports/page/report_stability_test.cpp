@@ -14,7 +14,7 @@ namespace {
 // Adds a run of a scene: its ending and, if it finished, its error and time.
 void add_run(Results& results, const SceneSettings& scene, const std::string& scheme, int steps,
              const RunOutcome& ending, double error) {
-  Record run{.key = {.scene = scene, .scheme = scheme, .setup = {.resolution = steps}},
+  Record run{.key = {.scene = scene, .scheme = scheme, .settings = {.resolution = steps}},
              .steps = steps,
              .end = 1.0,
              .ending = ending};

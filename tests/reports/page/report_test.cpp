@@ -189,7 +189,7 @@ TEST(Report, NamesALineByWhatTellsItsSetupFromOthers) {
   for (const auto& row : two_lines().records) {
     if (row.key.scheme != "l1") continue;
     results.records.push_back(row);
-    results.records.back().key.setup.grading = 2.0;
+    results.records.back().key.settings.grading = 2.0;
   }
   const auto lines = [](const Results& of) {
     return data_of(written(of))["lines"].get<std::vector<std::string>>();
@@ -207,7 +207,7 @@ TEST(Report, NamesALineOnceWhoseGradingDiffersFromSceneToScene) {
     for (auto row : two_lines().records) {
       if (row.key.scheme != "l1") continue;
       row.key.scene = {scene};
-      row.key.setup.grading = grading;
+      row.key.settings.grading = grading;
       results.records.push_back(row);
     }
   }
@@ -223,7 +223,7 @@ TEST(Report, NamesALineOnceWhoseGradingDiffersFromSceneToScene) {
 TEST(Rates, AreOfRunsOverGridsOnly) {
   Results results = two_lines();
   for (auto& row : results.records) {
-    if (row.key.scheme == "l1") row.key.setup.resolution = Tolerance{.rtol = row.h(), .atol = row.h()};
+    if (row.key.scheme == "l1") row.key.settings.resolution = Tolerance{.rtol = row.h(), .atol = row.h()};
   }
   const auto rows = rates(runs_of(results));
   ASSERT_EQ(rows.size(), 1);

@@ -13,7 +13,7 @@ Problem relaxation() {
   return {.components = {{0.4711, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }};
 }
 
-double setup_of(std::string_view scheme, const Resolution& resolution) {
+double settings_of(std::string_view scheme, const Resolution& resolution) {
   const SetupTime setup;
   find_scheme(scheme)->solve(relaxation(), resolution, {});
   return setup.seconds();
@@ -23,18 +23,18 @@ double setup_of(std::string_view scheme, const Resolution& resolution) {
 // one took longer.
 TEST(SetupTimes, OfALaterSolveAreThoseOfTheFirst) {
   const Grid grid{.end = 1.0, .steps = 16};
-  const double first = setup_of("bdf4", grid);
+  const double first = settings_of("bdf4", grid);
   EXPECT_GT(first, 0.0);
-  EXPECT_EQ(setup_of("bdf4", grid), first);
-  EXPECT_GE(setup_of("bdf4", Grid{.end = 1.0, .steps = 1024}), first) << "more steps need more of them";
+  EXPECT_EQ(settings_of("bdf4", grid), first);
+  EXPECT_GE(settings_of("bdf4", Grid{.end = 1.0, .steps = 1024}), first) << "more steps need more of them";
 }
 
 TEST(SetupTimes, AreNoneForASchemeThatRetainsNothing) {
-  EXPECT_EQ(setup_of("l1", Grid{.end = 1.0, .steps = 16}), 0.0);
+  EXPECT_EQ(settings_of("l1", Grid{.end = 1.0, .steps = 16}), 0.0);
 }
 
 TEST(SetupTimes, CountTheTablesOfPanels) {
-  EXPECT_GT(setup_of("spectral_collocation", Tolerance{1e-6, 1e-6}), 0.0);
+  EXPECT_GT(settings_of("spectral_collocation", Tolerance{1e-6, 1e-6}), 0.0);
 }
 
 // Only the newest object counts, and each table once.
