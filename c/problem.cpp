@@ -119,9 +119,7 @@ int fdebench_problem_of_scene(const char* scene, fdebench_problem** problem) {
     auto made = std::make_unique<FdebenchProblem>();
     made->scene = text_of("scene", scene);
     const SceneRegistry all = with_equation_files(built_in_scenes());
-    const auto variant = read_variant(made->scene, {}, all);
-    made->known = make_scene_unchecked(*variant.factory, variant.values);
-    made->known.problem.end = variant.until.value_or(made->known.problem.end);
+    made->known = make_scene_unchecked(read_variant(made->scene, {}, all));
     result = made.release();
   });
 }

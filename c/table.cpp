@@ -20,8 +20,7 @@ namespace fde::bench::c {
 namespace {
 
 // The variant that the text of a scene names now: equation files may have changed.
-template <typename Make>
-Scene scene_of(const FdebenchProblem& problem, const Make& make) {
+Scene scene_of(const FdebenchProblem& problem, Scene (*make)(const SceneVariant&)) {
   if (problem.scene.empty()) return problem.known;
   const SceneRegistry all = with_equation_files(built_in_scenes());
   return make(read_variant(problem.scene, {}, all));
@@ -107,10 +106,9 @@ int fdebench_solve(const fdebench_problem* problem, const char* scheme, const fd
     auto& result = given("table", table);
     const auto& handle = given("problem", problem, problem_handle);
     const auto& values = given("options", options, options_handle).values;
-    const auto checked = [](const SceneVariant& variant) { return make_scene(variant); };
     const auto request = request_of(text_of("scheme", scheme), values);
-    result =
-        std::make_unique<FdebenchTable>(table_of_solve(solve(scene_of(handle, checked), request))).release();
+    result = std::make_unique<FdebenchTable>(table_of_solve(solve(scene_of(handle, make_scene), request)))
+                 .release();
   });
 }
 
@@ -121,11 +119,9 @@ int fdebench_exact(const fdebench_problem* problem, size_t count, const double* 
     const auto& handle = given("problem", problem, problem_handle);
     require_count("count", count, 1, most_entries);
     const std::vector<double> at(&given("times", times, "the times"), times + count);
-    const auto unchecked = [](const SceneVariant& variant) {
-      return make_scene_unchecked(*variant.factory, variant.values);
-    };
     result =
-        std::make_unique<FdebenchTable>(table_of_exact(exact(scene_of(handle, unchecked), at), at)).release();
+        std::make_unique<FdebenchTable>(table_of_exact(exact(scene_of(handle, make_scene_unchecked), at), at))
+            .release();
   });
 }
 

@@ -111,8 +111,9 @@ Scene make_scene(const SceneFactory& factory, const ParameterValues& values) {
   return scene;
 }
 
-Scene make_scene(const SceneVariant& variant) {
-  Scene scene = make_scene(*variant.factory, variant.values);
+namespace {
+
+Scene with_end(Scene scene, const SceneVariant& variant) {
   if (!variant.until) return scene;
   const double end = scene.problem.end;
   if (is_two_sided(scene.problem) && *variant.until != end) {
@@ -121,6 +122,16 @@ Scene make_scene(const SceneVariant& variant) {
   }
   set_end(scene, *variant.until);
   return scene;
+}
+
+}  // namespace
+
+Scene make_scene(const SceneVariant& variant) {
+  return with_end(make_scene(*variant.factory, variant.values), variant);
+}
+
+Scene make_scene_unchecked(const SceneVariant& variant) {
+  return with_end(make_scene_unchecked(*variant.factory, variant.values), variant);
 }
 
 SceneVariant read_variant(const std::string& text, const std::vector<std::string>& settings,

@@ -33,9 +33,10 @@ Scene make_scene(const SceneFactory& factory, const ParameterValues& values = {}
 // form of its problem.
 Scene make_scene_unchecked(const SceneFactory& factory, const ParameterValues& values = {});
 
-// make_scene with the end of the variant. Throws std::invalid_argument if the scene is two-sided and the end
-// differs from its own.
+// Both with the end of the variant. Throw std::invalid_argument if the scene is two-sided and the end differs
+// from its own.
 Scene make_scene(const SceneVariant& variant);
+Scene make_scene_unchecked(const SceneVariant& variant);
 
 // Parses "pendulum" or "pendulum:alpha=1.9,beta=0.1,until=100", where `until` replaces the end, and further
 // settings NAME=VALUE, each name once. Throws std::invalid_argument naming what is wrong and what is allowed.

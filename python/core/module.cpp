@@ -56,9 +56,7 @@ py::tuple facts(const std::string& name, const std::vector<std::string>& setting
   const auto [id, scene] = without_gil([&]() -> std::pair<std::string, Scene> {
     const SceneRegistry all = named_scenes([&](const std::string& note) { changes = note; });
     const auto variant = read_variant(name, settings, all);
-    Scene known = make_scene_unchecked(*variant.factory, variant.values);
-    known.problem.end = variant.until.value_or(known.problem.end);
-    return {variant.factory->id, std::move(known)};
+    return {variant.factory->id, make_scene_unchecked(variant)};
   });
   std::vector<double> orders;
   for (const auto& component : scene.problem.components) orders.push_back(component.order);
@@ -66,19 +64,11 @@ py::tuple facts(const std::string& name, const std::vector<std::string>& setting
 }
 
 // The scene with its settings NAME=VALUE, made by `make`, or a problem defined in Python (if not nullptr).
-template <typename Make>
 Scene scene_of(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
-               const Make& make) {
+               Scene (*make)(const SceneVariant&)) {
   if (problem != nullptr) return *problem;
   const SceneRegistry all = named_scenes();
   return make(read_variant(name, settings, all));
-}
-
-Scene checked_scene(const SceneVariant& variant) { return make_scene(variant); }
-
-// For what is known of a scene independently of the form of its problem.
-Scene unchecked_scene(const SceneVariant& variant) {
-  return make_scene_unchecked(*variant.factory, variant.values);
 }
 
 // One row of the array for each column of the matrix.
@@ -130,7 +120,7 @@ py::tuple solve_for(const std::string& name, const std::vector<std::string>& set
                     const std::string& scheme, const py::dict& given) {
   const auto request = request_of(scheme, given);
   const SolvedTable table =
-      without_gil([&] { return solve(scene_of(name, settings, problem, checked_scene), request); });
+      without_gil([&] { return solve(scene_of(name, settings, problem, make_scene), request); });
   const py::array_t<double> times(std::ssize(table.times), table.times.data());
   return py::make_tuple(table.names, times, array_of(table.values), warning_text(table.warnings),
                         object_of(json_of(table.cost)), table.events);
@@ -140,7 +130,7 @@ py::tuple solve_for(const std::string& name, const std::vector<std::string>& set
 py::tuple exact_of(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
                    const std::vector<double>& times) {
   const auto table =
-      without_gil([&] { return exact(scene_of(name, settings, problem, unchecked_scene), times); });
+      without_gil([&] { return exact(scene_of(name, settings, problem, make_scene_unchecked), times); });
   return py::make_tuple(table.names, array_of(table.values), array_of(table.bounds));
 }
 
@@ -149,7 +139,7 @@ py::tuple exact_decimals(const std::string& name, const std::vector<std::string>
                          const Scene* problem, const std::vector<double>& times, int digits) {
   std::vector<std::vector<std::string>> values, bounds;
   const auto names = without_gil([&] {
-    const Scene scene = scene_of(name, settings, problem, unchecked_scene);
+    const Scene scene = scene_of(name, settings, problem, make_scene_unchecked);
     for (const auto& row : exact_in_digits(scene, problem == nullptr ? name : own_id, times, digits)) {
       auto &of_values = values.emplace_back(), &of_bounds = bounds.emplace_back();
       for (const auto& [value, bound] : row) {

@@ -96,7 +96,7 @@ Vec velocity_at(In q, const StateGeometry& geometry, const Given& given) {
 
 void print_geometry(const Given& given, const Streams& streams, const SceneRegistry& known) {
   const auto variant = read_variant(given, known);
-  const Scene scene = make_scene_unchecked(*variant.factory, variant.values);
+  const Scene scene = make_scene_unchecked(variant);
   if (!scene.geometry)
     reject_text("scene", variant.factory->id, "one of mechanics with a metric and constraints");
   const Vec q = state_of(given, "--place", scene.geometry.position),

@@ -31,8 +31,7 @@ json page_of(json section) {
 json solution(const SceneVariant& of, bool with_all_columns) {
   SampleLimits limits{.times = most_drawn_times};
   if (with_all_columns) limits.columns = std::numeric_limits<Eigen::Index>::max();
-  Scene scene = make_scene_unchecked(*of.factory, of.values);
-  if (of.until) set_end(scene, *of.until);
+  const Scene scene = make_scene_unchecked(of);
   try {
     return json_of(sample_solution(scene, reference_of(scene), limits));
   } catch (const std::runtime_error& none) {
@@ -57,7 +56,7 @@ std::string parameter_of(const std::vector<SceneVariant>& scenes) {
 // Of a family over the parameter.
 json member(const SceneVariant& of, const std::string& parameter, bool with_all_columns) {
   json made{{"value", to_text(of.values.at(parameter))}, {"solution", solution(of, with_all_columns)}};
-  for (const auto& [name, limit] : make_scene_unchecked(*of.factory, of.values).discontinuities)
+  for (const auto& [name, limit] : make_scene_unchecked(of).discontinuities)
     if (name == parameter) made["limits"].push_back(limit);
   return made;
 }

@@ -62,7 +62,7 @@ std::string rows_in_digits(const std::vector<std::vector<reference::Decimal>>& t
 
 // The table of the scene as CSV.
 std::string exact_rows(const SceneVariant& variant, const Given& given, ReferenceProgress& work) {
-  const Scene scene = make_scene_unchecked(*variant.factory, variant.values);
+  const Scene scene = make_scene_unchecked(variant);
   const auto times = increasing(given.numbers("--at"));
   const auto before = [&](double t) { work.set_place(fmt::format("t = {}", t)); };
   const bool each_bound = given.has("--bounds");

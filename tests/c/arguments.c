@@ -42,6 +42,7 @@ static void test_problem(void) {
   REJECTS(fdebench_problem_of_scene("relaxation", NULL), "problem = NULL: must be ");
   REJECTS(fdebench_problem_of_scene("relaxatio", &p), "scene ");
   REJECTS(fdebench_problem_of_scene("relaxation:gamma=3", &p), "gamma = 3: must be a number in (0, 2]");
+  REJECTS(fdebench_problem_of_scene("fractional_extremum:until=0.5", &p), "until = 0.5: must be 1: ");
   REJECTS(fdebench_problem_of_scene("absent.toml", &p), "absent.toml: ");
   CHECK(p == NULL);
 

@@ -135,6 +135,7 @@ def test_a_doubtful_result_is_warned_of():
         (lambda: fdebench.solve("pendulum", "l1", 8, grid="square"), "^grid = square: must be"),
         (lambda: fdebench.solve("pendulum", "l1", 8, at=[0.1234567]), "^at = 0.1234567: must be a time of the grid"),
         (lambda: fdebench.Scene("pendulum", alpha=3), "alpha = 3: must be"),
+        (lambda: fdebench.Scene("fractional_extremum", until=0.5), "until = 0.5: must be 1: scene fractional_extremum is posed at both ends"),
         (lambda: fdebench.Scene("pendulum", omega=3), "omega"),
         (lambda: fdebench.Problem([2.5], [1.0], lambda t, y: y, 1.0), r"orders = 2.5: must be a number in \[0, 2\]"),
         (lambda: fdebench.Problem([1.5], [1.0], lambda t, y: y, 1.0), r"initial\[0\] = 1.0: must be 2 finite numbers"),
