@@ -21,11 +21,10 @@ inline constexpr Range searched_seconds{.low = 0.0, .high = 1e6, .open_low = tru
 struct ChoiceRequest {
   double error = 0.0;
   ErrorKind kind{Norm::maximum, Scale::mixed};
-  std::vector<std::string> columns{};  // that count; empty: all
-  double seconds = 60.0;               // for the search
-  bool first_run = false;              // ranks by the first run of a process, otherwise by a later one
-  std::vector<const Scheme*>
-      schemes{};  // of the caller, which are tried beside ours; each has an id of its own
+  std::vector<std::string> columns{};    // that count; empty: all
+  double seconds = 60.0;                 // for the search
+  bool first_run = false;                // ranks by the first run of a process, otherwise by a later one
+  std::vector<const Scheme*> schemes{};  // of the caller, tried beside ours; each has an id of its own
 };
 
 // true for "1", the first run of a process, and false for "many". Throws Refusal.

@@ -21,12 +21,16 @@ constexpr int most_direct_steps = 1 << 21;  // more steps take hours
 
 constexpr double rounding = 1e-12;
 
+constexpr Range gradings{.low = 1.0, .high = 100.0};
+
 // Of the values of a request that a struct can hold and a run cannot have.
 void require_ranges(const SolveRequest& request) {
   if (const auto* steps = std::get_if<int>(&request.settings.resolution)) {
     require_in("steps", *steps, step_counts);
   } else {
-    require_in("accuracy", std::get<Tolerance>(request.settings.resolution).rtol, positive);
+    const auto& [rtol, atol] = std::get<Tolerance>(request.settings.resolution);
+    require_in("accuracy", rtol, positive);
+    require_in("accuracy", atol, not_negative);
     const bool uniform = !request.optimal_grading && request.settings.grading == 1.0;
     const auto grid =
         request.optimal_grading ? std::string(optimal_grid) : grid_text(request.settings.grading);
@@ -34,6 +38,7 @@ void require_ranges(const SolveRequest& request) {
       refuse_value("grid", grid,
                    {"without ", RequestField{"accuracy"}, ", whose schemes choose their times"});
   }
+  require_in("grid", request.settings.grading, gradings);
   require_in("tolerance", request.settings.tolerance, newton_tolerances);
   require_in("threads", request.threads, thread_counts);
   if (!(request.settings.budget > 0.0))
@@ -71,6 +76,7 @@ struct TimesOfRun {
   }
 
   std::vector<double> operator()(const GivenTimes& at) const {
+    if (at.times.empty()) refuse_value("at", "[]", {"one time at least"});
     std::vector<double> times;
     for (const double t : at.times) {
       require_in("at", t, not_negative);

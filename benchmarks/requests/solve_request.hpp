@@ -47,8 +47,8 @@ struct CheckpointRequest {
 // (the settings), at, every and points (the times), events, all, field, check, threads, checkpoint and
 // scheme.
 struct SolveRequest {
-  std::string scheme{};  // an id
-  RunSettings settings{.budget = 3600.0};
+  std::string scheme{};                                     // an id
+  RunSettings settings{.resolution = 0, .budget = 3600.0};  // the resolution has to be given
   bool optimal_grading = false;  // takes that of optimal_grading() in place of settings.grading
   OutputTimes times{};
   bool events = false;         // a table of the events of the scene in place of times

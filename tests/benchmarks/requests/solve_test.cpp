@@ -84,8 +84,11 @@ TEST(RequestedSolve, NamesTheFieldsThatItRefuses) {
   };
   const auto grid = steps_of("l1", 8), adaptive = accuracy_of("adaptive_pc", 1e-4);
   EXPECT_EQ(of(steps_of("l1", 0), [](auto&) {}), "<steps> = 0: must be a whole number from 1 to 1000000000");
+  EXPECT_EQ(of({.scheme = "l1"}, [](auto&) {}), of(steps_of("l1", 0), [](auto&) {}));
   EXPECT_EQ(of(accuracy_of("adaptive_pc", -1.0), [](auto&) {}),
             "<accuracy> = -1: must be a finite number above 0");
+  EXPECT_EQ(of(grid, [](auto& r) { r.settings.grading = 0.5; }),
+            "<grid> = 0.5: must be a number in [1, 100]");
   EXPECT_EQ(of(grid, [](auto& r) { r.threads = 0; }), "<threads> = 0: must be a whole number from 1 to 1024");
   EXPECT_THAT(of(grid, [](auto& r) { r.settings.budget = std::nan(""); }),
               testing::StartsWith("<budget> = nan: must be "));
@@ -93,6 +96,7 @@ TEST(RequestedSolve, NamesTheFieldsThatItRefuses) {
               testing::StartsWith("<tolerance> = 2: must be "));
   EXPECT_EQ(of(grid, [](auto& r) { r.times = GivenTimes{{0.3}}; }),
             "<at> = 0.3: must be a time of the grid: its neighbours are 0.25 and 0.375");
+  EXPECT_EQ(of(grid, [](auto& r) { r.times = GivenTimes{}; }), "<at> = []: must be one time at least");
   EXPECT_EQ(of(grid, [](auto& r) { r.times = GivenTimes{{2.0}}; }),
             "<at> = 2: must be in [0, 1], the times of the run");
   EXPECT_EQ(of(adaptive, [](auto& r) { r.times = EveryTime{2}; }),
