@@ -6,6 +6,7 @@ import fractions
 import io
 import math
 import pathlib
+import random
 import subprocess
 import warnings
 
@@ -242,6 +243,19 @@ def test_a_scheme_of_ones_own_is_tried_beside_the_others():
     assert mine and min(run["error"] for run in mine if run["error"]) < 0.1
     exact = fdebench.choose(relaxation(), error=1e-9, seconds=5, schemes={"exact": lambda problem, times: numpy.exp(times)[:, None] * special_erfc(times)})
     assert exact["scheme"] == "exact" and exact["command"] is None
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_scheme_of_ones_own_meets_every_way_to_count_errors(seed):
+    draw = random.Random(seed)
+    scene = draw.choice(["relaxation", "linear_system", "diethelm", "loxodrome", "pendulum:until=1"])
+    counted = {"norm": draw.choice(["end", "maximum"]), "scale": draw.choice(["absolute", "mixed", "peak"]), "runs": draw.choice(["1", "many"])}
+    own = {"rectangle_rule": rectangle_rule, "none": lambda problem, times: numpy.full((len(times), len(problem.orders)), numpy.nan)}
+    columns = draw.choice([None, fdebench.Scene(scene).columns[-1]])
+    answer = fdebench.choose(scene, error=1e-2, seconds=5, columns=columns, schemes=own, **counted)
+    assert answer["error"] <= 1e-2 and answer["scheme"] != "none"
+    assert (answer["command"] is None) == (answer["scheme"] in own)
+    assert {run["scheme"] for run in answer["others"]} | {answer["scheme"]} >= set(own)
 
 
 def special_erfc(times):
