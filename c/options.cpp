@@ -70,7 +70,7 @@ int count_of(const std::string& name, const OptionValue& value, const CountRange
 std::vector<double> reals_of(const std::string& name, const OptionValue& value, const Range& allowed) {
   if (const auto* text = std::get_if<std::string>(&value)) return parse_numbers(name, *text, allowed);
   const auto* list = std::get_if<std::vector<double>>(&value);
-  const auto numbers = list != nullptr ? *list : std::vector{number_of(value).value()};
+  auto numbers = list != nullptr ? *list : std::vector{number_of(value).value()};
   for (const double number : numbers) require_in(name, number, allowed);
   return numbers;
 }

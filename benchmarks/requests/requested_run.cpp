@@ -34,9 +34,10 @@ void require_ranges(const SolveRequest& request) {
     const bool uniform = !request.optimal_grading && request.settings.grading == 1.0;
     const auto grid =
         request.optimal_grading ? std::string(optimal_grid) : grid_text(request.settings.grading);
-    if (!uniform)
+    if (!uniform) {
       refuse_value("grid", grid,
                    {"without ", RequestField{"accuracy"}, ", whose schemes choose their times"});
+    }
   }
   require_in("grid", request.settings.grading, gradings);
   require_in("tolerance", request.settings.tolerance, newton_tolerances);
@@ -121,9 +122,10 @@ void require_events(const Scene& scene, const SolveRequest& request) {
   if (!request.events) return;
   if (!std::holds_alternative<Tolerance>(request.settings.resolution))
     throw Refusal({RequestField{"events"}, ": is only taken with ", RequestField{"accuracy"}});
-  if (!std::holds_alternative<AllTimes>(request.times))
+  if (!std::holds_alternative<AllTimes>(request.times)) {
     throw Refusal({RequestField{"events"}, ": is not taken with ", RequestField{"at"}, " and ",
                    RequestField{"points"}});
+  }
   if (scene.events.empty())
     throw Refusal({RequestField{"events"}, ": the scene has none; a file declares them under [event.NAME]"});
 }

@@ -164,9 +164,9 @@ std::vector<Warning> run_warnings(const Scene& scene, const RequestedRun& run, c
     bool is_number = columns.cols() == 0;
     for (Eigen::Index c = 0; c < columns.cols() && !is_number; ++c)
       is_number = !std::isnan(event.value(path.time(c), columns.col(c)));
-    if (!is_number)
-      all.push_back(
-          {Finding::event, fmt::format("event {} is not a number at any time of the run", event.name)});
+    if (is_number) continue;
+    all.push_back(
+        {Finding::event, fmt::format("event {} is not a number at any time of the run", event.name)});
   }
   return all;
 }

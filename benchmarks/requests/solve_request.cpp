@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "fdebench/benchmarks/text/entry_named.hpp"
@@ -22,7 +24,7 @@ StepsOrTolerance resolution_from(const std::optional<int>& steps, const std::opt
 
 OutputTimes output_times_from(std::optional<std::vector<double>> at, const std::optional<int>& every,
                               const std::optional<int>& points) {
-  if (at.has_value() + every.has_value() + points.has_value() > 1) {
+  if (std::ranges::count(std::array{at.has_value(), every.has_value(), points.has_value()}, true) > 1) {
     throw Refusal({RequestField{"at"}, ", ", RequestField{"every"}, " and ", RequestField{"points"},
                    ": one of them at most"});
   }

@@ -76,8 +76,7 @@ TEST_F(CheckpointOfSolve, IsOfOneRunOnly) {
       {std::string(plain) + " --grid graded:2", "grid = uniform, not graded:2"},
       {std::string(plain) + " --history direct", "history = auto, not direct"},
       {std::string(plain) + " --tolerance 1e-6", "tolerance = 1e-15, not 1e-06"},
-      {"solve pendulum --scheme product_trapezoidal --steps 20000 --at 20",
-       "times = points 5, not at 20"}};
+      {"solve pendulum --scheme product_trapezoidal --steps 20000 --at 20", "times = points 5, not at 20"}};
   for (const auto& [command, difference] : others) {
     EXPECT_THAT(solve_with_checkpoint(command),
                 is_refused(2, StartsWith("fdebench: " + file() + ": is of another run: " + difference)))
