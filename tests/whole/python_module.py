@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The Python module, if it is built, returns the values of the command."""
+"""The Python module, if it is built, returns the values of the command, and tries schemes of one's own on any problem."""
 
 import re
 import subprocess
@@ -37,24 +37,69 @@ def sanitizers_of(module: Path) -> dict[str, str]:
     return {"LD_PRELOAD": " ".join(sanitizers), "ASAN_OPTIONS": "detect_leaks=0"} if sanitizers else {}
 
 
-@must_hold(drawn_call, 0.3)
-def python_agrees(program: Program, case: Case, lists: Lists) -> None:
+def python(program: Program, script: str, *words: str) -> subprocess.CompletedProcess[str] | None:
+    """A script with the module that is built beside the program; None where there is none for this Python."""
     folder = program.binary.parent / "python"
     modules = list(folder.glob("fdebench/*.so"))
     if not modules:
-        return
+        return None
+    environment = {**program.environment, **sanitizers_of(modules[0]), "PYTHONPATH": str(folder)}
+    run = subprocess.run([sys.executable, "-c", script, *words], capture_output=True, text=True, cwd=program.folder, env=environment,
+                         timeout=120 * program.slow)
+    if "ModuleNotFoundError" in run.stderr:  # the module is compiled for another Python
+        return None
+    if run.returncode != 0:
+        raise Fault("fails", f"Python ends with {run.returncode}: {run.stderr.strip().splitlines()[-1:]}")
+    return run
+
+
+@must_hold(drawn_call, 0.3)
+def python_agrees(program: Program, case: Case, lists: Lists) -> None:
     ended = program.run("solve", *case.problem(), "--scheme", case.scheme, *case.given(), "--points", "5")
     if not ended.done:
         return
     table = Table.read(ended.out)
-    run = subprocess.run([sys.executable, "-c", SCRIPT, case.problem()[0], case.scheme, case.options["--steps"],
-                          ",".join(row[0] for row in table.rows), *table.unknowns], capture_output=True, text=True,
-                         cwd=program.folder, env={**program.environment, **sanitizers_of(modules[0]), "PYTHONPATH": str(folder)}, timeout=120 * program.slow)
-    if "ModuleNotFoundError" in run.stderr:  # the module is compiled for another Python
+    run = python(program, SCRIPT, case.problem()[0], case.scheme, case.options["--steps"], ",".join(row[0] for row in table.rows), *table.unknowns)
+    if run is None:
         return
-    if run.returncode != 0:
-        raise Fault("fails", f"Python ends with {run.returncode}: {run.stderr.strip().splitlines()[-1:]}")
     columns = [table.names.index(name) for name in ["t", *table.unknowns]]
     for ours, row in zip(run.stdout.splitlines(), table.rows):
         if [float(v) for v in ours.split(",")] != [float(row[k]) for k in columns]:
             raise Fault("differs", f"Python says {ours}, the command {','.join(row)}")
+
+
+# The explicit rule of rectangles, which is a scheme for every problem without rows of order 0, and one that solves nothing.
+OWN = """
+import math, sys, fdebench, numpy
+def rule(problem, times):
+    orders = numpy.array(problem.orders)
+    y, f = (numpy.zeros((len(times), len(orders))) for _ in range(2))
+    taylor = numpy.array([[*initial, 0.0][:2] for initial in problem.initial])
+    for n, t in enumerate(times):
+        weights = (t - times[:n, None]) ** orders - (t - times[1 : n + 1, None]) ** orders if n else f[:0]
+        y[n] = taylor[:, 0] + taylor[:, 1] * t + (weights * f[:n]).sum(axis=0) / numpy.array([math.gamma(order + 1) for order in orders])
+        f[n] = problem.rhs(t, y[n])
+    return y
+own = {"mine": rule, "none": lambda problem, times: numpy.full((len(times), len(problem.orders)), numpy.nan)}
+numpy.seterr(all="ignore")
+error = float(sys.argv[2])
+try:
+    answer = fdebench.choose(sys.argv[1], error=error, norm=sys.argv[3], scale=sys.argv[4], runs=sys.argv[5], seconds=2, schemes=own)
+except (ValueError, fdebench.NumericalFailure):
+    sys.exit()
+assert answer["error"] <= error, answer
+assert answer["scheme"] != "none", answer
+assert (answer["command"] is None) == (answer["scheme"] == "mine"), answer
+"""
+
+
+def drawn_choice(random: Random, lists: Lists) -> Case:
+    options = {"--error": random.choice(["1e-1", "1e-2", "1e-4", "1e-7"]), "--norm": random.choice(["end", "maximum"]),
+               "--scale": random.choice(["absolute", "relative", "mixed", "peak"]), "--runs": random.choice(["1", "many"])}
+    case = Case("python_schemes", options=options, **drawn_problem(random, lists, wild=0.1))
+    return replace(case, chosen={k: v for k, v in case.chosen.items() if "," not in v})
+
+
+@must_hold(drawn_choice, 0.2)
+def python_schemes(program: Program, case: Case, lists: Lists) -> None:
+    python(program, OWN, case.problem()[0], *(case.options[name] for name in ("--error", "--norm", "--scale", "--runs")))
