@@ -252,7 +252,7 @@ def test_a_scheme_of_ones_own_meets_every_way_to_count_errors(seed):
     counted = {"norm": draw.choice(["end", "maximum"]), "scale": draw.choice(["absolute", "mixed", "peak"]), "runs": draw.choice(["1", "many"])}
     own = {"rectangle_rule": rectangle_rule, "none": lambda problem, times: numpy.full((len(times), len(problem.orders)), numpy.nan)}
     columns = draw.choice([None, fdebench.Scene(scene).columns[-1]])
-    answer = fdebench.choose(scene, error=1e-2, seconds=5, columns=columns, schemes=own, **counted)
+    answer = fdebench.choose(scene, error=1e-2, seconds=20, columns=columns, schemes=own, **counted)
     assert answer["error"] <= 1e-2 and answer["scheme"] != "none"
     assert (answer["command"] is None) == (answer["scheme"] in own)
     assert {run["scheme"] for run in answer["others"]} | {answer["scheme"]} >= set(own)

@@ -40,7 +40,7 @@ int main() {
     const auto variant = bench::read_variant(name, {});
     const auto made =
         bench::choose(bench::make_scene(variant),
-                      {.error = 1e-2, .seconds = 1.0, .schemes = {&mine.scheme()}}, variant.key());
+                      {.error = 1e-2, .seconds = 20.0, .schemes = {&mine.scheme()}}, variant.key());
     const auto show = [&](const bench::RecommendedRun& run, const std::string& what) {
       const double times = run.time.median / made.options.front().time.median;
       std::printf("%-22s %-22s N = %-5d error %.1e, %.2g times as long: %s\n", name,
