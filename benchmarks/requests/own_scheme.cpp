@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
+
+#include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde::bench {
 namespace {
@@ -23,29 +27,16 @@ void require_shape(std::string_view id, const Rows& y, Eigen::Index components, 
                   y.cols(), components, times));
 }
 
-// The requested ones of the states up to the first that is not finite.
-Trajectory path_of(const std::vector<double>& times, const Rows& y, const Options& options) {
-  Trajectory path;
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index c = 0; c < y.cols(); ++c) {
-    const double t = times[static_cast<std::size_t>(c)];
-    if (!y.col(c).allFinite()) {
-      path.status = SolveStatus::non_finite;
-      path.failure_time = t;
-      break;
-    }
-    if (options.observer) options.observer(t, y.col(c));
-    path.last_time = t;
-    path.steps = c;
-    const auto next = kept.size();
-    if (!options.output_times.empty() &&
-        (next == options.output_times.size() || options.output_times[next] != t))
-      continue;
-    kept.push_back(c);
-    path.times.push_back(t);
-  }
-  path.y = y(Eigen::all, kept);
-  return path;
+Trajectory run_of(std::string_view id, const StatesOfRun& states, const Problem& problem, const Grid& grid,
+                  const Options& options) {
+  Run run(problem, options, grid.steps);
+  run.cost().rhs_calls = std::nullopt;  // the caller's own
+  const auto times = times_of(grid);
+  const Rows y = states(problem, times);
+  require_shape(id, y, problem.size(), times.size());
+  for (int n = is_two_sided(problem) ? 0 : 1; n <= grid.steps; ++n)
+    if (!run.accept(grid.time(n), y.col(n))) break;
+  return run.finish();
 }
 
 }  // namespace
@@ -58,10 +49,7 @@ OwnScheme::OwnScheme(std::string id, StatesOfRun states, const Capabilities& cap
               .capabilities = capabilities,
               .solve = on_grid([this, states = std::move(states)](const Problem& problem, const Grid& grid,
                                                                   const Options& options) {
-                const auto times = times_of(grid);
-                const Rows y = states(problem, times);
-                require_shape(id_, y, problem.size(), times.size());
-                return path_of(times, y, options);
+                return run_of(id_, states, problem, grid, options);
               })} {}
 
 }  // namespace fde::bench

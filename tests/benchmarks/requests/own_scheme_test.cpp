@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 #include "support/testing.hpp"
 
@@ -43,6 +45,25 @@ TEST(OwnScheme, EndsWhereAStateIsNotFinite) {
   EXPECT_EQ(path.last_time, 0.5);
   EXPECT_EQ(path.failure_time, 0.75);
   EXPECT_EQ(path.y.cols(), 3);
+}
+
+// 0.3 is no time n / 10 of the grid to the last bit: times are equal up to rounding.
+TEST(OwnScheme, ReturnsTimesThatAreRequestedUpToRounding) {
+  const OwnScheme mine("squares", squares);
+  const auto path = mine.scheme().solve(scene_of("relaxation").problem, Grid{.end = 1.0, .steps = 10},
+                                        {.output_times = {0.3, 0.7, 1.0}});
+  EXPECT_EQ(path.times.size(), 3U);
+  EXPECT_NEAR(path.y(0, 1), 0.49, 1e-15);
+}
+
+TEST(OwnScheme, EndsWhereItsBudgetIsSpent) {
+  const OwnScheme mine("slow", [](const Problem& problem, const std::vector<double>& times) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return squares(problem, times);
+  });
+  const auto path =
+      mine.scheme().solve(scene_of("relaxation").problem, Grid{.end = 1.0, .steps = 4}, {.budget = 0.01});
+  EXPECT_EQ(path.status, SolveStatus::out_of_budget);
 }
 
 TEST(OwnScheme, RefusesStatesOfAnotherShape) {
