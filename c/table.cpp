@@ -53,7 +53,7 @@ SolveRequest request_of(const std::string& scheme, const std::map<std::string, O
     } else if (name == "threads") {
       request.threads = count_of(name, value, thread_counts);
     } else if (name == "tolerance") {
-      request.settings.tolerance = real_of(name, value, newton_tolerances);
+      request.settings.newton_tolerance = real_of(name, value, newton_tolerances);
     } else {
       reject_text("option", name,
                   "of accuracy, at, budget, check, every, grid, history, points, steps, threads, tolerance");

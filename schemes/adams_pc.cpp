@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "fdebench/schemes/history/symbols/rule_symbols.hpp"
 #include "fdebench/schemes/stepping/order_splitting.hpp"
 #include "fdebench/schemes/stepping/predict_and_correct.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"

@@ -27,7 +27,7 @@ Scheme adaptive_trapezoidal() {
       .source = "Young, Proc. R. Soc. A 224 (1954); steps as Gustafsson, ACM Trans. Math. Softw. 17 (1991)",
       .capabilities = {.resolution = ResolutionKind::tolerance, .implicit = true, .checkpoints = true},
       .solve = trapezoidal([](const Problem& problem, const Options& options) {
-        return make_newton_solver(problem, options.tolerance);
+        return make_newton_solver(problem, options.newton_tolerance);
       })};
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "fdebench/schemes/history/symbols/rule_symbols.hpp"
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
 

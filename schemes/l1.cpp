@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
+#include "fdebench/schemes/history/symbols/rule_symbols.hpp"
 #include "fdebench/schemes/history/weights/polylogarithm.hpp"
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/rules/interpolants/parabolas.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
+#include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/rules/implicit/newton.hpp"
 #include "fdebench/schemes/rules/multi_term/integrated_equations.hpp"
 #include "fdebench/schemes/rules/multi_term/multi_term_rates.hpp"
@@ -40,7 +41,7 @@ Trajectory solve_integrated_equations(const Problem& problem, const Grid& grid, 
     powers = starting_powers_of_equations(family, problem).for_steps(grid.steps);
   const Problem stepped = integrated_problem(problem);
   Run run(stepped, options, grid.steps);
-  NewtonSolver newton(stepped, options.tolerance);
+  NewtonSolver newton(stepped, options.newton_tolerance);
   const GridJumps jumps(problem, grid);
   IntegratedEquations equations(problem, family, grid, options, powers);
   run.cost().history_bytes = equations.bytes();
@@ -58,7 +59,7 @@ Trajectory solve_integrated_equations(const Problem& problem, const Grid& grid, 
     archive.resizable(first);
   };
   if (!run.resume_from_checkpoint(state) && powers.size() > 1)
-    first = first_steps_of(run, equations, problem, stepped, grid, options.tolerance, ending);
+    first = first_steps_of(run, equations, problem, stepped, grid, options.newton_tolerance, ending);
   for (; n <= grid.steps && ending == SolveStatus::finished; ++n) {
     run.offer_checkpoint(state);
     equations.push(t, y, newton.rhs_at_solution(run, t, y));

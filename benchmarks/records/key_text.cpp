@@ -67,7 +67,7 @@ int steps_of(const Json& line, int fewest) {
 
 Json json_of(const RunKey& run) {
   const RunSettings usual;
-  const auto& [resolution, grading, history, tolerance, budget] = run.settings;
+  const auto& [resolution, grading, history, newton_tolerance, budget] = run.settings;
   Json line = json_of(run.scene);
   line["scheme"] = run.scheme;
   if (run.external) line["external"] = true;
@@ -75,7 +75,7 @@ Json json_of(const RunKey& run) {
   if (const auto* accuracy = std::get_if<Tolerance>(&resolution)) line["accuracy"] = json_of(*accuracy);
   if (grading != usual.grading) line["grid"] = grid_text(grading);
   if (history != usual.history) line["history"] = name(history);
-  if (tolerance != usual.tolerance) line["tolerance"] = tolerance;
+  if (newton_tolerance != usual.newton_tolerance) line["tolerance"] = newton_tolerance;
   if (budget != usual.budget) line["budget"] = number_of(budget);
   return line;
 }
@@ -90,7 +90,7 @@ RunKey run_of(const Json& line) {
   }
   if (line.contains("grid")) settings.grading = parse_grading(line["grid"].get<std::string>());
   if (line.contains("history")) settings.history = parse_history(line["history"].get<std::string>());
-  settings.tolerance = line.value("tolerance", settings.tolerance);
+  settings.newton_tolerance = line.value("tolerance", settings.newton_tolerance);
   settings.budget = line.value("budget", settings.budget);
   return run;
 }

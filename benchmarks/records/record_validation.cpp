@@ -80,7 +80,7 @@ void require_key(const RunKey& run) {
     require_in("accuracy", accuracy->rtol, not_negative);
     require_in("accuracy", accuracy->atol, not_negative);
   }
-  require_in("tolerance", run.settings.tolerance, {.low = 0.0, .high = 1.0});
+  require_in("tolerance", run.settings.newton_tolerance, {.low = 0.0, .high = 1.0});
   if (std::isfinite(run.settings.budget)) require_in("budget", run.settings.budget, positive);
 }
 

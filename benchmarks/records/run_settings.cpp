@@ -13,7 +13,7 @@ constexpr std::string_view uniform = "uniform", graded = "graded:";
 }  // namespace
 
 Options RunSettings::options() const {
-  return {.history = history, .tolerance = tolerance, .budget = budget};
+  return {.history = history, .newton_tolerance = newton_tolerance, .budget = budget};
 }
 
 Resolution resolution_of(const RunSettings& settings, double end) {

@@ -19,7 +19,7 @@ struct RunSettings {
   StepsOrTolerance resolution = 1;
   double grading = 1.0;  // of the grid
   HistoryKind history = HistoryKind::automatic;
-  double tolerance = Options{}.tolerance;
+  double newton_tolerance = Options{}.newton_tolerance;
   double budget = std::numeric_limits<double>::infinity();  // seconds for each solve
 
   auto operator<=>(const RunSettings&) const = default;

@@ -210,7 +210,7 @@ RunFacts facts_of(const Scene& scene, const SolveRequest& request, const Request
           {"steps", resolution_text(run.settings)},
           {"grid", grid_text(run.settings.grading)},
           {"history", std::string(name(run.settings.history))},
-          {"tolerance", fmt::format("{}", run.settings.tolerance)},
+          {"tolerance", fmt::format("{}", run.settings.newton_tolerance)},
           {"times", std::visit(TimesText(), request.times)}};
 }
 

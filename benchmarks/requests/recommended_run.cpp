@@ -19,8 +19,8 @@ std::string options_of(const RunSettings& settings, int steps) {
   if (settings.grading != 1.0) options += fmt::format(" --grid {}", grid_text(settings.grading));
   if (settings.history != HistoryKind::automatic)
     options += fmt::format(" --history {}", name(settings.history));
-  if (settings.tolerance != RunSettings().tolerance)
-    options += fmt::format(" --tolerance {}", settings.tolerance);
+  if (settings.newton_tolerance != RunSettings().newton_tolerance)
+    options += fmt::format(" --tolerance {}", settings.newton_tolerance);
   return options;
 }
 

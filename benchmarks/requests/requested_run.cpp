@@ -40,7 +40,7 @@ void require_ranges(const SolveRequest& request) {
     }
   }
   require_in("grid", request.settings.grading, gradings);
-  require_in("tolerance", request.settings.tolerance, newton_tolerances);
+  require_in("tolerance", request.settings.newton_tolerance, newton_tolerances);
   require_in("threads", request.threads, thread_counts);
   if (!(request.settings.budget > 0.0))
     refuse_value("budget", fmt::format("{}", request.settings.budget), {positive.text()});

@@ -106,7 +106,7 @@ SolveRequest request_of(const std::string& scheme, const py::dict& given) {
   set_grid(request, given["grid"].cast<std::string>());
   request.settings.history = parse_history(given["history"].cast<std::string>());
   request.settings.budget = given["budget"].cast<double>();
-  if (const auto tolerance = find<double>(given, "tolerance")) request.settings.tolerance = *tolerance;
+  if (const auto tolerance = find<double>(given, "tolerance")) request.settings.newton_tolerance = *tolerance;
   request.times = output_times_from(find<std::vector<double>>(given, "at"), find<int>(given, "every"),
                                     find<int>(given, "points"));
   request.check = given["check"].cast<bool>();

@@ -15,7 +15,7 @@ namespace {
 std::array<std::string, 4> means_of(const RunSettings& settings, bool one_grading = false) {
   const auto grid = one_grading ? "graded" : grid_text(settings.grading);
   return {std::string(name(settings.history)), settings.grading == 1.0 ? "" : grid,
-          fmt::format("tolerance {:g}", settings.tolerance),
+          fmt::format("tolerance {:g}", settings.newton_tolerance),
           std::isfinite(settings.budget) ? fmt::format("budget {:g} s", settings.budget) : "no budget"};
 }
 

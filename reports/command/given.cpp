@@ -160,7 +160,7 @@ RunSettings parse_run_settings(const Given& given) {
   } catch (const Refusal& refusal) {
     given.refuse(refusal);
   }
-  if (const auto tolerance = given.find_number("--tolerance")) settings.tolerance = *tolerance;
+  if (const auto tolerance = given.find_number("--tolerance")) settings.newton_tolerance = *tolerance;
   // The default of a sweep is no number: it depends on other options.
   if (given.has("--budget") || is_decimal(given.text("--budget"))) settings.budget = given.number("--budget");
   return settings;

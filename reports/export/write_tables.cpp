@@ -81,7 +81,7 @@ class TablesOfResults {
   }
 
   void write(const Record& run, std::size_t id) {
-    const auto& [resolution, grading, history, tolerance, budget] = run.key.settings;
+    const auto& [resolution, grading, history, newton_tolerance, budget] = run.key.settings;
     const auto* accuracy = std::get_if<Tolerance>(&resolution);
     const bool ours = !run.key.external;
     put(TableId::runs, {number(id),
@@ -98,7 +98,7 @@ class TablesOfResults {
                         accuracy == nullptr ? Cell() : Cell(accuracy->atol),
                         grading,
                         ours ? Cell(name(history)) : Cell(),
-                        ours ? Cell(tolerance) : Cell(),
+                        ours ? Cell(newton_tolerance) : Cell(),
                         ours && std::isfinite(budget) ? Cell(budget) : Cell(),
                         name(run.ending.kind),
                         or_null(run.ending.detail),

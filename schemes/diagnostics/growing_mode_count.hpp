@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "fdebench/schemes/history/weights/polylogarithm.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {

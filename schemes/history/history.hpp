@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <vector>
 
+#include "fdebench/schemes/history/history_kind.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/problem/archive.hpp"
 #include "fdebench/schemes/problem/grid.hpp"
@@ -16,8 +16,6 @@
 namespace fde {
 
 class Archive;
-
-enum class HistoryKind { automatic, direct, exponentials };
 
 // The history of one run: stores samples x_0, x_1, ... (one value a component) and evaluates the memory
 // terms, discrete convolutions of the samples. Several sums share the samples: predictor and corrector apply
@@ -69,8 +67,6 @@ struct StepPlan {
   [[nodiscard]] int max_steps() const;
 };
 StepPlan step_plan(const Grid& grid);
-
-std::string_view name(HistoryKind kind);
 
 // The kind that a run uses: for `automatic` the one that history_costs estimates to be faster, `direct` for
 // families without a sum of exponentials; otherwise `kind`.

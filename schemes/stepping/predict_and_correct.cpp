@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/stepping/grid_jumps.hpp"
@@ -15,7 +16,7 @@ Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const O
   const auto predictor = weight_tables(problem, families::rectangle);
   const auto corrector = weight_tables(problem, families::trapezoid);
   const auto history =
-      make_history(options.history, {predictor, corrector}, step_plan(grid), options.tolerance);
+      make_history(options.history, {predictor, corrector}, step_plan(grid), options.newton_tolerance);
   run.cost().history_bytes = history->bytes();
   run.cost().history = name(history->kind());
   const TaylorPart taylor_part(problem);

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
+#include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/problem/archive.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/stepping/checkpoints.hpp"

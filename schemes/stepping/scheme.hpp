@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fdebench/schemes/history/history.hpp"
+#include "fdebench/schemes/history/history_kind.hpp"
 #include "fdebench/schemes/history/symbols/symbol.hpp"
 #include "fdebench/schemes/problem/resolution.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
@@ -25,7 +25,7 @@ struct Options {
   int corrections = 1;  // corrector iterations of predictor-corrector schemes, >= 1
   // The relative error allowed in a step in addition to the discretisation error; default: rounding. It
   // bounds the error of Newton's method in a step (see NewtonSolver) and of every weight of the memory term.
-  double tolerance = 1e-15;
+  double newton_tolerance = 1e-15;
   double budget = std::numeric_limits<double>::infinity();  // seconds of run time after which the run ends
   int threads = 1;  // >= 1; may share a step of many unknowns; the result has the same bits for any number
   std::vector<double> output_times{};  // increasing, each up to rounding; empty: all times

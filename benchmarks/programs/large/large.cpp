@@ -28,6 +28,7 @@
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/schemes/history/exponential_memory.hpp"
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/solvers/sparse_factors.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"

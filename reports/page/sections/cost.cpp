@@ -15,7 +15,8 @@ json row(const PageInput& page, const Record& run) {
   if (const auto setup = run["time_setup"], seconds = run["time_minimum"]; setup && seconds)
     facts["first_seconds"] = fact(*seconds + (run.timing.first_run ? 0.0 : *setup));
   if (const auto iterations = run["newton_iterations"]) {
-    facts["newton"] = {{"iterations", fact(iterations)}, {"tolerance", fact(run.key.settings.tolerance)}};
+    facts["newton"] = {{"iterations", fact(iterations)},
+                       {"tolerance", fact(run.key.settings.newton_tolerance)}};
   } else {
     facts["explicit"] = !run.key.external;
   }

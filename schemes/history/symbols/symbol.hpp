@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <complex>
 #include <functional>
 
-#include "fdebench/schemes/history/symbols/generating_function.hpp"
-#include "fdebench/schemes/problem/problem.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
 
@@ -19,22 +19,8 @@ namespace fde {
 //   implicit rules       I - A K
 //   predict, evaluate,   I - A (K_a - k + k A K_b), a the trapezoidal and b the rectangle weights, k the
 //   correct, evaluate    step factor of a, the weight of the newest sample
-// The functions below return S with column i multiplied by (1-zeta)^g_i, which has no zero in |zeta| < 1 and
+// A Symbol returns S with column i multiplied by (1-zeta)^g_i, which has no zero in |zeta| < 1 and
 // makes S bounded. Schemes that split orders have the symbol of the split problem.
-using Symbol = std::function<ComplexMatrix(ComplexValue log_zeta)>;
-
-// The symbol of an implicit rule with this step size. For weights of increments of y, K is 1 / ((1-zeta) W)
-// times the step factor. A scheme that splits orders passes the split problem. Preconditions:
-// is_linear(problem), no algebraic rows, no right derivatives.
-Symbol implicit_symbol(const Problem& problem, const WeightFamily& family, double length);
-
-// The same for a rule that is not a convolution of f with one family: kernel_of(g) is (1-zeta)^g K for order
-// g and step size 1.
-using Kernel = std::function<ComplexValue(ComplexValue log_zeta)>;
-Symbol implicit_symbol(const Problem& problem, const std::function<Kernel(double order)>& kernel_of,
-                       double length);
-
-// The symbol of the predictor-corrector rule with one correction. Preconditions as above.
-Symbol predictor_corrector_symbol(const Problem& problem, double length);
+using Symbol = std::function<ComplexMatrix(std::complex<double> log_zeta)>;
 
 }  // namespace fde

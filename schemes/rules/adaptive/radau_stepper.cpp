@@ -99,7 +99,7 @@ RadauStepper::RadauStepper(const Problem& problem, const Tolerance& accuracy, co
       // The memory term is evaluated no nearer to the earlier steps than the first point of a step.
       kernels_.push_back({order,
                           KernelIntegrals(ExponentialKernel(order, points().front() * shortest, problem.end,
-                                                            options.tolerance)),
+                                                            options.newton_tolerance)),
                           weights, weights.inverse()});
       found = std::prev(kernels_.end());
     }

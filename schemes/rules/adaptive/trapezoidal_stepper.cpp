@@ -76,7 +76,7 @@ class PredictionCorrector final : public TrapezoidalSolver {
 
 std::unique_ptr<History> history_for(const Problem& problem, const Options& options, double shortest) {
   return make_history(HistoryKind::exponentials, {weight_tables(problem, families::trapezoid)},
-                      {.end = problem.end, .min_step = shortest}, options.tolerance);
+                      {.end = problem.end, .min_step = shortest}, options.newton_tolerance);
 }
 
 }  // namespace

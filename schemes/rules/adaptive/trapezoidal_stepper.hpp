@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
 #include "fdebench/schemes/rules/implicit/step_equations.hpp"

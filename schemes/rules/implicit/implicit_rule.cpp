@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
@@ -22,7 +23,7 @@ class HistoryOfRows {
       remembered.push_back(tables[i]);
     }
     buffer_.resize(static_cast<Eigen::Index>(rows_.size()));
-    history_ = make_history(options.history, {remembered}, step_plan(grid), options.tolerance);
+    history_ = make_history(options.history, {remembered}, step_plan(grid), options.newton_tolerance);
   }
 
   [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
@@ -66,7 +67,7 @@ ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family) {
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
                           const ImplicitRule& rule) {
   Run run(problem, options, grid.steps);
-  NewtonSolver newton(problem, options.tolerance);
+  NewtonSolver newton(problem, options.newton_tolerance);
   StepFactors factors(rule.tables);
   const GridJumps jumps(problem, grid);
   HistoryOfRows history(problem, rule.tables, grid, options);

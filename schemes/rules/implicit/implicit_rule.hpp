@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/rules/implicit/newton.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 #include "fdebench/schemes/stepping/run.hpp"

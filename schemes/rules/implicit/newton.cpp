@@ -36,7 +36,7 @@ constexpr double shortest_inverse = 1e9;
 NewtonSolver::NewtonSolver(const Problem& problem, double tolerance)
     : problem_(problem),
       tolerance_(tolerance),
-      unseen_(std::min(tolerance, Options{}.tolerance)),
+      unseen_(std::min(tolerance, Options{}.newton_tolerance)),
       matrix_(make_newton_matrix(problem)),
       jacobian_reuse_(static_cast<int>(2 * problem.size())),
       extrapolation_(problem.size()),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/problem/multipliers.hpp"
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 
@@ -223,7 +224,7 @@ PiecewiseConstantIntegrals::PiecewiseConstantIntegrals(const Problem& problem,
   }
   if (below_.empty()) return;
   buffer_.resize(std::ssize(below_));
-  fractional_ = make_history(options.history, {tables_}, step_plan(grid), options.tolerance);
+  fractional_ = make_history(options.history, {tables_}, step_plan(grid), options.newton_tolerance);
 }
 
 void PiecewiseConstantIntegrals::push(double t, double length, In values) {

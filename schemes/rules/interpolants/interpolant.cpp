@@ -12,7 +12,7 @@ Trajectory solve_with_interpolant(Interpolant& interpolant, const Problem& probl
                                   const Options& options) {
   OffStepProblem stepped(problem, interpolant.offsets());
   Run run(stepped.problem(), options, grid.steps);
-  NewtonSolver newton(stepped.problem(), options.tolerance);
+  NewtonSolver newton(stepped.problem(), options.newton_tolerance);
   const GridJumps jumps(problem, grid);
   run.cost().history_bytes = interpolant.bytes();
   run.cost().history = name(interpolant.history_kind());
@@ -48,7 +48,7 @@ SlopeHistory::SlopeHistory(const std::vector<WeightTable>& tables, const StepPla
                            const Options& options)
     : steps_(steps),
       factors_(tables),
-      history_(make_history(options.history, {tables}, steps, options.tolerance)) {}
+      history_(make_history(options.history, {tables}, steps, options.newton_tolerance)) {}
 
 void SlopeHistory::push(double t, In sample) {
   history_->push(t, sample);

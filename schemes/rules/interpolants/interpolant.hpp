@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/problem/archive.hpp"
 #include "fdebench/schemes/problem/problem.hpp"

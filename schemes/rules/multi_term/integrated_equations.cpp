@@ -111,7 +111,7 @@ IntegratedEquations::IntegratedEquations(const Problem& problem, const WeightFam
     : grid_(grid),
       parts_(chain_sums(problem)),
       tables_(tables(family)),
-      history_(make_history(options.history, tables_, step_plan(grid), options.tolerance)),
+      history_(make_history(options.history, tables_, step_plan(grid), options.newton_tolerance)),
       factors_(Matrix::Zero(std::ssize(parts_), std::ssize(tables_))),
       sums_(std::ssize(tables_.front()), std::ssize(tables_)),
       sample_(sums_.rows()),

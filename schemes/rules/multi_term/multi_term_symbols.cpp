@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <vector>
 
+#include "fdebench/schemes/history/symbols/generating_function.hpp"
 #include "fdebench/schemes/rules/multi_term/integrated_equations.hpp"
 
 namespace fde {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
+#include "fdebench/schemes/history/symbols/rule_symbols.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
 #include "fdebench/schemes/rules/start_weights/start_correction.hpp"
@@ -39,7 +41,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   const Vec kappa = StepFactors(of_rows).at(grid.step());
   StartingCorrection correction(of_rows, powers, grid.steps);
   const TaylorPart taylor(problem);
-  NewtonSolver newton(problem, options.tolerance);
+  NewtonSolver newton(problem, options.newton_tolerance);
   const GridJumps jumps(problem, grid);
   Run run(problem, options, grid.steps);
   run.cost().starting_weights = first_steps + 1;
@@ -51,7 +53,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
   // Made after the first steps, whose work space is then free again.
   std::unique_ptr<History> history;
   const auto begin_history = [&] {
-    history = make_history(options.history, {of_rows}, step_plan(grid), options.tolerance);
+    history = make_history(options.history, {of_rows}, step_plan(grid), options.newton_tolerance);
     run.cost().history_bytes = history->bytes() + correction.bytes();
     run.cost().history = name(history->kind());
   };
@@ -68,7 +70,7 @@ Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, c
     };
     auto equations = first_equations(problem, grid, kappa, correction, first_steps);
     first = StartingProcedure(problem, grid, std::move(equations), first_order)
-                .solve(run, options.tolerance, ending);
+                .solve(run, options.newton_tolerance, ending);
     if (ending != SolveStatus::finished) {
       run.fail(ending, grid.time(1));
       return run.finish();

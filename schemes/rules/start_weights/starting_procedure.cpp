@@ -112,7 +112,7 @@ bool StartingProcedure::is_near_guess(In y, In guess, In start) const {
 
 SolveStatus StartingProcedure::take_first_order_steps(Run& run, double tolerance, Vec& guess) const {
   const auto count = static_cast<int>(is_linear(problem_) ? 1 : steps());
-  const auto path = first_order_({.end = time(count), .steps = count}, {.tolerance = tolerance});
+  const auto path = first_order_({.end = time(count), .steps = count}, {.newton_tolerance = tolerance});
   *run.cost().rhs_calls += *path.cost.rhs_calls;
   if (is_linear(problem_)) return path.status;
   *run.cost().newton_iterations += *path.cost.newton_iterations;

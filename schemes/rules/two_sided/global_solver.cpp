@@ -57,7 +57,8 @@ std::vector<NewtonResult> solutions(const GlobalEquations& equations, NewtonIncr
   std::vector<NewtonResult> found;
   for (auto& solution : coarse_solutions(coarse, run)) {
     solution.y = interpolate_linearly(coarse.grid(), solution.y, equations.grid());
-    NewtonResult end = solve_by_newton(equations, increments, run, options.tolerance, std::move(solution));
+    NewtonResult end =
+        solve_by_newton(equations, increments, run, options.newton_tolerance, std::move(solution));
     if (end.converged) found.push_back(std::move(end));
     if (!found.empty() && !options.all_solutions) break;
   }
@@ -73,7 +74,7 @@ Trajectory solve_globally(const Problem& problem, const Grid& grid, const Option
   NewtonIncrements increments(equations);
   const bool all = options.all_solutions && is_two_sided(problem);
   NewtonResult end =
-      solve_by_newton(equations, increments, run, options.tolerance, equations.initial_guess());
+      solve_by_newton(equations, increments, run, options.newton_tolerance, equations.initial_guess());
   std::vector<NewtonResult> found;
   if (all || (!end.converged && is_two_sided(problem) && !is_linear(problem)))
     found = solutions(equations, increments, run, options);

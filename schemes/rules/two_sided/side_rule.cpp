@@ -46,7 +46,7 @@ SideRule::SideRule(const Problem& problem, Side side, const WeightFamily& family
   if (differential_count_ == 0) return;
   StepFactors factors(own);
   for (int m = 1; m < kappa_.cols(); ++m) kappa_.col(m).head(differential_count_) = factors.at(grid.step(m));
-  history_prototype_ = make_history(options.history, {own}, step_plan(grid), options.tolerance);
+  history_prototype_ = make_history(options.history, {own}, step_plan(grid), options.newton_tolerance);
 }
 
 // Calls step(m, sum, f) for every own time m, with sum the weighted sum of all f before m; step sets f at m.

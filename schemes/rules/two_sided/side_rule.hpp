@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {

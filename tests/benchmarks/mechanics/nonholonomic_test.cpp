@@ -132,7 +132,7 @@ TEST_P(Nonholonomic, TheParticleTakesFewIterationsInShortSteps) {
 TEST_P(Nonholonomic, TheToleranceBoundsTheDrift) {
   for (const double tolerance : {1e-4, 1e-8}) {
     const Thermostat thermostat{0.3};
-    const auto path = run(thermostat.problem(2.0), 128, {.tolerance = tolerance});
+    const auto path = run(thermostat.problem(2.0), 128, {.newton_tolerance = tolerance});
     for (const auto& u : path.y.colwise()) ASSERT_LT(std::abs(thermostat.constraint(u)), tolerance);
   }
 }

@@ -60,7 +60,7 @@ TEST_F(ResultsFiles, TellRunsApartByTheirWholeKey) {
   EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.resolution = Tolerance{1e-6, 1e-9}; }));
   EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.grading = 2.0; }));
   EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.history = HistoryKind::direct; }));
-  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.tolerance = 1e-8; }));
+  EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.newton_tolerance = 1e-8; }));
   EXPECT_FALSE(is_recorded_with([](RunKey& k) { k.settings.budget = 60.0; }));
 }
 

@@ -92,7 +92,7 @@ TEST(RequestedSolve, NamesTheFieldsThatItRefuses) {
   EXPECT_EQ(of(grid, [](auto& r) { r.threads = 0; }), "<threads> = 0: must be a whole number from 1 to 1024");
   EXPECT_THAT(of(grid, [](auto& r) { r.settings.budget = std::nan(""); }),
               testing::StartsWith("<budget> = nan: must be "));
-  EXPECT_THAT(of(grid, [](auto& r) { r.settings.tolerance = 2.0; }),
+  EXPECT_THAT(of(grid, [](auto& r) { r.settings.newton_tolerance = 2.0; }),
               testing::StartsWith("<tolerance> = 2: must be "));
   EXPECT_EQ(of(grid, [](auto& r) { r.times = GivenTimes{{0.3}}; }),
             "<at> = 0.3: must be a time of the grid: its neighbours are 0.25 and 0.375");

@@ -67,7 +67,7 @@ TEST(GuessOfNewton, DoesNotAddUpWhatALooseToleranceAllows) {
                         .rhs = [](double, In y, Out f) { f[0] = 1000.0 * std::max(0.0, 0.5 - y[0]) - 0.2; },
                         .end = 4.0};
   for (const auto* scheme : {"bdf2", "bdf3", "bdf5", "grunwald_letnikov"}) {
-    const double end = solve(scheme, stopped, 50, {.tolerance = 1e-2}).y(0, 50);
+    const double end = solve(scheme, stopped, 50, {.newton_tolerance = 1e-2}).y(0, 50);
     EXPECT_NEAR(end, 0.4998, 1e-2) << scheme;
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/schemes/history/symbols/symbol.hpp"
+#include "fdebench/schemes/history/symbols/rule_symbols.hpp"
 
 #include <cmath>
 #include <vector>
