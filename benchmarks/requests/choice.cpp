@@ -11,9 +11,12 @@
 #include <utility>
 
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/requests/failure.hpp"
+#include "fdebench/benchmarks/requests/recommendation_from_search.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
+#include "fdebench/benchmarks/search/search.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/output_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"

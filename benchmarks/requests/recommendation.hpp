@@ -7,11 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "fdebench/benchmarks/measures/error_kind.hpp"
 #include "fdebench/benchmarks/requests/recommended_run.hpp"
 #include "fdebench/benchmarks/scenes/parameters.hpp"
-#include "fdebench/benchmarks/search/accuracy_target.hpp"
-#include "fdebench/benchmarks/search/estimated_reference.hpp"
-#include "fdebench/benchmarks/search/search.hpp"
+#include "fdebench/benchmarks/search/error_estimate.hpp"
 
 namespace fde::bench {
 
@@ -51,12 +50,6 @@ struct Recommendation {
   bool examined_at_points_only = false;     // the reference; see is_examined_at_points_only
   std::optional<ErrorEstimate> estimate{};  // the basis of all errors; nullopt: there is a reference
 };
-
-// A recommendation from the result of search(). `columns` are the names of the scene's columns; `estimate` is
-// given if the errors are estimated.
-Recommendation recommend(const std::vector<SearchCandidate>& searched, const SceneSettings& scene,
-                         const std::vector<std::string>& columns, const AccuracyTarget& target,
-                         const std::optional<ErrorEstimate>& estimate = {});
 
 // The word for its errors: "error" or "estimated error".
 std::string_view error_word(const Recommendation& made);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/requests/recommendation_from_search.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "fdebench/benchmarks/requests/recommendation.hpp"
 #include "fdebench/benchmarks/text/output_text.hpp"
 
 namespace fde::bench {
@@ -14,34 +15,39 @@ namespace {
 
 constexpr double most_steps_shown = 2e9, most_seconds_shown = 1e4;
 
-RunSettings settings_of(const Configuration& configuration, const StepsOrTolerance& resolution) {
-  return {.resolution = resolution, .grading = configuration.grading};
+// The configuration without a run.
+RecommendedRun unmeasured(const SearchCandidate& of) {
+  return {.schemes = of.names,
+          .settings = {.grading = of.configuration.grading},
+          .rate = of.rate,
+          .external = find_scheme(of.names.front()) == nullptr};
+}
+
+RecommendedRun measured(const SearchCandidate& of, const RefinementRun& run) {
+  RecommendedRun made = unmeasured(of);
+  made.settings.resolution = run.resolution;
+  made.steps = run.steps;
+  made.error = run.error().value;
+  made.time = {*run.seconds, *run.seconds, *run.seconds};
+  made.setup_seconds = run.setup_seconds;
+  made.first_run = run.first_run;
+  return made;
 }
 
 RecommendedRun option_of(const SearchCandidate& of) {
-  RecommendedRun option{
-      .schemes = of.names,
-      .settings = settings_of(of.configuration, resolution_of(of.best)),
-      .steps = of.best.steps,
-      .error = of.best.error,
-      .time = of.time.value_or(MedianInterval{of.best.seconds, of.best.seconds, of.best.seconds}),
-      .setup_seconds = of.best.setup_seconds,
-      .first_run = of.best.first_run,
-      .rate = of.rate,
-      .external = find_scheme(of.names.front()) == nullptr};
+  RecommendedRun option = measured(of, of.best);
+  if (of.time) option.time = *of.time;
   if (of.predicted) option.predicted_error = of.predicted->value;
   return option;
 }
 
-std::string name_of(const SearchCandidate& of) {
-  return name_of(RecommendedRun{.schemes = of.names, .settings = settings_of(of.configuration, 1)});
-}
+std::string name_of(const SearchCandidate& of) { return name_of(unmeasured(of)); }
 
 // The finest run with a finite error; nullptr if there is none.
-const CandidateRun* finest(const SearchCandidate& of) {
-  const CandidateRun* found = nullptr;
-  for (const CandidateRun& run : of.runs) {
-    if (std::isfinite(run.error) && (found == nullptr || run.steps > found->steps)) found = &run;
+const RefinementRun* finest(const SearchCandidate& of) {
+  const RefinementRun* found = nullptr;
+  for (const RefinementRun& run : of.refinement.runs) {
+    if (std::isfinite(run.error().value) && (found == nullptr || run.steps > found->steps)) found = &run;
   }
   return found;
 }
@@ -66,24 +72,15 @@ std::string reason_of(const SearchCandidate& of) {
   }
 }
 
+// With the run that shows that the configuration is slower or fails, otherwise the one with the least error.
 RejectedScheme rejected(const SearchCandidate& of) {
-  RejectedScheme scheme{.finest = {.schemes = of.names, .settings = settings_of(of.configuration, 1)},
+  const bool explains = of.outcome == SearchOutcome::slower || of.outcome == SearchOutcome::failed;
+  const auto* run = explains ? of.refinement.finest() : finest(of);
+  RejectedScheme scheme{.finest = run != nullptr ? measured(of, *run) : unmeasured(of),
                         .reason = reason_of(of),
                         .refused = of.outcome == SearchOutcome::refused};
-  // Where a run shows that the configuration is slower or fails, that one; otherwise the one with the least
-  // error.
-  const bool explains = of.outcome == SearchOutcome::slower || of.outcome == SearchOutcome::failed;
-  const auto* run = explains ? of.finest() : finest(of);
-  if (run != nullptr) {
-    scheme.finest.settings.resolution = resolution_of(*run);
-    scheme.finest.steps = run->steps;
-    scheme.finest.error = run->error;
-    scheme.finest.time = {run->seconds, run->seconds, run->seconds};
-    scheme.finest.setup_seconds = run->setup_seconds;
-    scheme.finest.first_run = run->first_run;
-    if (std::isfinite(run->error) && !(run->error < run->baseline_error))
-      scheme.reason += scheme.reason.empty() ? "no better than y = 0" : ", no better than y = 0";
-  }
+  if (run != nullptr && std::isfinite(run->error().value) && !(run->error().value < run->error().baseline))
+    scheme.reason += scheme.reason.empty() ? "no better than y = 0" : ", no better than y = 0";
   return scheme;
 }
 
@@ -94,16 +91,15 @@ std::optional<RecommendedRun> expected_of(const SearchCandidate& of, double accu
       of.steps_needed->high * of.seconds_per_step > most_seconds_shown)
     return std::nullopt;
   const auto& steps = *of.steps_needed;
-  const CandidateRun& finest = *of.finest();
+  const RefinementRun& finest = *of.refinement.finest();
   const auto seconds = [&](double n) { return finest.counted_setup() + n * of.seconds_per_step; };
-  return RecommendedRun{.schemes = of.names,
-                        .settings = settings_of(of.configuration, 1),
-                        .steps = static_cast<int>(steps.value),
-                        .error = accuracy,
-                        .time = {seconds(steps.value), seconds(steps.low), seconds(steps.high)},
-                        .setup_seconds = finest.setup_seconds,
-                        .first_run = finest.first_run,
-                        .rate = of.rate};
+  RecommendedRun expected = unmeasured(of);
+  expected.steps = static_cast<int>(steps.value);
+  expected.error = accuracy;
+  expected.time = {seconds(steps.value), seconds(steps.low), seconds(steps.high)};
+  expected.setup_seconds = finest.setup_seconds;
+  expected.first_run = finest.first_run;
+  return expected;
 }
 
 // Adds to made.expected the best prediction of each scheme that gives no option, and to made.rejected the
@@ -133,7 +129,8 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
   const SearchCandidate* best = nullptr;
   for (const SearchCandidate& of : searched) {
     const auto* attempt = finest(of);
-    if (attempt != nullptr && (best == nullptr || attempt->error < finest(*best)->error)) best = &of;
+    if (attempt != nullptr && (best == nullptr || attempt->error().value < finest(*best)->error().value))
+      best = &of;
   }
   if (best == nullptr) {
     for (const SearchCandidate& of : searched) {
@@ -142,11 +139,12 @@ void tell_shortfall(const std::vector<SearchCandidate>& searched, const std::vec
     }
     return;
   }
-  const CandidateRun& last = *finest(*best);
-  const auto* useless = last.error < last.baseline_error ? "" : ", no better than y = 0";
+  const RefinementRun& run = *finest(*best);
+  const RunError& last = run.error();
+  const auto* useless = last.value < last.baseline ? "" : ", no better than y = 0";
   made.missing.push_back(fmt::format("best: {}: {} {} with N = {}{}, in {} at t = {:.6g}", name_of(*best),
-                                     error_word(made), error_text(last.error), count_text(last.steps),
-                                     useless, columns[static_cast<std::size_t>(last.column)], last.time));
+                                     error_word(made), error_text(last.value), count_text(run.steps), useless,
+                                     columns[static_cast<std::size_t>(last.column)], last.time));
   const auto is_late = [](const SearchCandidate& of) { return of.outcome == SearchOutcome::out_of_time; };
   if (std::ranges::any_of(searched, is_late)) made.missing.emplace_back("the time of the search ran out");
   const SearchCandidate* least = nullptr;
@@ -168,8 +166,8 @@ Recommendation recommend(const std::vector<SearchCandidate>& searched, const Sce
   for (const SearchCandidate& of : searched) {
     if (of.outcome != SearchOutcome::accuracy_reached) continue;
     made.options.push_back(option_of(of));
-    if (!made.reference_bound) made.reference_bound = of.best.reference_bound;
-    made.constant = std::isinf(of.best.baseline_error);
+    if (!made.reference_bound) made.reference_bound = of.best.error().reference_bound;
+    made.constant = std::isinf(of.best.error().baseline);
   }
   made.options.empty() ? tell_shortfall(searched, columns, made) : tell_others(searched, made);
   return made;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
-#include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde::bench {
 

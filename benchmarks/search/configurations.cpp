@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "fdebench/schemes/stepping/rates.hpp"
+
 namespace fde::bench {
 namespace {
 

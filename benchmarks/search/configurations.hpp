@@ -7,19 +7,10 @@
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
-#include "fdebench/schemes/stepping/rates.hpp"
+#include "fdebench/benchmarks/search/configuration.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
-
-// A configuration of a search: a scheme with a grading of its grid, or a scheme with adaptive step size.
-// The number of steps or the tolerance is free.
-struct Configuration {
-  const Scheme* scheme = nullptr;
-  double grading = 1.0;
-
-  [[nodiscard]] bool is_adaptive() const { return scheme->capabilities.is_adaptive(); }
-};
 
 // The gradings to try with a scheme: 1 (uniform), 1.5, 2, 3, and the smallest with the best theoretical rate;
 // 1 alone for a scheme that needs a uniform grid or takes no grid. Precondition: the scheme accepts the

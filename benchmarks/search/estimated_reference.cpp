@@ -18,7 +18,6 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/search/configurations.hpp"
 #include "fdebench/benchmarks/search/interpolated_run.hpp"
-#include "fdebench/benchmarks/search/search_candidate.hpp"
 #include "fdebench/reference/nonlinear/march/march_limits.hpp"
 
 namespace fde::bench {

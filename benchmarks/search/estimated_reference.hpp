@@ -6,22 +6,9 @@
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
-#include "fdebench/benchmarks/search/candidate_run.hpp"
+#include "fdebench/benchmarks/search/error_estimate.hpp"
 
 namespace fde::bench {
-
-// An error estimate for a scene without a reference: two runs of different schemes, the second with half the
-// steps, so that an error common to both rules shows in their difference too. The first, finer run replaces
-// the reference. The estimate is no bound.
-struct ErrorEstimate {
-  std::string no_reference_reason{};  // why there is no reference
-  Configuration first{}, second{};    // `first` replaces the reference
-  int first_steps = 0, second_steps = 0;
-  double difference = 0.0;  // largest over the compared columns, on the scale of the target
-  double factor = 0.0;      // estimated error of the first run = factor * difference
-
-  [[nodiscard]] double error() const { return factor * difference; }
-};
 
 // Factor between error and difference where the difference d decreased by `ratio` with each doubling of N. An
 // error ~ N^-p that changes by d from N/2 to N is d / (2^p - 1), ratio = 2^p; at least d is taken, times a

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
-#include "fdebench/benchmarks/search/candidate_run.hpp"
+#include "fdebench/benchmarks/search/configuration.hpp"
 
 namespace fde::bench {
 

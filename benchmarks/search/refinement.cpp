@@ -29,6 +29,15 @@ bool are_equal(const RefinementRun& a, const RefinementRun& b) {
 
 }  // namespace
 
+const RefinementRun* Refinement::finest() const {
+  const auto fineness = [](const RefinementRun& run) {
+    const auto* tolerance = std::get_if<Tolerance>(&run.resolution);
+    return tolerance != nullptr ? -tolerance->rtol : run.steps;
+  };
+  const auto found = std::ranges::max_element(runs, {}, fineness);
+  return found == runs.end() ? nullptr : &*found;
+}
+
 RunError error_of(const RefinementRun& run, std::size_t kind) {
   return kind < run.errors.size() ? run.errors[kind] : RunError{};
 }
@@ -79,7 +88,7 @@ bool has_stagnated(const Refinement& of, std::size_t kind) {
 double start_seconds(const Refinement& of) {
   double least = 0.0;
   for (const RefinementRun& run : of.runs) {
-    if (run.setup_seconds > 0.0) return of.runs.back().setup_seconds;
+    if (run.counted_setup() > 0.0) return of.runs.back().counted_setup();
     if (!run.is_whole_process || !run.seconds) continue;
     least = least > 0.0 ? std::min(least, *run.seconds) : *run.seconds;
   }
@@ -108,7 +117,7 @@ std::optional<double> seconds_with(const Refinement& of, double steps) {
   if (timed.empty()) return std::nullopt;
   double step = std::numeric_limits<double>::infinity();
   for (const RefinementRun* run : std::span(timed).last(std::min(trusted, timed.size()))) {
-    const double own_start = run->setup_seconds > 0.0 ? run->setup_seconds : start;
+    const double own_start = run->counted_setup() > 0.0 ? run->counted_setup() : start;
     const bool is_start = own_start > 0.0 && *run->seconds <= own_start && timed.size() > 1;
     if (!is_start) step = std::min(step, (*run->seconds - own_start) / run->steps);
   }

@@ -7,31 +7,42 @@
 #include <span>
 #include <vector>
 
+#include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/search/error_model.hpp"
 
 namespace fde::bench {
 
-// One error of a run, of one kind of error.
+// One error of a run, of one kind of error: the largest of the compared values.
 struct RunError {
   double value = std::numeric_limits<double>::infinity();  // infinity: the run has none
   // The smaller error of y = 0 and of y = y(0), which a run has to be below; infinity: not known to matter.
   double baseline = std::numeric_limits<double>::infinity();
-  bool is_stagnant = false;   // dominated by rounding or by the error of the reference
-  double signed_value = 0.0;  // the error with its sign, where it is of one number; otherwise 0
+  bool is_stagnant = false;      // dominated by rounding or by the error of the reference
+  double signed_value = 0.0;     // the error with its sign, where it is of one number; otherwise 0
+  Eigen::Index column = 0;       // index of the scene's column with this error, where it is known,
+  double time = 0.0;             // and when
+  double reference_bound = 0.0;  // of the compared values, the largest, on the scale of the error
 
   bool operator==(const RunError&) const = default;
 };
 
-// A run as the search for the cheapest run sees it.
+// One run of a refinement, measured or forecast.
 struct RefinementRun {
   StepsOrTolerance resolution = 1;
-  int steps = 0;                       // taken
-  std::optional<double> seconds{};     // of one solve; nullopt: not timed
-  double setup_seconds = 0.0;          // the part of `seconds` that does not grow with the steps, if known
+  int steps = 0;                    // taken
+  std::optional<double> seconds{};  // of one solve; nullopt: not timed
+  double setup_seconds = 0.0;       // by which the first solve of a process takes longer, if known
+  bool first_run = false;           // `seconds` is of the first solve of a process, otherwise of a later one
+  bool is_whole_process = false;    // `seconds` is the time of a whole process
   bool fails_with_more_steps = false;  // more steps fail alike: refused, no reference, a singularity, ...
-  bool is_whole_process = false;       // `seconds` is the time of a whole process
-  std::vector<RunError> errors{};      // one entry for each kind of error of the search
+  RunOutcome ending{};
+  std::vector<RunError> errors{};  // one entry for each kind of error of the search
+
+  // The part of `seconds` that does not grow with the steps.
+  [[nodiscard]] double counted_setup() const { return first_run ? setup_seconds : 0.0; }
+  // The error of the first kind. Precondition: the run has errors.
+  [[nodiscard]] const RunError& error() const { return errors.front(); }
 };
 
 // The runs so far of one configuration (a scheme with a grading, or with adaptive step size) on a scene.
@@ -40,6 +51,9 @@ struct Refinement {
   bool is_closed = false;  // no further run is wanted: the scheme refuses the problem, or repeats another
   int unit = 1;            // numbers of steps are multiples of it
   std::vector<RefinementRun> runs{};  // in the order in which they were made
+
+  // The run over the grid with the most steps, or with the smallest tolerance; nullptr: no run.
+  [[nodiscard]] const RefinementRun* finest() const;
 };
 
 // The error of this kind; infinity where the run has none.
@@ -67,8 +81,8 @@ std::vector<TrialError> doubled_errors(const Refinement& of, std::size_t kind,
 // is known to be stagnant.
 bool has_stagnated(const Refinement& of, std::size_t kind);
 
-// The seconds of a run that do not grow with the steps: setup_seconds, or what it takes to start an external
-// program, by its shortest run.
+// The seconds of a run that do not grow with the steps: counted_setup(), or what it takes to start an
+// external program, by its shortest run.
 double start_seconds(const Refinement& of);
 
 // The forecast seconds of a run over a grid with this many steps: the least time per step among the three

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "fdebench/benchmarks/search/configurations.hpp"
 #include "fdebench/benchmarks/search/interleaved_times.hpp"
 #include "fdebench/benchmarks/search/next_resolution.hpp"
+#include "fdebench/benchmarks/search/run_evaluator.hpp"
 #include "fdebench/benchmarks/search/search_outcome.hpp"
 
 namespace fde::bench {
@@ -62,8 +64,10 @@ class Search {
     while (!is_confirmed) is_confirmed = time_and_verify();  // ends: a run is verified once
     const bool has_time = left() > 0.0;
     const double least = quickest();
-    for (std::size_t i = 0; i < candidates_.size(); ++i)
-      conclude(candidates_[i], refinements_[i], goal_.targets.front(), least, has_time);
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      candidates_[i].refinement = std::move(refinements_[i]);
+      conclude(candidates_[i], goal_.targets.front(), least, has_time);
+    }
     std::ranges::stable_sort(candidates_, {}, rank);
     return std::move(candidates_);
   }
@@ -120,18 +124,17 @@ class Search {
   }
 
   void make_run(std::size_t i, const StepsOrTolerance& resolution) {
-    SearchCandidate& of = candidates_[i];
-    CandidateRun made = evaluated(of, resolution, comparison_times_);
+    const SearchCandidate& of = candidates_[i];
+    RefinementRun made = evaluated(of, resolution, comparison_times_);
     constexpr double short_run = 0.1;
     // The first solve may compute start weights; it allocates, and stores the compared values.
     if (made.ending.kind != SolveStatus::out_of_budget &&
-        (made.seconds < short_run || made.setup_seconds > 0.0))
+        (*made.seconds < short_run || made.setup_seconds > 0.0))
       evaluator_.time_again(of.configuration, made);
-    refinements_[i].runs.push_back(seen(made));
-    of.runs.push_back(std::move(made));
+    refinements_[i].runs.push_back(std::move(made));
   }
 
-  CandidateRun evaluated(const SearchCandidate& of, const StepsOrTolerance& resolution, int compared) {
+  RefinementRun evaluated(const SearchCandidate& of, const StepsOrTolerance& resolution, int compared) {
     const RunSettings settings{.resolution = resolution, .grading = of.configuration.grading};
     progress_(fmt::format("{} {}", of.configuration.scheme->id, resolution_text(settings)),
               std::min(1.0, elapsed() / seconds_));
@@ -151,17 +154,6 @@ class Search {
       for (const RefinementRun& run : of.runs) longest = std::max(longest, run.seconds.value_or(0.0));
     const double usual = std::isfinite(quickest()) ? quickest() : longest;
     return std::clamp(far * usual, shortest, std::max(shortest, part * left()));
-  }
-
-  // The run as the choice of the next one sees it.
-  [[nodiscard]] static RefinementRun seen(const CandidateRun& run) {
-    return {
-        .resolution = resolution_of(run),
-        .steps = run.steps,
-        .seconds = run.seconds,
-        .setup_seconds = run.counted_setup(),
-        .fails_with_more_steps = run.ending.kind == SolveStatus::out_of_budget,
-        .errors = {{.value = run.error, .baseline = run.baseline_error, .signed_value = run.signed_error}}};
   }
 
   // Gives configurations that are one algorithm all its names, where they have few runs after more of them.
@@ -199,12 +191,9 @@ class Search {
     return is_same_algorithm(refinements_[first], refinements_[second]);
   }
 
-  // The index of the quickest run within the accuracy; nullopt: none.
-  [[nodiscard]] std::optional<std::size_t> best_run(std::size_t i) const {
-    if (is_merged(i)) return std::nullopt;
-    const auto* best = quickest_within(refinements_[i], goal_.targets.front());
-    if (best == nullptr) return std::nullopt;
-    return static_cast<std::size_t>(best - refinements_[i].runs.data());
+  // The quickest run within the accuracy; nullptr: none.
+  [[nodiscard]] const RefinementRun* best_run(std::size_t i) const {
+    return is_merged(i) ? nullptr : quickest_within(refinements_[i], goal_.targets.front());
   }
 
   // Times the quickest configurations against each other and compares the best with the reference at more
@@ -213,13 +202,13 @@ class Search {
     std::vector<std::size_t> quick;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       candidates_[i].time.reset();
-      const auto best = best_run(i);
-      if (best && *refinements_[i].runs[*best].seconds <= margin * quickest()) quick.push_back(i);
+      const auto* best = best_run(i);
+      if (best != nullptr && *best->seconds <= margin * quickest()) quick.push_back(i);
     }
     if (quick.empty()) return true;
     std::vector<TimedSolve> solves;
     for (const std::size_t i : quick) {
-      const RefinementRun& best = refinements_[i].runs[*best_run(i)];
+      const RefinementRun& best = *best_run(i);
       solves.push_back({[this, i, resolution = best.resolution] {
                           evaluator_.solve_for_timing(candidates_[i].configuration, resolution);
                         },
@@ -228,48 +217,44 @@ class Search {
     progress_(fmt::format("timing {} runs", quick.size()), std::min(1.0, elapsed() / seconds_));
     const auto times = time_interleaved(solves, timing_part * seconds_);
     for (std::size_t k = 0; k < quick.size(); ++k) take_time(quick[k], times[k]);
-    const bool is_overtaken = std::ranges::none_of(
-        quick, [&](std::size_t i) { return *refinements_[i].runs[*best_run(i)].seconds <= quickest(); });
+    const bool is_overtaken =
+        std::ranges::none_of(quick, [&](std::size_t i) { return *best_run(i)->seconds <= quickest(); });
     if (is_overtaken && left() > 0.0) return false;
     const auto first =
         *std::ranges::min_element(quick, {}, [&](std::size_t i) { return candidates_[i].time->median; });
-    return verify(first, *best_run(first));
+    return verify(first);
   }
 
   void take_time(std::size_t i, MedianInterval time) {
-    const auto best = *best_run(i);
-    CandidateRun& run = candidates_[i].runs[best];
-    const double more = run.counted_setup();
+    const RefinementRun* best = best_run(i);
+    const double more = best->counted_setup();
     time = {time.median + more, time.low + more, time.high + more};
     candidates_[i].time = time;
     // What made this run slower than it was before makes the others of the configuration slower too.
-    const double slower = std::max(1.0, time.median / run.seconds);
-    for (std::size_t k = 0; k < candidates_[i].runs.size(); ++k) {
-      double& seconds = candidates_[i].runs[k].seconds;
-      seconds = k == best ? time.median : slower * seconds;
-      refinements_[i].runs[k].seconds = seconds;
-    }
+    const double slower = std::max(1.0, time.median / *best->seconds);
+    for (RefinementRun& run : refinements_[i].runs)
+      run.seconds = &run == best ? time.median : slower * *run.seconds;
   }
 
-  // Compares the run with the reference at more times; returns whether it is within the accuracy there.
-  bool verify(std::size_t i, std::size_t run) {
-    CandidateRun& made = candidates_[i].runs[run];
-    if (!verified_.insert({i, run}).second) return true;
-    CandidateRun again = evaluated(candidates_[i], resolution_of(made), final_comparison_times_);
+  // Compares the best run with the reference at more times; returns whether it is within the accuracy there.
+  bool verify(std::size_t i) {
+    const auto number = best_run(i) - refinements_[i].runs.data();
+    RefinementRun& made = refinements_[i].runs[static_cast<std::size_t>(number)];
+    if (!verified_.insert({i, number}).second) return true;
+    RefinementRun again = evaluated(candidates_[i], made.resolution, final_comparison_times_);
     const bool has_own_steps = candidates_[i].configuration.is_adaptive() && !at_end();
     if (has_own_steps && again.ending.kind == SolveStatus::finished)
       evaluator_.compare_at_own_steps(candidates_[i].configuration, again);
     again.seconds = made.seconds;
     again.setup_seconds = made.setup_seconds;
     made = std::move(again);
-    refinements_[i].runs[run] = seen(made);
-    return is_within(refinements_[i].runs[run], goal_.targets.front());
+    return is_within(made, goal_.targets.front());
   }
 
   // Sort key: timed configurations first, by time; then by outcome.
   static std::pair<int, double> rank(const SearchCandidate& of) {
     if (of.time) return {-1, of.time->median};
-    return {static_cast<int>(of.outcome), of.best.seconds};
+    return {static_cast<int>(of.outcome), of.best.seconds.value_or(0.0)};
   }
 
   static constexpr double timing_part = 0.05;
@@ -279,9 +264,9 @@ class Search {
   Clock::time_point start_ = Clock::now();
   SearchGoal goal_{};
   std::vector<SearchCandidate> candidates_{};
-  std::vector<Refinement> refinements_{};  // one entry for each of candidates_, with the same runs
+  std::vector<Refinement> refinements_{};  // one entry for each of candidates_: its runs until run() ends
   int comparison_times_ = 0, final_comparison_times_ = 0, adaptive_comparison_times_ = 0;
-  std::set<std::pair<std::size_t, std::size_t>> verified_{};  // indices of candidates and their runs
+  std::set<std::pair<std::size_t, std::ptrdiff_t>> verified_{};  // indices of candidates and their runs
 };
 
 }  // namespace

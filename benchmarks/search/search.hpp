@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "fdebench/benchmarks/scenes/scene.hpp"
+#include "fdebench/benchmarks/search/accuracy_target.hpp"
 #include "fdebench/benchmarks/search/search_candidate.hpp"
 
 namespace fde::bench {

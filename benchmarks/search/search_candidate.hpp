@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/timing_conditions.hpp"
-#include "fdebench/benchmarks/search/candidate_run.hpp"
+#include "fdebench/benchmarks/search/configuration.hpp"
 #include "fdebench/benchmarks/search/error_model.hpp"
+#include "fdebench/benchmarks/search/refinement.hpp"
 
 namespace fde::bench {
 
@@ -29,16 +30,13 @@ struct SearchCandidate {
   SearchOutcome outcome = SearchOutcome::out_of_time;
   std::string reason{};                      // why the scheme refused, or how the last run ended
   std::vector<std::string> names{};          // this scheme, then the schemes that give the same bits
-  std::vector<CandidateRun> runs{};          // in the order in which they were made
-  CandidateRun best{};                       // the cheapest run within the accuracy
+  Refinement refinement{};                   // its runs
+  RefinementRun best{};                      // the cheapest run within the accuracy
   std::optional<Prediction> predicted{};     // error of `best`, by the runs with fewer steps
   std::optional<MedianInterval> time{};      // of `best`, interleaved with the other quick configurations
   std::optional<double> rate{};              // observed
   std::optional<Prediction> steps_needed{};  // to reach the accuracy, where no run did
   double seconds_per_step = 0.0;             // in the finest run
-
-  // The run over the grid with the most steps, or with the smallest tolerance; nullptr: no run.
-  [[nodiscard]] const CandidateRun* finest() const;
 };
 
 }  // namespace fde::bench

@@ -14,43 +14,41 @@ Prediction steps_beyond(int finest, Prediction steps) {
 }
 
 // Why no run is within the target.
-SearchOutcome outcome_outside(const SearchCandidate& of, const Refinement& refinement,
-                              const ErrorTarget& target, double quickest, bool has_time) {
-  const CandidateRun& finest = *of.finest();
+SearchOutcome outcome_outside(const Refinement& refinement, const ErrorTarget& target, double quickest,
+                              bool has_time) {
+  const RefinementRun& finest = *refinement.finest();
   if (finest.ending.kind == SolveStatus::out_of_budget) return SearchOutcome::out_of_time;
   if (finest.ending.kind != SolveStatus::finished) return SearchOutcome::failed;
-  if (finest.seconds > quickest) return SearchOutcome::slower;
+  if (*finest.seconds > quickest) return SearchOutcome::slower;
   if (has_stagnated(refinement, target.kind) || refinement.is_adaptive) return SearchOutcome::stagnated;
   return std::isfinite(quickest) && has_time ? SearchOutcome::expected_slower : SearchOutcome::out_of_time;
 }
 
-void conclude_within(SearchCandidate& of, const Refinement& refinement, const ErrorTarget& target,
-                     std::size_t best) {
+void conclude_within(SearchCandidate& of, const ErrorTarget& target, const RefinementRun& best) {
   of.outcome = SearchOutcome::accuracy_reached;
-  of.best = of.runs[best];
-  const ErrorModel model(doubled_errors(refinement, target.kind, of.best.steps - 1));
-  if (!refinement.is_adaptive && !model.empty()) of.predicted = model.error(of.best.steps);
+  of.best = best;
+  const ErrorModel model(doubled_errors(of.refinement, target.kind, best.steps - 1));
+  if (!of.refinement.is_adaptive && !model.empty()) of.predicted = model.error(best.steps);
 }
 
 }  // namespace
 
-void conclude(SearchCandidate& of, const Refinement& refinement, const ErrorTarget& target, double quickest,
-              bool has_time) {
+void conclude(SearchCandidate& of, const ErrorTarget& target, double quickest, bool has_time) {
   const bool is_known = of.outcome == SearchOutcome::refused || of.outcome == SearchOutcome::duplicate;
-  if (is_known || of.runs.empty()) return;
-  const CandidateRun& finest = *of.finest();
-  of.seconds_per_step = (finest.seconds - finest.counted_setup()) / std::max(1, finest.steps);
-  const auto errors = doubled_errors(refinement, target.kind);
+  if (is_known || of.refinement.runs.empty()) return;
+  const RefinementRun& finest = *of.refinement.finest();
+  of.seconds_per_step = (*finest.seconds - finest.counted_setup()) / std::max(1, finest.steps);
+  const auto errors = doubled_errors(of.refinement, target.kind);
   of.rate = observed_rate(errors);
-  if (const auto* best = quickest_within(refinement, target)) {
-    conclude_within(of, refinement, target, static_cast<std::size_t>(best - refinement.runs.data()));
+  if (const auto* best = quickest_within(of.refinement, target)) {
+    conclude_within(of, target, *best);
     return;
   }
   if (finest.ending.kind != SolveStatus::finished) of.reason = sentence(finest.ending);
-  of.outcome = outcome_outside(of, refinement, target, quickest, has_time);
+  of.outcome = outcome_outside(of.refinement, target, quickest, has_time);
   constexpr double begun = 0.1;  // of the error of a constant: from there on the error follows its rate
   const ErrorModel model(errors);
-  const bool is_asymptotic = !errors.empty() && errors.back().error < begun * finest.baseline_error;
+  const bool is_asymptotic = !errors.empty() && errors.back().error < begun * finest.error().baseline;
   if (!model.empty() && is_asymptotic)
     of.steps_needed = steps_beyond(finest.steps, model.steps(target.error));
 }

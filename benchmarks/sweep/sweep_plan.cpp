@@ -46,8 +46,9 @@ RefinementRun refinement_run(const Record& run) {
   return {.resolution = resolution,
           .steps = steps != nullptr ? *steps : 0,
           .seconds = run["time_minimum"],
-          .fails_with_more_steps = std::ranges::find(hopeless, run.ending.kind) != hopeless.end(),
           .is_whole_process = run.timing.wall_clock,
+          .fails_with_more_steps = std::ranges::find(hopeless, run.ending.kind) != hopeless.end(),
+          .ending = run.ending,
           .errors = {error_of(run, Norm::end), error_of(run, Norm::maximum)}};
 }
 

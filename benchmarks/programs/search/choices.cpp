@@ -14,10 +14,12 @@
 #include <vector>
 
 #include "fdebench/benchmarks/programs/figures.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 #include "fdebench/benchmarks/search/interleaved_times.hpp"
+#include "fdebench/benchmarks/search/run_evaluator.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
 
@@ -28,7 +30,7 @@ constexpr std::array gradings{1.0, 1.5, 2.0, 3.0, 4.0};
 
 struct Best {
   Configuration configuration{};
-  CandidateRun run{};
+  RefinementRun run{};
   double seconds = std::numeric_limits<double>::infinity();
 };
 
@@ -37,8 +39,8 @@ bool try_one(RunEvaluator& evaluator, const Configuration& configuration, const 
              double most_seconds, Best& best) {
   constexpr int compared = 2048;
   const auto made = evaluator.evaluate(configuration, resolution, compared, 10.0 * most_seconds + 1.0);
-  if (made.seconds > 2.0 * most_seconds) return false;
-  if (!made.meets_accuracy) return true;
+  if (*made.seconds > 2.0 * most_seconds) return false;
+  if (!evaluator.is_accurate(made)) return true;
   const auto time = time_interleaved({{[&] { evaluator.solve_for_timing(configuration, resolution); }}}, 0.0);
   if (time.front().median < best.seconds) best = {configuration, made, time.front().median};
   return time.front().low <= most_seconds;
@@ -116,16 +118,17 @@ void compare(const Question& question) {
   RunEvaluator evaluator(scene, target);
   const Best best = best_of_all(scene, target, first.time->median);
   double ratio = 0.0;
-  if (best.run.meets_accuracy) {
-    const auto times = time_interleaved(
-        {{[&] { evaluator.solve_for_timing(first.configuration, resolution_of(first.best)); }},
-         {[&] { evaluator.solve_for_timing(best.configuration, resolution_of(best.run)); }}},
-        0.5);
+  const bool is_found = best.configuration.scheme != nullptr;
+  if (is_found) {
+    const auto times =
+        time_interleaved({{[&] { evaluator.solve_for_timing(first.configuration, first.best.resolution); }},
+                          {[&] { evaluator.solve_for_timing(best.configuration, best.run.resolution); }}},
+                         0.5);
     ratio = times[0].median / times[1].median;
   }
   fmt::print("{},{},{},{:.3g},{:.3g},{},{},{},{:.2f},{:.2f}\n", first.configuration.scheme->id,
-             first.configuration.grading, first.best.steps, first.best.error / question.accuracy,
-             first.time->median, best.run.meets_accuracy ? best.configuration.scheme->id : "none",
+             first.configuration.grading, first.best.steps, first.best.error().value / question.accuracy,
+             first.time->median, is_found ? best.configuration.scheme->id : "none",
              best.configuration.grading, best.run.steps, ratio, taken.count());
 }
 

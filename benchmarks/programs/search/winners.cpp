@@ -12,6 +12,7 @@
 
 #include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
 
@@ -34,9 +35,9 @@ std::string time_of(double seconds) {
 std::string cell(const SearchCandidate& first) {
   if (first.outcome != SearchOutcome::accuracy_reached) return "-";
   const auto grid = first.configuration.grading == 1.0 ? "" : ", " + grid_text(first.configuration.grading);
-  const auto requested = first.best.requested_tolerance
-                             ? fmt::format("tolerance {:.1e}", *first.best.requested_tolerance)
-                             : fmt::format("{}", first.best.steps);
+  const auto* tolerance = std::get_if<Tolerance>(&first.best.resolution);
+  const auto requested = tolerance != nullptr ? fmt::format("tolerance {:.1e}", tolerance->rtol)
+                                              : fmt::format("{}", first.best.steps);
   return fmt::format("`{}`{}, {}: {}", first.names.front(), grid, requested, time_of(first.time->median));
 }
 
@@ -47,7 +48,8 @@ std::string reasons(std::vector<SearchCandidate> found) {
   std::set<std::string_view> printed;
   std::string text;
   for (const auto& way : found) {
-    if (!way.rate || way.runs.empty() || !printed.insert(way.configuration.scheme->id).second) continue;
+    if (!way.rate || way.refinement.runs.empty() || !printed.insert(way.configuration.scheme->id).second)
+      continue;
     text += fmt::format("{}{} {:.1f} ({}, {:.0f} ns a step)", text.empty() ? "" : "; ", way.names.front(),
                         *way.rate, grid_text(way.configuration.grading), 1e9 * way.seconds_per_step);
   }

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <string>
 
+#include <fdebench/benchmarks/references/memoized_reference.hpp>
 #include <fdebench/benchmarks/scenes/variant.hpp>
 #include <fdebench/benchmarks/search/search.hpp>
 
@@ -14,6 +15,6 @@ int main() {
   for (const fde::bench::SearchCandidate& candidate : candidates) {
     if (candidate.outcome != fde::bench::SearchOutcome::accuracy_reached) continue;
     std::printf("%s N = %d grading %g: error %.1e\n", std::string(candidate.configuration.scheme->id).c_str(),
-                candidate.best.steps, candidate.configuration.grading, candidate.best.error);
+                candidate.best.steps, candidate.configuration.grading, candidate.best.error().value);
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Error estimates without a reference. The scenes here have one, which is withheld and used as a check.
 
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 
 #include <gmock/gmock.h>
@@ -15,6 +16,7 @@
 #include "benchmarks/search/search_case.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/search/interpolated_run.hpp"
+#include "fdebench/benchmarks/search/run_evaluator.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
 #include "support/testing.hpp"
 
@@ -59,7 +61,7 @@ TEST_P(EstimatedErrors, AreAgainstARunThatIsAsAccurateAsItSays) {
   EXPECT_LE(estimate.error(), largest_estimate_fraction * GetParam().accuracy);
   RunEvaluator evaluator(scene_, target_);
   const auto run = evaluator.evaluate(estimate.first, estimate.first_steps, 8192, 60.0);
-  EXPECT_LE(run.error, estimate.error());
+  EXPECT_LE(run.error().value, estimate.error());
 }
 
 // A run selected by estimated errors is within the accuracy.
@@ -71,9 +73,9 @@ TEST_P(EstimatedErrors, ChooseRunsWithinTheAccuracy) {
   RunEvaluator evaluator(scene_, target_);
   for (const SearchCandidate& of : ways) {
     if (of.outcome != SearchOutcome::accuracy_reached || !of.time) continue;
-    const auto run = evaluator.evaluate(of.configuration, resolution_of(of.best), 2048, 60.0);
-    EXPECT_LE(run.error, GetParam().accuracy) << of.configuration.scheme->id << " " << of.best.steps;
-    EXPECT_NEAR(run.error, of.best.error, largest_estimate_fraction * GetParam().accuracy)
+    const auto run = evaluator.evaluate(of.configuration, of.best.resolution, 2048, 60.0);
+    EXPECT_LE(run.error().value, GetParam().accuracy) << of.configuration.scheme->id << " " << of.best.steps;
+    EXPECT_NEAR(run.error().value, of.best.error().value, largest_estimate_fraction * GetParam().accuracy)
         << of.configuration.scheme->id;
   }
 }

@@ -200,6 +200,7 @@ TEST(Refinements, ForecastStartWeightsOnce) {
   for (const int steps : {64, 128, 256, 512}) {
     of.runs.push_back(run_of(power(1.0, 2.0), steps));
     of.runs.back().setup_seconds = 0.06;
+    of.runs.back().first_run = true;
     of.runs.back().seconds = 0.06 + 1e-6 * steps;
   }
   EXPECT_NEAR(*seconds_with(of, 4096.0), 0.06 + 4096e-6, 1e-9);

@@ -3,6 +3,7 @@
 
 #include <ostream>
 
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
 
 namespace fde::bench {

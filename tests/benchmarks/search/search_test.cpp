@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The results of search() are compared with independent runs.
 
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
 
 #include <gmock/gmock.h>
@@ -12,8 +13,8 @@
 #include "benchmarks/search/search_case.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
-#include "fdebench/benchmarks/search/candidate_run.hpp"
 #include "fdebench/benchmarks/search/error_model.hpp"
+#include "fdebench/benchmarks/search/run_evaluator.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
@@ -34,14 +35,14 @@ void expect_the_fewest_steps(const SearchCase& asked) {
   ASSERT_EQ(first.outcome, SearchOutcome::accuracy_reached);
   RunEvaluator evaluator(scene, target_of(scene, asked));
   const int compared = first.configuration.is_adaptive() ? evenly_spaced_comparisons : first.best.steps;
-  const auto again = evaluator.evaluate(first.configuration, resolution_of(first.best), compared, 60.0);
-  EXPECT_TRUE(again.meets_accuracy);
-  EXPECT_EQ(again.error, first.best.error);
+  const auto again = evaluator.evaluate(first.configuration, first.best.resolution, compared, 60.0);
+  EXPECT_TRUE(evaluator.is_accurate(again));
+  EXPECT_EQ(again.error(), first.best.error());
   if (first.configuration.is_adaptive()) return;
   constexpr double closest = 1.15;  // of runs that take long 10 % more steps than the fewest are enough
   for (double steps = first.best.steps / closest; steps >= 4.0; steps /= 1.1) {
     const auto fewer = evaluator.evaluate(first.configuration, static_cast<int>(steps), 8192, 60.0);
-    EXPECT_FALSE(fewer.meets_accuracy) << fewer.steps << " of " << first.best.steps;
+    EXPECT_FALSE(evaluator.is_accurate(fewer)) << fewer.steps << " of " << first.best.steps;
   }
 }
 
@@ -61,7 +62,9 @@ TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
   std::vector<double> ratios;
   for (const Scheme& scheme : schemes()) {
     if (unsupported_reason(scheme, scene.problem, Grid{scene.problem.end, 16})) continue;
-    const auto error = [&](int steps) { return evaluator.evaluate({&scheme}, steps, 8192, 60.0).error; };
+    const auto error = [&](int steps) {
+      return evaluator.evaluate({&scheme}, steps, 8192, 60.0).error().value;
+    };
     std::vector<TrialError> known;
     for (const int steps : {16, 32, 64, 128, 256}) known.push_back({steps, error(steps)});
     if (std::ranges::any_of(known, [](const TrialError& of) { return !std::isfinite(of.error); })) continue;
@@ -78,7 +81,7 @@ TEST(SearchOverGrids, PredictsTheErrorsThatItFinds) {
   int predictions = 0;
   for (const auto& configuration : found_for(make_scene(parse_variant(asked.scene)), asked)) {
     if (configuration.outcome != SearchOutcome::accuracy_reached || !configuration.predicted) continue;
-    EXPECT_NEAR(configuration.predicted->value / configuration.best.error, 1.0, 0.3)
+    EXPECT_NEAR(configuration.predicted->value / configuration.best.error().value, 1.0, 0.3)
         << configuration.names.front();
     ++predictions;
   }
@@ -92,8 +95,9 @@ TEST(SearchOverGrids, CallsNoSchemeSlowerWithoutARunThatShowsIt) {
   for (const SearchCandidate& of : found) {
     if (of.outcome != SearchOutcome::slower) continue;
     ++slower;
-    EXPECT_GT(of.finest()->seconds, found.front().best.seconds) << of.names.front();
-    EXPECT_FALSE(of.finest()->meets_accuracy) << of.names.front();
+    const RefinementRun& finest = *of.refinement.finest();
+    EXPECT_GT(*finest.seconds, *found.front().best.seconds) << of.names.front();
+    EXPECT_FALSE(is_within(finest, {.error = 1e-6})) << of.names.front();
   }
   EXPECT_GT(slower, 10);
 }
@@ -110,10 +114,10 @@ TEST(Search, RanksByTheFirstRunWhereThatIsAsked) {
   const auto bdf6 = [](const std::vector<SearchCandidate>& all) {
     return std::ranges::find(all, std::vector<std::string>{"bdf6"}, &SearchCandidate::names);
   };
-  const auto median = [](const SearchCandidate& of) { return of.time ? of.time->median : of.best.seconds; };
+  const auto median = [](const SearchCandidate& of) { return of.time ? of.time->median : *of.best.seconds; };
   const auto later = found();
   ASSERT_NE(bdf6(later), later.end());
-  EXPECT_GT(bdf6(later)->best.setup_seconds, 2.0 * bdf6(later)->best.seconds);
+  EXPECT_GT(bdf6(later)->best.setup_seconds, 2.0 * *bdf6(later)->best.seconds);
   target.first_run = true;
   const auto first = found();
   ASSERT_FALSE(first.empty());
@@ -150,7 +154,7 @@ TEST(Search, ComparesAdaptiveRunsAtTheirOwnSteps) {
   ASSERT_EQ(first.outcome, SearchOutcome::accuracy_reached);
   ASSERT_TRUE(first.configuration.is_adaptive());
   const auto path = first.configuration.scheme->solve(
-      scene.problem, resolution_of(RunSettings{.resolution = resolution_of(first.best)}, 1e40), {});
+      scene.problem, resolution_of(RunSettings{.resolution = first.best.resolution}, 1e40), {});
   for (std::size_t n = 0; n < path.times.size(); ++n) {
     const double exact = scene.reference.at(path.times[n]).value[0];
     EXPECT_LE(std::abs(path.y(0, static_cast<Eigen::Index>(n)) - exact) / (1.0 + exact), asked.accuracy);
@@ -164,8 +168,8 @@ TEST(Search, ComparesRunsByWhatTheyCostOnceStartWeightsAreMade) {
   const auto found = found_for(scene, {"", {Norm::end, Scale::mixed}, 1e-10});
   const auto rule =
       std::ranges::find(found, "bdf5", [](const SearchCandidate& of) { return of.configuration.scheme->id; });
-  EXPECT_GT(rule->runs.front().setup_seconds, 2.0 * rule->runs.front().seconds);
-  EXPECT_GT(rule->runs.size(), 1U);
+  EXPECT_GT(rule->refinement.runs.front().setup_seconds, 2.0 * *rule->refinement.runs.front().seconds);
+  EXPECT_GT(rule->refinement.runs.size(), 1U);
 }
 
 // For a constant solution every scheme is exact, and the baseline y = y(0) does not apply.
@@ -173,10 +177,10 @@ TEST(Search, TakesAConstantSolutionForOne) {
   const auto found =
       found_for(scene_of("relaxation", {{"y0", 0.0}}), {"", {Norm::maximum, Scale::mixed}, 1e-4});
   EXPECT_EQ(found.front().outcome, SearchOutcome::accuracy_reached);
-  EXPECT_EQ(found.front().best.error, 0.0);
-  EXPECT_TRUE(std::isinf(found.front().best.baseline_error));
+  EXPECT_EQ(found.front().best.error().value, 0.0);
+  EXPECT_TRUE(std::isinf(found.front().best.error().baseline));
   const auto moving = found_for(scene_of("relaxation"), {"", {Norm::maximum, Scale::mixed}, 1e-4});
-  EXPECT_TRUE(std::isfinite(moving.front().best.baseline_error));
+  EXPECT_TRUE(std::isfinite(moving.front().best.error().baseline));
 }
 
 // E_{1/2}(-1e6 t^{1/2}) decreases from 1 to 1e-6 within a millionth of the interval: a comparison at t = 0
@@ -186,7 +190,8 @@ TEST(Search, SeesMotionBetweenTheTimesOfAGrid) {
   for (const auto& [norm, within] : {std::pair{Norm::end, true}, {Norm::maximum, false}}) {
     RunEvaluator evaluator(scene, target_of(scene, {"", {norm, Scale::mixed}, 1e-3}));
     for (const int steps : {1, 64})
-      EXPECT_EQ(evaluator.evaluate({find_scheme("l1")}, steps, 8192, 60.0).meets_accuracy, within) << steps;
+      EXPECT_EQ(evaluator.is_accurate(evaluator.evaluate({find_scheme("l1")}, steps, 8192, 60.0)), within)
+          << steps;
   }
 }
 
@@ -205,8 +210,8 @@ TEST(Search, CreditsNoRunThatIsNoBetterThanZero) {
   const Scene scene = scene_of("stiff_relaxation");
   const auto found = found_for(scene, {"", {Norm::end, Scale::absolute}, 1e-3});
   ASSERT_EQ(found.front().outcome, SearchOutcome::accuracy_reached);
-  EXPECT_LT(found.front().best.error, found.front().best.baseline_error);
-  EXPECT_LT(found.front().best.baseline_error, 1e-6);
+  EXPECT_LT(found.front().best.error().value, found.front().best.error().baseline);
+  EXPECT_LT(found.front().best.error().baseline, 1e-6);
 }
 
 // No error can be verified below the bound of the reference.
@@ -234,12 +239,13 @@ TEST(Search, CountsWhatIsNotKnownOfTheReferenceAsError) {
       }};
       RunEvaluator evaluator(scene, {{norm, Scale::absolute}, accuracy, all_columns(scene)});
       EXPECT_EQ(evaluator.reference_bound(), bound);
-      return evaluator.evaluate({find_scheme("adams_pc"), 1.0}, 64, 64, 10.0);
+      const auto run = evaluator.evaluate({find_scheme("adams_pc"), 1.0}, 64, 64, 10.0);
+      return std::pair(evaluator.is_accurate(run), run.error().value);
     };
-    const auto exactly = within(0.0);
-    EXPECT_TRUE(exactly.meets_accuracy) << exactly.error;
-    EXPECT_FALSE(within(1.01 * (accuracy - exactly.error)).meets_accuracy);
-    EXPECT_TRUE(within(0.99 * (accuracy - exactly.error)).meets_accuracy);
+    const auto [is_accurate, error] = within(0.0);
+    EXPECT_TRUE(is_accurate) << error;
+    EXPECT_FALSE(within(1.01 * (accuracy - error)).first);
+    EXPECT_TRUE(within(0.99 * (accuracy - error)).first);
   }
 }
 

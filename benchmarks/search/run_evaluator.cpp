@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/benchmarks/search/candidate_run.hpp"
+#include "fdebench/benchmarks/search/run_evaluator.hpp"
 
 #include <fmt/format.h>
 
@@ -14,11 +14,6 @@
 #include "fdebench/schemes/stepping/setup_time.hpp"
 
 namespace fde::bench {
-StepsOrTolerance resolution_of(const CandidateRun& attempt) {
-  if (attempt.requested_tolerance)
-    return Tolerance{*attempt.requested_tolerance, *attempt.requested_tolerance};
-  return attempt.steps;
-}
 
 RunEvaluator::RunEvaluator(const Scene& scene, AccuracyTarget target)
     : scene_(scene), target_(std::move(target)), reference_(scene) {}
@@ -43,75 +38,70 @@ std::vector<double> RunEvaluator::compared_times(const Configuration& configurat
                           compared);
 }
 
-CandidateRun RunEvaluator::evaluate(const Configuration& configuration, const StepsOrTolerance& resolution,
-                                    int compared, double budget) {
-  const bool at_end = target_.kind.norm == Norm::end;
+RefinementRun RunEvaluator::evaluate(const Configuration& configuration, const StepsOrTolerance& resolution,
+                                     int compared, double budget) {
   const auto times = compared_times(configuration, resolution, compared);
-  CandidateRun attempt;
   const SetupTime setup;
   const auto start = std::chrono::steady_clock::now();
   const auto path = solve(configuration, resolution, times, budget);
-  attempt.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (const auto* requested = std::get_if<Tolerance>(&resolution)) {
-    attempt.requested_tolerance = requested->rtol;
-    attempt.steps = static_cast<int>(path.steps);
-  } else {
-    attempt.steps = std::get<int>(resolution);
-  }
-  attempt.setup_seconds = setup.seconds();
-  attempt.first_run = target_.first_run;
-  attempt.ending = outcome_of(scene_.problem, path);
-  if (path.status != SolveStatus::finished) return attempt;
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const auto* steps = std::get_if<int>(&resolution);
+  RefinementRun run{.resolution = resolution,
+                    .steps = steps != nullptr ? *steps : static_cast<int>(path.steps),
+                    .seconds = taken.count(),
+                    .setup_seconds = setup.seconds(),
+                    .first_run = target_.first_run,
+                    .fails_with_more_steps = path.status == SolveStatus::out_of_budget,
+                    .ending = outcome_of(scene_.problem, path),
+                    .errors = {RunError{}}};
+  if (path.status != SolveStatus::finished) return run;
   const Rows values = compared_columns(columns_of(scene_.outputs, path));
   if (const auto gap = first_not_finite(values)) {
-    attempt.ending = {SolveStatus::non_finite, at_time(std::nullopt, path.time(*gap))};
-    return attempt;
+    run.ending = {SolveStatus::non_finite, at_time(std::nullopt, path.time(*gap))};
+    return run;
   }
-  at_end ? measure_end_error(values, attempt) : measure_maximum_error(values, path.times, attempt);
+  const bool at_end = target_.kind.norm == Norm::end;
+  RunError& error = run.errors.front();
+  error = at_end ? end_error(values) : maximum_error(values, path.times);
   constexpr double nearly = 1e-9;
-  if (attempt.baseline_error < nearly && is_constant())
-    attempt.baseline_error = std::numeric_limits<double>::infinity();
-  if (!at_end && !configuration.is_adaptive()) {
-    const Grid grid{.end = scene_.problem.end, .steps = attempt.steps, .grading = configuration.grading};
-    const Vec unresolved = samples().variation.unresolved_variation(grid, smallest_order(scene_.problem));
-    attempt.error = std::max(attempt.error, unresolved.maxCoeff());
-  }
-  attempt.meets_accuracy = is_accurate(attempt);
-  return attempt;
+  if (error.baseline < nearly && is_constant()) error.baseline = std::numeric_limits<double>::infinity();
+  if (!at_end && !configuration.is_adaptive())
+    error.value = std::max(error.value, unresolved_variation(configuration, run.steps));
+  return run;
 }
 
-bool RunEvaluator::is_accurate(const CandidateRun& attempt) const {
-  return attempt.error + attempt.reference_bound <= target_.accuracy &&
-         attempt.error < attempt.baseline_error;
+double RunEvaluator::unresolved_variation(const Configuration& configuration, int steps) {
+  const Grid grid{.end = scene_.problem.end, .steps = steps, .grading = configuration.grading};
+  return samples().variation.unresolved_variation(grid, smallest_order(scene_.problem)).maxCoeff();
 }
 
-void RunEvaluator::compare_at_own_steps(const Configuration& configuration, CandidateRun& run) {
-  const auto path = solve(configuration, resolution_of(run), {}, std::numeric_limits<double>::infinity());
+bool RunEvaluator::is_accurate(const RefinementRun& run) const {
+  const RunError& error = run.error();
+  return error.value + error.reference_bound <= target_.accuracy && error.value < error.baseline;
+}
+
+void RunEvaluator::compare_at_own_steps(const Configuration& configuration, RefinementRun& run) {
+  const auto path = solve(configuration, run.resolution, {}, std::numeric_limits<double>::infinity());
   if (path.status != SolveStatus::finished || path.y.cols() < 2) return;
   const auto steps = comparison_steps(static_cast<int>(path.y.cols()) - 1, evenly_spaced_comparisons);
   std::vector<double> times;
   for (const int step : steps) times.push_back(path.time(step));
   const Rows values = compared_columns(columns_of(scene_.outputs, path));
   if (!values.allFinite()) return;
-  CandidateRun at_steps;
-  measure_maximum_error(values(Eigen::all, steps), times, at_steps);
-  run.baseline_error = std::max(run.baseline_error, at_steps.baseline_error);
-  run.reference_bound = std::max(run.reference_bound, at_steps.reference_bound);
-  if (at_steps.error > run.error) {
-    run.error = at_steps.error;
-    run.column = at_steps.column;
-    run.time = at_steps.time;
-  }
-  run.meets_accuracy = is_accurate(run);
+  const RunError before = run.error(), at_steps = maximum_error(values(Eigen::all, steps), times);
+  RunError& error = run.errors.front();
+  if (at_steps.value > before.value) error = at_steps;
+  error.baseline = std::max(before.baseline, at_steps.baseline);
+  error.reference_bound = std::max(before.reference_bound, at_steps.reference_bound);
 }
 
-void RunEvaluator::time_again(const Configuration& configuration, CandidateRun& run) const {
+void RunEvaluator::time_again(const Configuration& configuration, RefinementRun& run) const {
   constexpr double long_enough = 2e-4, long_solve = 5e-3;
-  const int fewest = run.seconds < long_solve ? 2 : 1;
+  const int fewest = *run.seconds < long_solve ? 2 : 1;
   double total = 0.0, least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < fewest || total < long_enough; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    solve_for_timing(configuration, resolution_of(run));
+    solve_for_timing(configuration, run.resolution);
     const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     least = std::min(least, taken);
     total += taken;
@@ -139,16 +129,16 @@ Rows RunEvaluator::finite_reference(const std::vector<double>& times) {
   return reference;
 }
 
-void RunEvaluator::measure_maximum_error(const Rows& values, const std::vector<double>& times,
-                                         CandidateRun& attempt) {
+RunError RunEvaluator::maximum_error(const Rows& values, const std::vector<double>& times) {
   const Rows reference = finite_reference(times);
   const Rows by = divisors(target_.kind.scale, times, reference);
   Eigen::Index row = 0, column = 0;
-  attempt.error = (values - reference).cwiseAbs().cwiseQuotient(by).maxCoeff(&row, &column);
-  attempt.baseline_error = constant_solution_error(Norm::maximum, times, reference, by);
-  attempt.reference_bound = compared_columns(reference_.bounds(times)).cwiseQuotient(by).maxCoeff();
-  attempt.column = target_.columns[static_cast<std::size_t>(row)];
-  attempt.time = times[static_cast<std::size_t>(column)];
+  RunError error{.value = (values - reference).cwiseAbs().cwiseQuotient(by).maxCoeff(&row, &column),
+                 .baseline = constant_solution_error(Norm::maximum, times, reference, by)};
+  error.column = target_.columns[static_cast<std::size_t>(row)];
+  error.time = times[static_cast<std::size_t>(column)];
+  error.reference_bound = compared_columns(reference_.bounds(times)).cwiseQuotient(by).maxCoeff();
+  return error;
 }
 
 const RunEvaluator::Samples& RunEvaluator::samples() {
@@ -170,16 +160,17 @@ double RunEvaluator::reference_bound() {
   return samples().bounds.cwiseQuotient(samples().divisors).maxCoeff();
 }
 
-void RunEvaluator::measure_end_error(const Rows& values, CandidateRun& attempt) {
+RunError RunEvaluator::end_error(const Rows& values) {
   const auto& [reference, by, baseline, bound] = at_end();
   const Vec difference = values.rightCols(1) - reference.rightCols(1);
   Eigen::Index row = 0;
-  attempt.error = difference.cwiseAbs().cwiseQuotient(by.rightCols(1)).maxCoeff(&row);
-  attempt.baseline_error = baseline;
-  attempt.reference_bound = bound;
-  attempt.column = target_.columns[static_cast<std::size_t>(row)];
-  attempt.time = scene_.problem.end;
-  if (difference.size() == 1) attempt.signed_error = difference[0];
+  RunError error{.value = difference.cwiseAbs().cwiseQuotient(by.rightCols(1)).maxCoeff(&row),
+                 .baseline = baseline,
+                 .signed_value = difference.size() == 1 ? difference[0] : 0.0,
+                 .time = scene_.problem.end,
+                 .reference_bound = bound};
+  error.column = target_.columns[static_cast<std::size_t>(row)];
+  return error;
 }
 
 // Times: t = 0 for the baseline y = y(0), and the last tenth of the interval for the relative scale; the

@@ -1,43 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
-#include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/measures/total_variation.hpp"
-#include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
-#include "fdebench/benchmarks/search/configurations.hpp"
+#include "fdebench/benchmarks/search/configuration.hpp"
+#include "fdebench/benchmarks/search/refinement.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {
-
-// One run of a configuration, compared with the reference.
-struct CandidateRun {
-  int steps = 0;                                           // of the grid, or taken by an adaptive step size
-  std::optional<double> requested_tolerance{};             // nullopt: the run is on a grid
-  double error = std::numeric_limits<double>::infinity();  // infinity: the run did not reach the end time
-  // The error of the baseline y = 0 or y = y(0); infinity where the solution is constant.
-  double baseline_error = 0.0;
-  Eigen::Index column = 0;       // index of the scene's column with the largest error
-  double time = 0.0;             // of the largest error
-  double signed_error = 0.0;     // at the end time, where exactly one column is compared
-  double reference_bound = 0.0;  // of the compared values, the largest, on the scale of the target
-  bool meets_accuracy = false;   // error + reference_bound <= accuracy, and error < baseline_error
-  double seconds = 0.0;          // wall time of one solve, as the target counts it
-  double setup_seconds = 0.0;    // by which the first solve of a process takes longer
-  bool first_run = false;        // `seconds` is of the first solve of a process, otherwise of a later one
-  RunOutcome ending{};
-
-  // The part of `seconds` that does not grow with the steps.
-  [[nodiscard]] double counted_setup() const { return first_run ? setup_seconds : 0.0; }
-};
-
-// The number of steps or the tolerance of the run.
-StepsOrTolerance resolution_of(const CandidateRun& attempt);
 
 // Runs configurations on a scene and measures their errors against its reference. The scene must outlive
 // this object.
@@ -47,16 +21,16 @@ class RunEvaluator {
 
   // Compares the run with the reference at about `compared` times, for Norm::end at the end time only. The
   // run stops after `budget` seconds. Throws std::runtime_error if there is no finite reference.
-  CandidateRun evaluate(const Configuration& configuration, const StepsOrTolerance& resolution, int compared,
-                        double budget);
+  RefinementRun evaluate(const Configuration& configuration, const StepsOrTolerance& resolution, int compared,
+                         double budget);
 
   // For Norm::maximum and adaptive step size: solves again and compares the run at its own steps too, at the
   // first 16 and at 2048 of them spread evenly, which are dense where the comparison times need not be.
-  void compare_at_own_steps(const Configuration& configuration, CandidateRun& run);
+  void compare_at_own_steps(const Configuration& configuration, RefinementRun& run);
 
   // Solves again, once or, where that takes less than 5 ms, twice and for at least 0.2 ms, and sets
   // `run.seconds` to the least time of a solve; with AccuracyTarget::first_run plus its setup_seconds.
-  void time_again(const Configuration& configuration, CandidateRun& run) const;
+  void time_again(const Configuration& configuration, RefinementRun& run) const;
 
   // Solves without a comparison or a budget, for timing.
   void solve_for_timing(const Configuration& configuration, const StepsOrTolerance& resolution) const;
@@ -71,15 +45,19 @@ class RunEvaluator {
   // baseline y = y(0) is then correct, so `baseline_error` does not apply.
   bool is_constant();
 
+  // Whether the error is within the accuracy with the bound of the reference, and better than a constant's.
+  [[nodiscard]] bool is_accurate(const RefinementRun& run) const;
+
   // Error bound of the reference on the scale of the target: at the end time, or the largest at times that
   // are independent of any grid.
   double reference_bound();
 
  private:
   Rows finite_reference(const std::vector<double>& times);
-  void measure_maximum_error(const Rows& values, const std::vector<double>& times, CandidateRun& attempt);
-  void measure_end_error(const Rows& values, CandidateRun& attempt);
-  [[nodiscard]] bool is_accurate(const CandidateRun& attempt) const;
+  RunError maximum_error(const Rows& values, const std::vector<double>& times);
+  RunError end_error(const Rows& values);
+  // The part of the error over a grid that lies between its times, at least.
+  double unresolved_variation(const Configuration& configuration, int steps);
   [[nodiscard]] Rows compared_columns(const Rows& columns) const;
   [[nodiscard]] std::vector<double> compared_times(const Configuration& configuration,
                                                    const StepsOrTolerance& resolution, int compared) const;
