@@ -14,6 +14,8 @@ namespace fde::bench {
 // specifies its input and output.
 struct ExternalProgram {
   std::string name, command;
+
+  bool operator==(const ExternalProgram&) const = default;
 };
 
 // Parses "NAME=COMMAND". Throws std::invalid_argument if the text has another form or NAME is not allowed.

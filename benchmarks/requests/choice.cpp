@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/requests/failure.hpp"
+#include "fdebench/benchmarks/requests/own_scheme.hpp"
 #include "fdebench/benchmarks/requests/recommendation_from_search.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
@@ -50,14 +50,6 @@ std::vector<SmallColumn> small_columns(const Scene& scene, const AccuracyTarget&
       largest[i] = std::max(largest[i], std::abs(values[target.columns[i]]));
   }
   return small_columns(target.kind, target.accuracy, names, largest);
-}
-
-void require_own_ids(const std::vector<const Scheme*>& own) {
-  std::set<std::string_view> ids;
-  for (const Scheme* scheme : own) {
-    if (find_scheme(scheme->id) != nullptr || !is_printable(scheme->id) || !ids.insert(scheme->id).second)
-      reject_text("schemes", scheme->id, "an id that prints and that no other scheme has");
-  }
 }
 
 }  // namespace

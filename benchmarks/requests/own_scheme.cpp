@@ -5,10 +5,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde::bench {
@@ -51,5 +54,13 @@ OwnScheme::OwnScheme(std::string id, StatesOfRun states, const Capabilities& cap
                                                                   const Options& options) {
                 return run_of(id_, states, problem, grid, options);
               })} {}
+
+void require_own_ids(const std::vector<const Scheme*>& own) {
+  std::set<std::string_view> ids;
+  for (const Scheme* scheme : own) {
+    if (find_scheme(scheme->id) != nullptr || !is_printable(scheme->id) || !ids.insert(scheme->id).second)
+      reject_text("schemes", scheme->id, "an id that prints and that no other scheme has");
+  }
+}
 
 }  // namespace fde::bench

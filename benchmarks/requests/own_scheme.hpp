@@ -14,9 +14,9 @@ namespace fde::bench {
 using StatesOfRun = std::function<Rows(const Problem& problem, const std::vector<double>& times)>;
 
 // A scheme of the caller that computes the states of a run at once, as a value: pass scheme() to choose() or
-// to a sweep while the object lives. Without capabilities it takes left Caputo derivatives of orders up to 2
-// on any grid. Its
-// runs end as those of our schemes do, and throw std::invalid_argument where the states have another shape.
+// to sweep() while the object lives. Without capabilities it takes left Caputo derivatives of orders up to 2
+// on any grid. Its runs end as those of our schemes do, and throw std::invalid_argument where the states have
+// another shape.
 class OwnScheme {
  public:
   OwnScheme(std::string id, StatesOfRun states, const Capabilities& capabilities = {});
@@ -29,5 +29,8 @@ class OwnScheme {
   std::string id_;
   Scheme scheme_;
 };
+
+// Throws Refusal naming `schemes` unless each has an id of its own, which prints.
+void require_own_ids(const std::vector<const Scheme*>& own);
 
 }  // namespace fde::bench

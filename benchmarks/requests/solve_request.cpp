@@ -41,10 +41,15 @@ OutputTimes output_times_from(std::optional<std::vector<double>> at, const std::
   return GivenTimes{std::move(*at)};
 }
 
+std::optional<double> parse_grid(std::string_view text) {
+  if (text == optimal_grid) return std::nullopt;
+  return parse_grading(text, fmt::format(", or {}", optimal_grid));
+}
+
 void set_grid(SolveRequest& request, std::string_view text) {
-  request.optimal_grading = text == optimal_grid;
-  request.settings.grading =
-      request.optimal_grading ? 1.0 : parse_grading(text, fmt::format(", or {}", optimal_grid));
+  const auto grading = parse_grid(text);
+  request.optimal_grading = !grading;
+  request.settings.grading = grading.value_or(1.0);
 }
 
 const Scheme& scheme_named(std::string_view id) {

@@ -66,8 +66,10 @@ StepsOrTolerance resolution_from(const std::optional<int>& steps, const std::opt
 OutputTimes output_times_from(std::optional<std::vector<double>> at, const std::optional<int>& every,
                               const std::optional<int>& points);
 
-// Sets the grading: "uniform", "graded:R", or "graded:auto" for the optimal one. Throws Refusal.
+// The grading of "uniform" or "graded:R"; nullopt for "graded:auto", the optimal one. Throws Refusal.
 inline constexpr std::string_view optimal_grid = "graded:auto";
+std::optional<double> parse_grid(std::string_view text);
+// Sets the grading of the request to it.
 void set_grid(SolveRequest& request, std::string_view text);
 
 // The scheme with this id. Throws std::invalid_argument with the ids that there are.

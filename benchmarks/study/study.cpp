@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "fdebench/benchmarks/equation_files/toml_text.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
@@ -27,10 +28,10 @@ std::string id_of_file(const std::filesystem::path& study, const std::string& sc
   return (below.empty() || *below.begin() == ".." ? path : below).string();
 }
 
-class StudyReader : StudyPoints {
+class StudyReader : StudySettingsReader {
  public:
   StudyReader(const std::string& file, std::string_view text, const SceneRegistry& known)
-      : StudyPoints(file, text), known_(known) {}
+      : StudySettingsReader(file, text), known_(known) {}
 
   [[nodiscard]] Study read(const toml::table& all) const {
     require_keys(all, "a study", with_settings({"title", "family"}));
@@ -39,11 +40,10 @@ class StudyReader : StudyPoints {
       study.title = text_value(*title, "title");
       if (!is_printable(study.title)) reject(position_of(*title), "title: must be UTF-8 that prints");
     }
-    const StudySettings shared = settings_of(all);
     const auto& families = required(all, {}, "a study", "family");
     std::size_t scenes = 0;
     for (const auto& family : array(families, "family", "tables [[family]]")) {
-      study.families.push_back(family_of(family, shared));
+      study.families.push_back(family_of(family, all));
       scenes += study.families.back().scenes.size();
     }
     if (scenes == 0) reject(position_of(families), "family: is an empty list, must have a family");
@@ -53,23 +53,17 @@ class StudyReader : StudyPoints {
   }
 
  private:
-  static std::vector<std::string_view> with_settings(std::vector<std::string_view> keys) {
-    for (const auto& one : study_keys) keys.push_back(one.key);
-    return keys;
-  }
-
-  [[nodiscard]] StudyFamily family_of(const toml::node& node, const StudySettings& shared) const {
+  [[nodiscard]] StudyFamily family_of(const toml::node& node, const toml::table& all) const {
     const auto& of = table(node, "family");
     const auto place = position_of(node);
     require_keys(of, "a family", with_settings({"scene", "parameters", "until", "draws", "seed", "points"}));
-    StudyFamily family{.position = place, .settings = settings_of(of)};
-    family.settings.insert(shared.begin(), shared.end());
+    StudyFamily family{.position = place, .settings = settings_of(all, of)};
     const auto& scene = required(of, place, "a family", "scene");
-    family.scenes = scenes_of(of, place, maker_of(scene));
+    family.scenes = scenes_of(of, place, factory_of(scene));
     return family;
   }
 
-  [[nodiscard]] const SceneFactory& maker_of(const toml::node& node) const {
+  [[nodiscard]] const SceneFactory& factory_of(const toml::node& node) const {
     const auto name = text_value(node, "scene");
     try {
       return known_.named(name.ends_with(equation_file_extension) ? id_of_file(file(), name) : name);
@@ -78,51 +72,11 @@ class StudyReader : StudyPoints {
     }
   }
 
-  [[nodiscard]] StudySettings settings_of(const toml::table& of) const {
-    StudySettings settings;
-    for (const auto& kind : study_keys) {
-      if (const auto* node = of.get(kind.key))
-        settings.emplace(kind.key, StudySetting{texts_of(*node, kind), position_of(*node)});
-    }
-    return settings;
-  }
-
-  [[nodiscard]] std::vector<std::string> texts_of(const toml::node& node, const StudyKey& kind) const {
-    std::vector<std::string> texts;
-    if (kind.key == "external") {
-      for (const auto& entry : entries(node, kind.key))
-        texts.push_back(fmt::format("{}={}", entry.name, text_value(*entry.node, entry.name)));
-      return texts;
-    }
-    const auto* list = node.as_array();
-    if (!kind.is_list || list == nullptr) return {setting_text(node, kind)};
-    for (const auto& one : *list) texts.push_back(setting_text(one, kind));
-    if (texts.empty())
-      reject(position_of(node), fmt::format("{}: is an empty list, must have a value", kind.key));
-    return texts;
-  }
-
-  [[nodiscard]] std::string setting_text(const toml::node& node, const StudyKey& kind) const {
-    // A whole number may be too large for a double: the option says so.
-    if (const auto* whole = node.as_integer(); whole != nullptr && !kind.is_text)
-      return fmt::format("{}", whole->get());
-    if (!kind.is_text) return fmt::format("{}", number_value(node, kind.key));
-    return text_value(node, kind.key);
-  }
-
   const SceneRegistry& known_;
 };
 
-// In double quotes; TOML has the escapes of JSON.
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
-
-std::string key_text(const std::string& name) {
-  constexpr std::string_view bare = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
-  return name.find_first_not_of(bare) == std::string::npos && !name.empty() ? name : quoted(name);
-}
-
 std::string value_text(const ParameterValue& value) {
-  if (const auto* word = std::get_if<std::string>(&value)) return quoted(*word);
+  if (const auto* word = std::get_if<std::string>(&value)) return toml_text(*word);
   if (std::holds_alternative<double>(value)) return to_text(value);
   return fmt::format("[{}]", to_text(value));
 }
@@ -130,23 +84,9 @@ std::string value_text(const ParameterValue& value) {
 std::string point_text(const SceneVariant& scene) {
   std::vector<std::string> parts;
   for (const auto& [name, value] : scene.values)
-    parts.push_back(fmt::format("{} = {}", key_text(name), value_text(value)));
+    parts.push_back(fmt::format("{} = {}", toml_key(name), value_text(value)));
   if (scene.until) parts.push_back(fmt::format("until = {}", *scene.until));
   return fmt::format("{{{}}}", fmt::join(parts, ", "));
-}
-
-std::string setting_text(const StudyKey& kind, const std::vector<std::string>& texts) {
-  std::vector<std::string> parts;
-  for (const auto& text : texts) {
-    const auto equals = text.find('=');
-    parts.push_back(kind.key == "external" ? fmt::format("{} = {}", key_text(text.substr(0, equals)),
-                                                         quoted(text.substr(equals + 1)))
-                    : kind.is_text         ? quoted(text)
-                                           : text);
-  }
-  const auto list = fmt::format("{}", fmt::join(parts, ", "));
-  if (kind.key == "external") return fmt::format("external = {{{}}}\n", list);
-  return kind.is_list ? fmt::format("{} = [{}]\n", kind.key, list) : fmt::format("{} = {}\n", kind.key, list);
 }
 
 std::string scene_text(const SceneFactory& factory, const std::filesystem::path& folder) {
@@ -155,15 +95,27 @@ std::string scene_text(const SceneFactory& factory, const std::filesystem::path&
 }
 
 std::string text_of(const StudyFamily& family, const std::filesystem::path& folder) {
-  auto text =
-      fmt::format("\n[[family]]\nscene = {}\n", quoted(scene_text(*family.scenes.front().factory, folder)));
-  for (const auto& kind : study_keys) {
-    const auto setting = family.settings.find(std::string(kind.key));
-    if (setting != family.settings.end()) text += setting_text(kind, setting->second.texts);
-  }
+  auto text = fmt::format("\n[[family]]\nscene = {}\n",
+                          toml_text(scene_text(*family.scenes.front().factory, folder)));
+  text += text_of(family.settings);
   text += "points = [\n";
   for (const auto& scene : family.scenes) text += fmt::format("  {},\n", point_text(scene));
   return text + "]\n";
+}
+
+Sweep sweep_of(const Study& study, const StudyFamily& family, bool examine, bool undisturbed) {
+  auto request = family.settings.request;
+  request.scenes = family.scenes;
+  request.examine = examine;
+  request.undisturbed = undisturbed;
+  try {
+    Sweep sweep = std::move(sweeps_of(request).front());
+    sweep.describes_solutions = false;
+    return sweep;
+  } catch (const Refusal& refusal) {
+    if (refusal.field() == "examine" || refusal.field() == "undisturbed") throw;
+    reject_settings(refusal, family.settings, study.file, family.position);
+  }
 }
 
 }  // namespace
@@ -176,9 +128,27 @@ Study read_study(const std::filesystem::path& file, const SceneRegistry& known) 
 }
 
 std::string text_of(const Study& study, const std::filesystem::path& folder) {
-  std::string text = study.title.empty() ? "" : fmt::format("title = {}\n", quoted(study.title));
+  std::string text = study.title.empty() ? "" : fmt::format("title = {}\n", toml_text(study.title));
   for (const auto& family : study.families) text += text_of(family, folder);
   return text;
+}
+
+std::vector<Sweep> sweeps_of(const Study& study, bool examine, bool undisturbed) {
+  std::vector<Sweep> sweeps;
+  std::vector<const StudyFamily*> firsts;  // of each sweep
+  for (const auto& family : study.families) {
+    if (family.scenes.empty()) continue;  // those of a study, none, are not all
+    const auto same = std::ranges::find_if(
+        firsts, [&](const auto* first) { return first->settings.request == family.settings.request; });
+    if (same != firsts.end()) {
+      auto& scenes = sweeps[static_cast<std::size_t>(same - firsts.begin())].scenes;
+      scenes.insert(scenes.end(), family.scenes.begin(), family.scenes.end());
+      continue;
+    }
+    sweeps.push_back(sweep_of(study, family, examine, undisturbed));
+    firsts.push_back(&family);
+  }
+  return sweeps;
 }
 
 }  // namespace fde::bench

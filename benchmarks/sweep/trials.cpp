@@ -61,7 +61,7 @@ std::vector<Sweep> sweeps_of_trials(Sweep like, bool thorough) {
   std::map<int, Sweep> by_steps;
   like.scenes.clear();
   like.describes_solutions = false;  // the report does not draw them
-  if (like.plan.goal) like.repeats = {.most = 1, .min_seconds = 0.0};
+  if (like.plan.goal) like.repeats = {.most = 1, .min_seconds = 0.0, .attempts = like.repeats.attempts};
   for (const auto& trial : trials()) {
     if (trial.thorough && !thorough) continue;
     auto& sweep = by_steps.try_emplace(trial.steps, like).first->second;

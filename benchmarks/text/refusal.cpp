@@ -21,6 +21,12 @@ std::string text_of(const std::vector<Refusal::Part>& parts) {
 
 Refusal::Refusal(std::vector<Part> parts) : std::invalid_argument(text_of(parts)), parts_(std::move(parts)) {}
 
+std::string Refusal::field() const {
+  for (const auto& part : parts_)
+    if (const auto* field = std::get_if<RequestField>(&part)) return field->name;
+  return "";
+}
+
 Refusal Refusal::said(const std::function<std::string(const std::string&)>& word) const {
   auto parts = parts_;
   for (auto& part : parts) {

@@ -26,6 +26,9 @@ class Refusal : public std::invalid_argument {
   using Part = std::variant<std::string, RequestField>;
   explicit Refusal(std::vector<Part> parts);
 
+  // The first field that it names; empty: none.
+  [[nodiscard]] std::string field() const;
+
   // The same refusal with another word for each field.
   [[nodiscard]] Refusal said(const std::function<std::string(const std::string&)>& word) const;
 

@@ -31,8 +31,6 @@ const std::vector<std::string>& Given::all(std::string_view name) const {
   return has(name) ? texts_.find(name)->second : none;
 }
 
-void Given::set(const std::string& name, std::vector<std::string> texts) { texts_[name] = std::move(texts); }
-
 double Given::number(std::string_view name) const {
   return parse_number(name, text(name), std::get<Range>(declared(name).allowed));
 }
@@ -152,10 +150,9 @@ Tolerance parse_accuracy(std::string_view text) {
 bool requests_first_run(const Given& given) { return given.word("--runs") == "1"; }
 
 RunSettings parse_run_settings(const Given& given) {
-  const auto grid = given.text("--grid");
   RunSettings settings;
   try {
-    settings.grading = grid == optimal_grid ? 1.0 : parse_grading(grid, fmt::format(", or {}", optimal_grid));
+    settings.grading = parse_grid(given.text("--grid")).value_or(1.0);
     settings.history = parse_history(given.text("--history"));
   } catch (const Refusal& refusal) {
     given.refuse(refusal);

@@ -31,7 +31,6 @@ class Given {
   [[nodiscard]] std::string text(std::string_view name) const;  // without one the default
   [[nodiscard]] std::optional<std::string> find(std::string_view name) const;
   [[nodiscard]] const std::vector<std::string>& all(std::string_view name) const;
-  void set(const std::string& name, std::vector<std::string> texts);
 
   [[nodiscard]] double number(std::string_view name) const;
   [[nodiscard]] std::optional<double> find_number(std::string_view name) const;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/study/study.hpp"
 #include "fdebench/benchmarks/study/study_plan.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/progress_display.hpp"

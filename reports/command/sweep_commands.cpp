@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/benchmarks/requests/sweep_request.hpp"
 #include "fdebench/benchmarks/sweep/forecast.hpp"
 #include "fdebench/benchmarks/sweep/sweep.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
@@ -156,7 +157,7 @@ Command run_command() {
                 {"[--steps N1,N2,...]", "numbers of steps; without them the cheapest runs are searched",
                  step_counts},
                 {"[--accuracy E1,E2,...]", "tolerances of schemes that choose their steps", positive},
-                {"[--repeat R]", "how often each run is timed", CountRange{1, 1000}, "3"}},
+                {"[--repeat R]", "how often each run is timed", repeat_counts, "3"}},
                run_settings_arguments(budget_of_sweeps_text()),
                {{"[--thorough]", "all numbers of steps, all tolerances and all trials"},
                 {"[--trials]", "only the stiff and extreme trials of the report"},

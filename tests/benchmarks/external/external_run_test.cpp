@@ -287,7 +287,8 @@ TEST_F(ExternalRuns, HaveNamesOfTheirOwn) {
   EXPECT_THAT(refusal("a\nb=true"), HasSubstr("bytes of UTF-8 that print"));
   EXPECT_THAT(refusal("mine=true", {"--external", "mine=false"}),
               HasSubstr("a name that no other program has"));
-  EXPECT_THAT(refusal("mine=true", {"--accuracy", "1e-3"}), HasSubstr("--accuracy = 1e-3: must be without"));
+  EXPECT_THAT(refusal("mine=true", {"--accuracy", "1e-3"}),
+              HasSubstr("--accuracy = 0.001: must be without --external"));
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
          {family("parameters.gamma = {from = 0.1, to = 1, count = 1000}\n"
                  "parameters.lambda = {from = 1, to = 2, count = 1000}"),
           1, 1, "more than 100000 scenes"},
-         {"steps = [4, 0]\n" + family(""), 1, 9, "steps = 0: must be a whole number"},
+         {"steps = [4, 0]\n" + family(""), 1, 13, "steps = 0: must be a whole number"},
          {"steps = []\n" + family(""), 1, 9, "is an empty list"},
          {"steps = \"4\"\n" + family(""), 1, 9, "steps: is a text, must be a number"},
          {"schemes = [\"l11\"]\n" + family(""), 1, 11, "did you mean 'l1'?"},
@@ -105,7 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
          {"budget = 0\n" + family(""), 1, 10, "budget = 0: must be"},
          {"repeat = 1.5\n" + family(""), 1, 10, "repeat = 1.5: must be"},
          {"external = {a = 3}\n" + family(""), 1, 17, "a: is a number, must be a text"},
-         {"accuracies = 1e-3\nexternal = {a = \"b\"}\n" + family(""), 1, 14, "without --external"}}));
+         {"accuracies = 1e-3\nexternal = {a = \"b\"}\n" + family(""), 1, 14,
+          "accuracies = 0.001: must be without external, whose programs take steps"}}));
 
 TEST(Studies, ExcludeTheOptionsThatTheyReplace) {
   for (const std::string option : {"--scene", "--set", "--scheme", "--external", "--steps", "--accuracy",
