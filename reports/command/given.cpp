@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
 namespace fde::bench {
 
@@ -66,28 +67,12 @@ void Given::refuse(std::string_view name, std::string_view allowed) const {
   reject_text(name, text(name), allowed);
 }
 
-void Given::refuse(const Refusal& refusal, const std::map<std::string, std::string>& options) const {
+void Given::refuse(const Refusal& refusal, const std::map<std::string, std::string>& words) const {
   throw refusal.said([&](const std::string& field) {
-    const auto renamed = options.find(field);
-    const auto option = renamed != options.end() ? renamed->second : "--" + field;
+    if (const auto word = words.find(field); word != words.end()) return word->second;
+    const auto option = "--" + field;
     return command_.find(option) != nullptr ? option : field;
   });
-}
-
-ComplexText split_complex(std::string_view text) {
-  const auto comma = text.find(',');
-  if (comma != std::string_view::npos)
-    return {std::string(text.substr(0, comma)), std::string(text.substr(comma + 1))};
-  if (!text.ends_with('i')) return {std::string(text), "0"};
-  text.remove_suffix(1);
-  // The last sign that does not belong to an exponent separates the parts.
-  auto sign = text.find_last_of("+-");
-  while (sign != std::string_view::npos && sign > 0 && (text[sign - 1] == 'e' || text[sign - 1] == 'E'))
-    sign = text.find_last_of("+-", sign - 1);
-  const std::size_t begin = sign == std::string_view::npos ? 0 : sign;
-  std::string im(text.substr(begin));
-  if (im.empty() || im == "+" || im == "-") im += "1";
-  return {begin == 0 ? "0" : std::string(text.substr(0, begin)), im};
 }
 
 ArgumentText scene_argument(const std::string& what) {
@@ -136,10 +121,6 @@ std::vector<ArgumentText> joined(std::initializer_list<std::vector<ArgumentText>
 
 SceneVariant read_variant(const Given& given, const SceneRegistry& known) {
   return read_variant(given.text("scene"), given.all("--set"), known);
-}
-
-void require_decimal(std::string_view name, std::string_view text) {
-  if (!is_decimal(text)) reject_text(name, text, any_number.text());
 }
 
 Tolerance parse_accuracy(std::string_view text) {

@@ -13,7 +13,6 @@
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/refusal.hpp"
-#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/reports/command/program_text.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
@@ -42,11 +41,10 @@ class Given {
   // Throws std::invalid_argument with a message, and where the help of the command is.
   [[noreturn]] void refuse(const std::string& message) const;
   [[noreturn]] void refuse(std::string_view name, std::string_view allowed) const;  // the text of an argument
-  // Throws the refusal with a field that the command has an option for named as that: `options[field]`, or
-  // else
-  // --field.
+  // Throws the refusal with another word for each field: that of `words`, or --field if the command declares
+  // it.
   [[noreturn]] void refuse(const Refusal& refusal,
-                           const std::map<std::string, std::string>& options = {}) const;
+                           const std::map<std::string, std::string>& words = {}) const;
 
  private:
   [[nodiscard]] const ArgumentText& declared(std::string_view name) const;
@@ -60,13 +58,6 @@ class Given {
 // std::invalid_argument where words are unknown, missing, repeated or exclude each other.
 std::optional<Given> parse_words(const SubcommandText& command, std::span<const std::string> words,
                                  bool& quiet);
-
-// Splits "1", "1,2", "-2.5i", "1e-3+i" into the texts of real and imaginary part; the parts are not
-// validated.
-struct ComplexText {
-  std::string re, im;
-};
-ComplexText split_complex(std::string_view text);
 
 // Declarations that several commands have.
 ArgumentText scene_argument(const std::string& what = "id of a scene");
@@ -86,9 +77,6 @@ SceneVariant read_variant(const Given& given, const SceneRegistry& known);
 // For --grid graded:auto the grading is 1 here: it depends on scheme and scene (optimal_grading).
 RunSettings parse_run_settings(const Given& given);
 inline constexpr auto uniform_grid = "uniform";
-
-// Throws if the text is no decimal number; its value may exceed the range of double.
-void require_decimal(std::string_view name, std::string_view text);
 
 Tolerance parse_accuracy(std::string_view text);  // one number, relative and absolute
 

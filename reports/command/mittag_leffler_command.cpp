@@ -3,18 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
+#include "fdebench/benchmarks/requests/mittag_leffler_request.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
-#include "fdebench/reference/special_functions/mittag_leffler/decimal_arguments.hpp"
-#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
-#include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/prabhakar.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/reference_progress.hpp"
@@ -22,99 +22,48 @@
 namespace fde::bench {
 namespace {
 
-constexpr Range parameters{.low = -reference::largest_parameter, .high = reference::largest_parameter};
-
-// The arguments of the function as they are given.
-struct Arguments {
-  const Given& given;
-  std::string alpha = given.text("ALPHA"), beta = given.text("BETA");
-  std::optional<std::string> z = given.find("Z"), gamma = given.find("--gamma"),
-                             matrix = given.find("--matrix");
-};
-
-// Digits computed before rounding to double, when --digits is not given: the bound stays close to half a unit
-// in the last place.
-constexpr int digits_of_doubles = 20;
-
-[[noreturn]] void reject_option(std::string_view name, const std::string& value, std::string_view allowed) {
-  throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, value, allowed));
+std::string line_of(const reference::DecimalComplex& value) {
+  return fmt::format("{} {} {}\n", value.re, value.im, value.bound);
 }
 
-// At most one of the options, and Z or --matrix.
-void check(const Arguments& x) {
-  const auto derivative = x.given.find("--derivative");
-  if (x.matrix && derivative) reject_option("--derivative", *derivative, "without --matrix");
-  if (x.matrix && x.gamma) reject_option("--gamma", *x.gamma, "without --matrix");
-  if (x.matrix && x.z) reject_option("Z", *x.z, "left out with --matrix");
-  if (derivative && x.gamma) reject_option("--gamma", *x.gamma, "without --derivative");
-  if (!x.matrix && !x.z)
-    throw std::invalid_argument("Z is missing: must be RE, RE,IM or RE+IMi, or --matrix in its place");
+std::string line_of(const reference::MittagLefflerValue& result) {
+  const double re = result.value.real(), im = result.value.imag();
+  if (!std::isfinite(re) || !std::isfinite(im) || !std::isfinite(result.bound))
+    throw NumericalFailure("the value is beyond double; --digits has it");
+  return fmt::format("{:.17g} {:.17g} {}\n", re, im,
+                     bound_text(bound_of_decimal(im, bound_of_decimal(re, result.bound))));
 }
 
-// Decimals below the range of double are valid.
-void check_parameter(std::string_view name, const std::string& text) {
-  if (!is_decimal(text) || std::abs(std::strtod(text.c_str(), nullptr)) > parameters.high)
-    reject_text(name, text, parameters.text());
+// A line for each entry of a square matrix, with its row and column in front, or one for a number.
+template <typename Value>
+std::string lines_of(const std::vector<Value>& entries, bool is_matrix) {
+  if (!is_matrix) return line_of(entries.front());
+  const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
+  std::string lines;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    lines += fmt::format("{} {} {}", i / size + 1, i % size + 1, line_of(entries[i]));
+  return lines;
 }
 
-// Checks the parameters without z.
-void check_parameters(const Arguments& x) {
-  static_cast<void>(x.given.number("ALPHA"));
-  check_parameter("BETA", x.beta);
-  if (x.gamma) check_parameter("--gamma", *x.gamma);
-}
-
-// A multiprecision value without a finite bound exceeds the exponent range of its type.
-void require_known(const reference::DecimalComplex& value) {
-  if (!is_finite_bound(value.bound)) throw NumericalFailure("the value is beyond all exponents");
-}
-
-void print(const reference::DecimalComplex& value, std::ostream& out) {
-  require_known(value);
-  out << fmt::format("{} {} {}\n", value.re, value.im, value.bound);
-}
-
-[[noreturn]] void refuse_overflow() { throw NumericalFailure("the value is beyond double; --digits has it"); }
-
-void print(std::complex<double> value, double bound, std::ostream& out) {
-  if (!std::isfinite(value.real()) || !std::isfinite(value.imag()) || !std::isfinite(bound))
-    refuse_overflow();
-  out << fmt::format("{:.17g} {:.17g} {}\n", value.real(), value.imag(),
-                     bound_text(bound_of_decimal(value.imag(), bound_of_decimal(value.real(), bound))));
-}
-
-reference::DecimalComplex in_digits(const Arguments& x, const ComplexText& z, int digits) {
-  if (const auto k = x.given.find_count("--derivative"))
-    return reference::mittag_leffler_derivative(*k, x.alpha, x.beta, z.re, z.im, digits);
-  return x.gamma ? reference::prabhakar(x.alpha, x.beta, *x.gamma, z.re, z.im, digits)
-                 : reference::mittag_leffler(x.alpha, x.beta, z.re, z.im, digits);
-}
-
-// The value in double. Takes microseconds if every argument is exactly a double (0.5, not 0.1).
-reference::MittagLefflerValue evaluate_in_double(const Arguments& x, const ComplexText& text) {
-  const auto k = x.given.find_count("--derivative");
-  if (!k && !x.gamma) return reference::mittag_leffler_in_double(x.alpha, x.beta, text.re, text.im);
-  const auto alpha = reference::exact_double(x.alpha), beta = reference::exact_double(x.beta),
-             gamma = reference::exact_double(x.gamma.value_or("1")), re = reference::exact_double(text.re),
-             im = reference::exact_double(text.im);
-  if (!alpha || !beta || !gamma || !re || !im)
-    return rounded_to_double(in_digits(x, text, digits_of_doubles));
-  const std::complex<double> z(*re, *im);
-  if (x.gamma) return reference::prabhakar(*alpha, *beta, *gamma, z);
-  return reference::mittag_leffler_derivative(*k, *alpha, *beta, z);
-}
-
-void of_number(const Arguments& x, std::ostream& out) {
-  const auto z = split_complex(*x.z);
-  require_decimal("Z", z.re);
-  require_decimal("Z", z.im);
-  if (const auto digits = x.given.find_count("--digits")) return print(in_digits(x, z, *digits), out);
-  const auto [value, bound] = evaluate_in_double(x, z);
-  print(value, bound, out);
+// Splits "1", "1,2", "-2.5i", "1e-3+i" into the texts of real and imaginary part, which are not validated.
+reference::DecimalComplex split_complex(std::string_view text) {
+  const auto comma = text.find(',');
+  if (comma != std::string_view::npos)
+    return {std::string(text.substr(0, comma)), std::string(text.substr(comma + 1)), "0"};
+  if (!text.ends_with('i')) return {std::string(text), "0", "0"};
+  text.remove_suffix(1);
+  // The last sign that does not belong to an exponent separates the parts.
+  auto sign = text.find_last_of("+-");
+  while (sign != std::string_view::npos && sign > 0 && (text[sign - 1] == 'e' || text[sign - 1] == 'E'))
+    sign = text.find_last_of("+-", sign - 1);
+  const std::size_t begin = sign == std::string_view::npos ? 0 : sign;
+  std::string im(text.substr(begin));
+  if (im.empty() || im == "+" || im == "-") im += "1";
+  return {begin == 0 ? "0" : std::string(text.substr(0, begin)), im, "0"};
 }
 
 // The entries of "1,2;3,4", row by row.
-std::vector<reference::DecimalComplex> entries_of(const std::string& text) {
+std::vector<reference::DecimalComplex> parse_matrix(const std::string& text) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t begin = 0; begin <= text.size();) {
     const auto end = std::min(text.find(';', begin), text.size());
@@ -123,80 +72,44 @@ std::vector<reference::DecimalComplex> entries_of(const std::string& text) {
   }
   std::vector<reference::DecimalComplex> entries;
   for (const auto& row : rows) {
-    if (row.size() != rows.size()) {
-      reject_option("--matrix", text,
-                    fmt::format("square: of {} rows one has length {}", rows.size(), row.size()));
-    }
-    for (const auto& entry : row) {
-      const auto [re, im] = split_complex(entry);
-      require_decimal("--matrix", re);
-      require_decimal("--matrix", im);
-      entries.push_back({re, im, "0"});
-    }
+    if (row.size() != rows.size())
+      refuse_value("matrix", text,
+                   {fmt::format("square: of {} rows one has length {}", rows.size(), row.size())});
+    std::ranges::transform(row, std::back_inserter(entries), split_complex);
   }
   return entries;
 }
 
-void print(const std::vector<reference::DecimalComplex>& entries, std::size_t size, bool in_double,
-           std::ostream& out) {
-  std::ranges::for_each(entries, require_known);
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const auto place = fmt::format("{} {} ", i / size + 1, i % size + 1);
-    if (in_double) {
-      const auto [value, bound] = rounded_to_double(entries[i]);
-      out << place;
-      print(value, bound, out);
-    } else {
-      out << place;
-      print(entries[i], out);
-    }
-  }
+MittagLefflerRequest function_request_of(const Given& given) {
+  const auto z = given.find("Z"), matrix = given.find("--matrix");
+  if (!matrix && !z)
+    throw std::invalid_argument("Z is missing: must be RE, RE,IM or RE+IMi, or --matrix in its place");
+  if (matrix && z) refuse_value("Z", *z, {"left out with --matrix"});
+  MittagLefflerRequest request{.alpha = given.text("ALPHA"),
+                               .beta = given.text("BETA"),
+                               .derivative = given.find_count("--derivative"),
+                               .gamma = given.find("--gamma"),
+                               .digits = given.find_count("--digits")};
+  if (matrix) request.argument = parse_matrix(*matrix);
+  if (z) request.argument = split_complex(*z);
+  return request;
 }
 
-void print(const reference::MatrixValue& matrix, std::ostream& out) {
-  const auto& [value, bound] = matrix;
-  if (!value.allFinite() || !bound.allFinite()) refuse_overflow();
-  for (Eigen::Index i = 0; i < value.rows(); ++i) {
-    for (Eigen::Index j = 0; j < value.cols(); ++j) {
-      out << fmt::format("{} {} ", i + 1, j + 1);
-      print(value(i, j), bound(i, j), out);
-    }
+std::string answer(const Given& given) {
+  try {
+    const auto request = function_request_of(given);
+    const bool is_matrix = given.has("--matrix");
+    return std::visit([=](const auto& entries) { return lines_of(entries, is_matrix); },
+                      mittag_leffler(request));
+  } catch (const Refusal& refusal) {
+    given.refuse(refusal, {{"alpha", "ALPHA"}, {"beta", "BETA"}, {"z", "Z"}});
   }
-}
-
-// The matrix in double; nullopt if an entry is not exactly a double.
-std::optional<ComplexMatrix> exact_matrix(const std::vector<reference::DecimalComplex>& entries,
-                                          Eigen::Index size) {
-  ComplexMatrix matrix(size, size);
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const auto re = reference::exact_double(entries[i].re), im = reference::exact_double(entries[i].im);
-    if (!re || !im) return std::nullopt;
-    const auto at = static_cast<Eigen::Index>(i);
-    matrix(at / size, at % size) = {*re, *im};
-  }
-  return matrix;
-}
-
-void of_matrix(const Arguments& x, std::ostream& out) {
-  const auto entries = entries_of(*x.matrix);
-  const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
-  const auto digits = x.given.find_count("--digits");
-  const auto alpha = reference::exact_double(x.alpha), beta = reference::exact_double(x.beta);
-  const auto matrix = exact_matrix(entries, static_cast<Eigen::Index>(size));
-  if (!digits && alpha && beta && matrix)
-    return print(reference::mittag_leffler(*alpha, *beta, *matrix), out);
-  print(mittag_leffler(x.alpha, x.beta, entries, digits.value_or(digits_of_doubles)), size, !digits, out);
 }
 
 void print_mittag_leffler(const Given& given, const Streams& streams, const SceneRegistry& /*known*/) {
-  const Arguments x{given};
-  check(x);
-  check_parameters(x);
   ReferenceProgress work(streams, given.find_number("--budget"), "the value");
   try {
-    std::ostringstream lines;
-    x.matrix ? of_matrix(x, lines) : of_number(x, lines);
-    streams.out << lines.str();
+    streams.out << answer(given);
   } catch (const Cancelled&) {
     work.fail();
   }
@@ -209,11 +122,11 @@ Command mittag_leffler_command() {
       {"mittag-leffler",
        "Look up",
        "Print the Mittag-Leffler function E_{ALPHA,BETA}(Z): re im bound",
-       {{"ALPHA:ALPHA", "the first parameter", Range{.low = 0.0, .high = 5.0, .open_low = true}},
-        {"BETA:BETA", "the second parameter", parameters},
+       {{"ALPHA:ALPHA", "the first parameter", mittag_leffler_orders},
+        {"BETA:BETA", "the second parameter", mittag_leffler_parameters},
         {"[Z:Z]", "the argument: RE, RE,IM or RE+IMi"},
         {"[--derivative K]", "the K-th derivative in Z", CountRange{0, reference::max_derivative}},
-        {"[--gamma G]", "the three-parameter function of Prabhakar", parameters},
+        {"[--gamma G]", "the three-parameter function of Prabhakar", mittag_leffler_parameters},
         {"[--matrix ROWS]",
          "a square matrix in place of Z, \"1,2;3,4+i\"; then a line for each entry: row column re im bound"},
         digits_argument(),
