@@ -7,5 +7,6 @@
 #include "fdebench/benchmarks/requests/exact.hpp"
 #include "fdebench/benchmarks/requests/own_problem.hpp"
 #include "fdebench/benchmarks/requests/own_scheme.hpp"
+#include "fdebench/benchmarks/requests/recorded_sweep.hpp"
 #include "fdebench/benchmarks/requests/solve.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"

@@ -4,18 +4,19 @@
 #include <string>
 #include <string_view>
 
-#include "fdebench/benchmarks/records/record.hpp"
-#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde::bench {
+
+struct Record;
+struct RunKey;
+struct RunSettings;
+class MemoizedReference;
 
 // An external solver: the name of its runs, and the shell command that starts it. docs/external_solvers.md
 // specifies its input and output.
 struct ExternalProgram {
   std::string name, command;
-
-  bool operator==(const ExternalProgram&) const = default;
 };
 
 // Parses "NAME=COMMAND". Throws std::invalid_argument if the text has another form or NAME is not allowed.

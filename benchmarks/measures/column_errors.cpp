@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/measures/accuracy.hpp"
+#include "fdebench/benchmarks/measures/measures.hpp"
 #include "fdebench/benchmarks/text/rounded_number.hpp"
 
 namespace fde::bench {

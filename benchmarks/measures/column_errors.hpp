@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/benchmarks/measures/measures.hpp"
-
 namespace fde::bench {
+
+struct FinishedRun;
+struct Measure;
 
 // The columns that the errors of a run are over, and the errors of each column alone, so that runs that were
 // judged over different columns can be compared over those that both have.

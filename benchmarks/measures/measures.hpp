@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
+#include "fdebench/benchmarks/measures/own_measure.hpp"
 #include "fdebench/benchmarks/measures/timing_conditions.hpp"
 #include "fdebench/benchmarks/observers/drift.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
@@ -25,6 +26,7 @@ struct RunObservations {
   std::optional<Drift> internal_drift{}, independent_drift{};          // from DriftObserver
   std::optional<double> expected_rate_end{}, expected_rate_maximum{};  // of the scheme
   std::array<Vec, error_scales.size()> unresolved{};                   // unresolved_variations(), by Scale
+  std::span<const OwnMeasure> own{};                                   // are taken after ours
 };
 
 // A finished run with the arguments of all measures. Rows have one row a column of the scene, one column a

@@ -5,20 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "fdebench/benchmarks/observers/course.hpp"
 #include "fdebench/benchmarks/observers/rate.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 #include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/problem/grid.hpp"
 
 namespace fde::bench {
-
-// A quantity as a function of time, at increasing times.
-struct Course {
-  std::vector<double> t{}, value{};
-
-  [[nodiscard]] bool empty() const { return t.empty(); }
-  bool operator==(const Course&) const = default;
-};
 
 // The largest value up to t as a function of t, for charts: at eight times per factor of 2, from end/1024 on,
 // to three digits. A time at which no value was positive is left out.

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "fdebench/benchmarks/measures/judge.hpp"
 #include "fdebench/benchmarks/measures/measures.hpp"
 
 namespace fde::bench {

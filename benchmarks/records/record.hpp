@@ -11,15 +11,17 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/column_errors.hpp"
-#include "fdebench/benchmarks/measures/judge.hpp"
 #include "fdebench/benchmarks/measures/run_outcome.hpp"
-#include "fdebench/benchmarks/observers/drift.hpp"
+#include "fdebench/benchmarks/observers/course.hpp"
 #include "fdebench/benchmarks/records/quantity_values.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/records/scene_description.hpp"
 #include "fdebench/benchmarks/scenes/parameters.hpp"
 
 namespace fde::bench {
+
+struct Assessment;
+struct TimedSolves;
 
 // Identifies a run of one build, or a trajectory of another program. In the latter case `scheme` is the name
 // of the program, and of the settings only the number of times is known; if a sweep started the program, also

@@ -12,6 +12,7 @@
 #include "fdebench/benchmarks/requests/own_scheme.hpp"
 #include "fdebench/benchmarks/requests/solve_request.hpp"
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
+#include "fdebench/benchmarks/sweep/sweep.hpp"
 #include "fdebench/benchmarks/sweep/trials.hpp"
 #include "fdebench/benchmarks/text/refusal.hpp"
 
@@ -68,6 +69,7 @@ void require_fitting(const SweepRequest& request) {
   std::vector<const Scheme*> own = request.schemes;
   std::erase_if(own, [](const Scheme* scheme) { return find_scheme(scheme->id) == scheme; });
   require_own_ids(own);
+  require_own_measures(request.measures);
   const bool is_listed = !request.resolutions.empty();
   if (request.trials && (is_listed || !request.scenes.empty()))
     refuse_value("trials", "yes", {"without ", scene, " and ", steps, ", trials have their own"});
@@ -96,6 +98,7 @@ Sweep sweep_of(const SweepRequest& request) {
               .plan = plan_of(request),
               .settings = request.settings,
               .optimal_grids = request.optimal_grading,
+              .measures = request.measures,
               .examines_only = request.examine,
               .retimes = request.undisturbed};
   if (sweep.plan.goal) sweep.repeats = of_default_sweep;

@@ -23,8 +23,6 @@ struct SceneVariant {
   // exact columns.
   [[nodiscard]] SceneSettings key_of_solution() const;
   [[nodiscard]] std::string label() const { return label_of(key()); }
-
-  bool operator==(const SceneVariant&) const = default;
 };
 
 // The scene made from its defaults with some values replaced. Throws std::invalid_argument if its problem

@@ -139,7 +139,7 @@ std::vector<Sweep> sweeps_of(const Study& study, bool examine, bool undisturbed)
   for (const auto& family : study.families) {
     if (family.scenes.empty()) continue;  // those of a study, none, are not all
     const auto same = std::ranges::find_if(
-        firsts, [&](const auto* first) { return first->settings.request == family.settings.request; });
+        firsts, [&](const auto* first) { return text_of(first->settings) == text_of(family.settings); });
     if (same != firsts.end()) {
       auto& scenes = sweeps[static_cast<std::size_t>(same - firsts.begin())].scenes;
       scenes.insert(scenes.end(), family.scenes.begin(), family.scenes.end());

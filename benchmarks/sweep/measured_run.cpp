@@ -107,11 +107,11 @@ struct Examined {
 };
 
 Examined solve_and_judge(const Scene& scene, MemoizedReference& reference, const Scheme& scheme,
-                         const RunSettings& settings) {
+                         const RunSettings& settings, std::span<const OwnMeasure> own) {
   const Resolution resolution = resolution_of(settings, scene.problem.end);
   if (auto reason = unsupported_reason(scheme, scene.problem, resolution))
     return {.judgement = {{SolveStatus::refused, std::move(*reason)}}};
-  RunObservations observed;
+  RunObservations observed{.own = own};
   if (const auto* grid = std::get_if<Grid>(&resolution)) observed.grid = *grid;
   Options options = settings.options();
   const int compared = comparison_steps_for(scene.outputs.names.size());
@@ -158,8 +158,8 @@ TimedSolves solve_repeatedly(const Scheme& scheme, const Problem& problem, const
 
 // Over a grid the steps are the requested ones, also if the run stopped earlier.
 Record examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
-               const Scheme& scheme, const RunSettings& settings) {
-  const auto [steps, judgement] = solve_and_judge(scene, reference, scheme, settings);
+               const Scheme& scheme, const RunSettings& settings, std::span<const OwnMeasure> own) {
+  const auto [steps, judgement] = solve_and_judge(scene, reference, scheme, settings, own);
   const auto* requested = std::get_if<int>(&settings.resolution);
   return assessed({.key = {.scene = name, .scheme = std::string(scheme.id), .settings = settings},
                    .steps = requested != nullptr ? *requested : static_cast<int>(steps),

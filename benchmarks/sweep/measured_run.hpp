@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
+#include "fdebench/benchmarks/measures/own_measure.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
@@ -12,7 +15,7 @@ namespace fde::bench {
 // reference at comparison_times. `name` is the scene's key in the record. Thread safe if each thread has its
 // own MemoizedReference.
 Record examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
-               const Scheme& scheme, const RunSettings& settings);
+               const Scheme& scheme, const RunSettings& settings, std::span<const OwnMeasure> own = {});
 
 // The number of timed repeats of a run: `most`; more while they take less than `min_seconds` in total, no
 // more once they have taken `enough_seconds`. Where other work disturbs them, all are repeated, `attempts`

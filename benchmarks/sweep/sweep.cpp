@@ -88,10 +88,11 @@ bool is_timed_next(const Record& run, const Sweep& sweep) {
   return sweep.retimes && run.timing.is_disturbed() && run.timing.count < most_timings;
 }
 
-Record examine(SweptScene& of, const RefinementSeries& line) {
+Record examine(SweptScene& of, const RefinementSeries& line, const Sweep& sweep) {
   if (const auto* program = std::get_if<const ExternalProgram*>(&line.solver))
     return examine(of.variant, of.scene, *of.reference, **program, line.settings);
-  return examine(of.name, of.scene, *of.reference, *std::get<const Scheme*>(line.solver), line.settings);
+  return examine(of.name, of.scene, *of.reference, *std::get<const Scheme*>(line.solver), line.settings,
+                 sweep.measures);
 }
 
 // Times the current run. A program may fail then; its run is examined anew.
@@ -112,7 +113,7 @@ void examine_runs(SweptScene& of, const Sweep& sweep, GuardedCallbacks& log) {
     if (log.failed()) return;
     if (!line.is_due || of.current[i]) continue;
     log.on_event(SweepEvent::Kind::examines, line.key, !of.reference->is_begun());
-    of.current[i] = examine(of, line);
+    of.current[i] = examine(of, line, sweep);
     if (!log.describes(of.name))
       log.append(describe(of.variant, of.scene, *of.reference, sweep.describes_solutions));
     log.append(*of.current[i]);

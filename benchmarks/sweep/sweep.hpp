@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/external/external_program.hpp"
+#include "fdebench/benchmarks/measures/own_measure.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
@@ -28,6 +29,7 @@ struct Sweep {
   RunSettings settings{.budget = 600.0};  // settings of all runs except the resolution
   bool optimal_grids = false;  // each scheme with optimal_grading() instead of the settings's grading
   std::vector<const Scheme*> graded{};  // these with both gradings, where solutions are not smooth at 0
+  std::vector<OwnMeasure> measures{};   // of the caller, of the runs of schemes, beside ours
   TimingRepeats repeats{};
   bool describes_solutions = true;    // results have the reference solution of each scene
   bool examines_only = false;         // no run is timed

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/benchmarks/requests/failure.hpp"
+#include "fdebench/benchmarks/requests/recorded_sweep.hpp"
 #include "fdebench/benchmarks/requests/sweep_request.hpp"
 #include "fdebench/benchmarks/sweep/forecast.hpp"
 #include "fdebench/benchmarks/sweep/sweep.hpp"
@@ -57,29 +59,17 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams, Resu
   const auto recorded = [&](const RunKey& key) { return file.recorded(key); };
   const Forecast expected = streams.quiet ? Forecast() : forecast_of(sweeps, recorded);
   SweepProgress progress(streams, expected, count_is_exact(sweeps));
-  std::string unwritten;  // the first line that could not be read back; the sweep goes on without it
   Refusals refusals;
-  const auto write = [&](const auto& append) {
-    try {
-      append();
-    } catch (const UnreadableLine& reason) {
-      if (unwritten.empty()) unwritten = reason.what();
-    }
-  };
-  const SweepCallbacks hooks{
-      .recorded = recorded,
-      .append =
-          [&](const Record& run) {
-            refusals.add(run);
-            write([&] { file.append(run); });
-          },
-      .append_times = [&](const Record& run) { write([&] { file.append_times(run); }); },
-      .on_event = [&](const SweepEvent& event) { progress.on_event(event); },
-      .describes = [&](const SceneSettings& scene) { return file.describes(scene); },
-      .append_scene = [&](const SceneDescription& scene) { write([&] { file.append(scene); }); }};
-  for (const auto& sweep : sweeps) run_sweep(sweep, hooks);
+  std::optional<NumericalFailure> failure;
+  try {
+    run_into(file, sweeps,
+             {.on_event = [&](const SweepEvent& event) { progress.on_event(event); },
+              .on_run = [&](const Record& run) { refusals.add(run); }});
+  } catch (const NumericalFailure& unwritten) {
+    failure = unwritten;
+  }
   if (refusals.count() > 0) say(streams, Message::note, refusals.text());
-  if (!unwritten.empty()) throw NumericalFailure(unwritten);
+  if (failure) throw NumericalFailure(*failure);
 }
 
 // Prints the remaining runs with their expected seconds, and the total.

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "fdebench/schemes/diagnostics/other_steps.hpp"
+#include "fdebench/schemes/problem/grid.hpp"
 #include "fdebench/schemes/problem/resolution.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde {
+
+struct SolvedRun;
 
 // What speaks against the numbers of a run, found from the problem and from runs of the scheme alone, without
 // a reference.
