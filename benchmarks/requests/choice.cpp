@@ -15,8 +15,10 @@
 #include "fdebench/benchmarks/requests/failure.hpp"
 #include "fdebench/benchmarks/requests/own_scheme.hpp"
 #include "fdebench/benchmarks/requests/recommendation_from_search.hpp"
+#include "fdebench/benchmarks/requests/solve_request.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
+#include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/output_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
@@ -52,6 +54,25 @@ std::vector<SmallColumn> small_columns(const Scene& scene, const AccuracyTarget&
   return small_columns(target.kind, target.accuracy, names, largest);
 }
 
+// The scheme of a run, ours or the caller's.
+const Scheme& scheme_of(const RecommendedRun& run, const std::vector<const Scheme*>& own) {
+  const auto& id = run.schemes.front();
+  const auto found = std::ranges::find(own, id, [](const Scheme* scheme) { return scheme->id; });
+  return found != own.end() ? **found : scheme_named(id);
+}
+
+// Runs each option again, and takes the measures of the caller.
+void take_measures(const Scene& scene, const ChoiceRequest& request, Recommendation& made) {
+  if (request.measures.empty()) return;
+  MemoizedReference reference(scene);
+  for (RecommendedRun& option : made.options) {
+    const Record run = examine(made.scene, scene, reference, scheme_of(option, request.schemes),
+                               option.settings, request.measures);
+    for (const auto& measure : request.measures)
+      if (const auto value = run[measure.id]) option.measured.set(measure.id, *value);
+  }
+}
+
 }  // namespace
 
 bool parse_first_run(std::string_view text) {
@@ -65,6 +86,7 @@ Recommendation choose(Scene scene, const ChoiceRequest& request, const SceneSett
   require_in("error", request.error, searched_errors);
   require_in("seconds", request.seconds, searched_seconds);
   require_own_ids(request.schemes);
+  require_own_measures(request.measures);
   const AccuracyTarget target{request.kind, request.error, columns_of(scene, request.columns),
                               request.first_run};
   const SearchProgress tell = progress ? progress : [](const std::string&, double) {};
@@ -80,6 +102,7 @@ Recommendation choose(Scene scene, const ChoiceRequest& request, const SceneSett
   made.examined_at_points_only = at_points_only;
   made.columns = request.columns;
   require_option(made);
+  take_measures(scene, request, made);
   return made;
 }
 

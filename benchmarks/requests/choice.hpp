@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
+#include "fdebench/benchmarks/measures/own_measure.hpp"
 #include "fdebench/benchmarks/requests/own_problem.hpp"
 #include "fdebench/benchmarks/requests/recommendation.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
@@ -25,6 +26,7 @@ struct ChoiceRequest {
   double seconds = 60.0;                 // for the search
   bool first_run = false;                // ranks by the first run of a process, otherwise by a later one
   std::vector<const Scheme*> schemes{};  // of the caller, tried beside ours; each has an id of its own
+  std::vector<OwnMeasure> measures{};    // of the caller, taken of the runs within the error
 };
 
 // true for "1", the first run of a process, and false for "many". Throws Refusal.

@@ -27,6 +27,11 @@ void set_resolution(nlohmann::json& json, const RunSettings& settings) {
   json["grid"] = accuracy != nullptr ? nlohmann::json() : nlohmann::json(grid_text(settings.grading));
 }
 
+// Sets the values by the measures of the caller, if there are any.
+void set_measured(nlohmann::json& json, const RecommendedRun& run) {
+  for (const auto& [measure, value] : run.measured) json["measures"][std::string(measure)] = value;
+}
+
 // What was run, what it takes and delivers; null where a scheme has no run, or none to its end.
 nlohmann::json json_of(const RecommendedRun& option, const std::string& outcome) {
   nlohmann::json json{
@@ -38,6 +43,7 @@ nlohmann::json json_of(const RecommendedRun& option, const std::string& outcome)
   if (std::isfinite(option.error)) json["error"] = option.error;
   json["seconds"] = option.later_run_seconds();
   json["first_run_seconds"] = option.first_run_seconds();
+  set_measured(json, option);
   return json;
 }
 
@@ -72,6 +78,7 @@ nlohmann::json json_of(const Recommendation& made) {
             {"factor", nullptr},
             {"command", nullptr}};
   set_resolution(json, first.settings);
+  set_measured(json, first);
   if (const auto command = command_of(made.scene, first); !command.empty()) json["command"] = command;
   if (made.estimate) {
     json["estimated"] = true;

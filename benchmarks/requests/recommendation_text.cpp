@@ -73,6 +73,14 @@ std::string table_of(const Recommendation& made, bool verbose) {
   return aligned(rows, 2);
 }
 
+// "; residual 1.2e-7, ..." of the measures of the caller.
+std::string measured_text(const RecommendedRun& run) {
+  std::string text;
+  for (const auto& [measure, value] : run.measured)
+    text += fmt::format("{}{} {:.3g}", text.empty() ? "; " : ", ", measure, value);
+  return text;
+}
+
 // "error 8.7e-13 in 9.6 µs; the first run of a process takes 12.3 ms".
 std::string delivery(const Recommendation& made, const RecommendedRun& first) {
   const double once = first.first_run_seconds(), later = first.later_run_seconds();
@@ -124,7 +132,7 @@ std::string to_text(const Recommendation& made, bool verbose, const Emphasis& em
   const auto command = command_of(made.scene, first);
   const auto run = command.empty() ? fmt::format("{} with N = {}", name_of(first), first.steps) : command;
   std::string text = fmt::format("{}{}\n{} {}\n{} {}\n", emphasis.label("run:"), emphasis.command(" " + run),
-                                 emphasis.label("delivers:"), delivery(made, first),
+                                 emphasis.label("delivers:"), delivery(made, first) + measured_text(first),
                                  emphasis.label("how sure:"), certainty(made, first));
   if (!made.small.empty()) text += coarseness(made);
   if (verbose) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/measures/timing_conditions.hpp"
+#include "fdebench/benchmarks/records/quantity_values.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/scenes/parameters.hpp"
 #include "fdebench/benchmarks/search/error_model.hpp"
@@ -28,6 +29,7 @@ struct RecommendedRun {
   std::size_t session = 0;       // index into Results::sessions, for recorded runs
   bool external = false;         // of another program, or of a scheme of the caller
   bool wall_clock = false;       // `time` is of a whole process
+  QuantityValues measured{};     // by the measures of the caller
 
   [[nodiscard]] double first_run_seconds() const { return time.median + (first_run ? 0.0 : setup_seconds); }
   [[nodiscard]] double later_run_seconds() const { return time.median - (first_run ? setup_seconds : 0.0); }

@@ -13,7 +13,6 @@
 namespace fde::bench {
 
 StepsOrTolerance resolution_from(const std::optional<int>& steps, const std::optional<double>& accuracy) {
-  if (steps && accuracy) throw Refusal({RequestField{"steps"}, " excludes ", RequestField{"accuracy"}});
   if (accuracy) {
     require_in("accuracy", *accuracy, positive);
     return Tolerance{.rtol = *accuracy, .atol = *accuracy};

@@ -61,7 +61,7 @@ struct SolveRequest {
 
 // The one of two or three fields that is given. Each throws Refusal where the fields are not in their ranges
 // or exclude each other, and resolution_from where none is given. An accuracy is a tolerance, relative and
-// absolute.
+// absolute; where it is given besides steps, it counts.
 StepsOrTolerance resolution_from(const std::optional<int>& steps, const std::optional<double>& accuracy);
 OutputTimes output_times_from(std::optional<std::vector<double>> at, const std::optional<int>& every,
                               const std::optional<int>& points);

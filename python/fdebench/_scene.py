@@ -42,7 +42,7 @@ def _integer(name: str, value: Any) -> int:
     if isinstance(value, numpy.ndarray) and value.ndim == 0:
         value = value.item()
     if not isinstance(value, numbers.Integral):
-        raise TypeError(f"{name} = {value!r}: must be a whole number")
+        raise TypeError(f"{name} = {value!r}: must be a {'whole' if isinstance(value, numbers.Real) else 'real'} number")
     if abs(value) >= 2**31:
         raise ValueError(f"{name} = {value}: must be below 2^31 in size")
     return int(value)

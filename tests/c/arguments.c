@@ -137,7 +137,7 @@ static void test_solve(void) {
   rejects_option(p, "threads", "0", "threads = 0: must be ");
   rejects_option(p, "check", "2", "check = 2: must be ");
   rejects_option(p, "error", "1e-3", "option = error: must be of accuracy, at, ");
-  rejects_option(p, "accuracy", "1e-3", "steps excludes accuracy");
+  rejects_option(p, "accuracy", "1e-3", "scheme = l1: ");
   DONE(fdebench_options_set_integer(o, "steps", 8));
   REJECTS(fdebench_solve(p, "l7", o, &table), "scheme ");
   DONE(fdebench_solve(p, "l1", o, &table));

@@ -86,9 +86,15 @@ def check_judged(program, fdebench):
 
 
 def check_cheapest(program):
-    errors = [float(line.split()[-1]) for line in run(program).splitlines()]
-    if not errors or max(errors) > 1e-5:
-        sys.exit(f"cheapest: {errors} must be at most 1e-5")
+    """The chosen run is within 1e-5 of the exact value, and the errors of the trapezoidal rule fall with the rate 1.7 = 1 + gamma."""
+    chosen, *swept = run(program).splitlines()
+    value, exact = (float(word) for word in re.fullmatch(r"\w+ with N = \d+: (\S+), exactly (\S+)", chosen).groups())
+    near(value, exact, 1e-5 * (1.0 + exact), "the chosen run")
+    errors = [float(line.split()[-1]) for line in swept]
+    for coarse, fine in zip(errors, errors[1:]):
+        near(math.log2(coarse / fine), 1.7, 0.2, "the rate of the trapezoidal rule")
+    if len(errors) != 3:
+        sys.exit(f"cheapest: {swept} must be three runs")
 
 
 def check_own_scheme(program):

@@ -296,7 +296,7 @@ def test_numbers_without_dimensions_are_numbers():
     [
         (lambda: fdebench.solve(None, "l1", 8), "^scene = None: must be the name"),
         (lambda: fdebench.solve("relaxation", None, 8), "^scheme = None: must be the id"),
-        (lambda: fdebench.solve("relaxation", "l1", 8j), "^steps = 8j: must be a whole number"),
+        (lambda: fdebench.solve("relaxation", "l1", 8j), "^steps = 8j: must be a real number"),
         (lambda: fdebench.solve("relaxation", "l1", 8, at=[1j]), "^at = .*1j.*: must be real numbers"),
         (lambda: fdebench.solve("relaxation", "l1", 8, at=[None]), r"^at = \[None\]: must be real numbers"),
         (lambda: fdebench.Scene("relaxation", gamma=None), "^gamma = None: must be a real number"),

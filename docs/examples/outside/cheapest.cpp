@@ -1,20 +1,24 @@
+#include <cmath>
 #include <cstdio>
-#include <string>
 
-#include <fdebench/benchmarks/references/memoized_reference.hpp>
-#include <fdebench/benchmarks/scenes/variant.hpp>
-#include <fdebench/benchmarks/search/search.hpp>
+#include <fdebench/fdebench.hpp>
 
-// The cheapest runs of a relaxation whose error at the end is at most 1e-5, found in two seconds.
+namespace bench = fde::bench;
+
+// The cheapest run of a relaxation whose error at the end is at most 1e-5, what it gives there and what is
+// right, and the errors of its scheme with other numbers of steps.
 int main() {
-  const fde::bench::Scene scene =
-      fde::bench::make_scene(fde::bench::read_variant("relaxation", {"gamma=0.7"}));
-  const fde::bench::AccuracyTarget target{
-      {fde::Norm::end, fde::bench::Scale::mixed}, 1e-5, fde::bench::all_columns(scene)};
-  const auto candidates = fde::bench::search(scene, target, 2.0, [](const std::string&, double) {});
-  for (const fde::bench::SearchCandidate& candidate : candidates) {
-    if (candidate.outcome != fde::bench::SearchOutcome::accuracy_reached) continue;
-    std::printf("%s N = %d grading %g: error %.1e\n", std::string(candidate.configuration.scheme->id).c_str(),
-                candidate.best.steps, candidate.configuration.grading, candidate.best.error().value);
-  }
+  const auto variant = bench::read_variant("relaxation", {"gamma=0.7"});
+  const bench::Scene scene = bench::make_scene(variant);
+  const auto made =
+      bench::choose(scene, {.error = 1e-5, .kind = {fde::Norm::end, bench::Scale::mixed}, .seconds = 2.0});
+  const bench::RecommendedRun& best = made.options.front();
+  const auto table = bench::solve(scene, {.scheme = best.schemes.front(), .settings = best.settings});
+  const auto known = bench::exact(scene, {scene.problem.end});
+  std::printf("%s with N = %d: %.8f, exactly %.8f\n", best.schemes.front().c_str(), best.steps,
+              table.values(0, table.values.cols() - 1), known.values(0, 0));
+  for (const bench::Record& run : bench::sweep({.scenes = {variant},
+                                  .schemes = {fde::find_scheme("product_trapezoidal")},
+                                  .resolutions = {64, 128, 256}}))
+    std::printf("N = %d: error %.1e\n", run.steps, run["error_end"].value_or(NAN));
 }

@@ -140,8 +140,8 @@ TEST(Search, TriesSchemesThatChooseTheirSteps) {
   const auto configuration = std::ranges::find(
       found, "spectral_collocation", [](const SearchCandidate& of) { return of.configuration.scheme->id; });
   ASSERT_EQ(configuration->outcome, SearchOutcome::accuracy_reached);
-  EXPECT_LE(configuration->best.error, 1e-8);
-  EXPECT_TRUE(configuration->best.requested_tolerance.has_value());
+  EXPECT_LE(configuration->best.error().value, 1e-8);
+  EXPECT_TRUE(std::holds_alternative<Tolerance>(configuration->best.resolution));
 }
 
 // E_{1/2}(-t^{1/2}) falls within the first steps of an interval of length 1e40, far below the times at which

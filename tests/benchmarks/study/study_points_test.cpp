@@ -109,11 +109,14 @@ TEST(StudyTexts, AreReadBackToTheSameScenesAndSettings) {
   EXPECT_EQ(points_of(copy), points_of(study));
   ASSERT_EQ(copy.families.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(copy.families[i].settings.size(), 9U);
-    for (const auto& [key, setting] : study.families[i].settings)
-      EXPECT_EQ(copy.families[i].settings.at(key).texts, setting.texts) << key;
+    const StudySettings& of = study.families[i].settings;
+    EXPECT_EQ(of.places.size(), 9U);
+    EXPECT_EQ(text_of(copy.families[i].settings), text_of(of));
+    EXPECT_EQ(of.request.settings.grading, 2.0);
+    EXPECT_EQ(of.request.programs.front().command, "./a \"b\"");
   }
-  EXPECT_THAT(study.families[1].settings.at("schemes").texts, ElementsAre("l1"));
+  EXPECT_THAT(study.families[1].settings.request.schemes, ElementsAre(find_scheme("l1")));
+  EXPECT_EQ(study.families[0].settings.request.schemes.size(), 2U);
 }
 
 }  // namespace
