@@ -165,7 +165,7 @@ std::string line_of(const SceneDescription& scene) {
   return text + '\n';
 }
 
-std::string line_of(const Record& run) {
+Json json_of(const Record& run) {
   Json json = json_of(run.key);
   json.update({{"steps", run.steps}, {"end", number_of(run.end)}, {"ending", name(run.ending.kind)}});
   if (!run.ending.detail.empty()) json["detail"] = run.ending.detail;
@@ -175,8 +175,10 @@ std::string line_of(const Record& run) {
   if (!run.values.empty()) json["values"] = json_of(run.values);
   if (!run.courses.empty()) json["courses"] = run.courses;
   add(run.timing, json);
-  return json.dump() + '\n';
+  return json;
 }
+
+std::string line_of(const Record& run) { return json_of(run).dump() + '\n'; }
 
 std::string line_of(const LaterTimes& times) {
   Json json = json_of(times.key);

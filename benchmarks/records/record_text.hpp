@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@ namespace fde::bench {
 // session. A scene whose line would be longer than most_line_bytes is written without its parameters; if that
 // does not suffice, also without its equations, then its solution.
 using ResultsLine = std::variant<Session, SceneDescription, Record, LaterTimes>;
+
+// A run as its line has it.
+nlohmann::json json_of(const Record& run);
 
 std::string line_of(const Session& session);
 std::string line_of(const SceneDescription& scene);

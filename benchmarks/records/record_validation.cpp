@@ -97,6 +97,8 @@ std::string_view unit_of(std::string_view quantity) {
   return known == nullptr ? "" : known->unit;
 }
 
+bool is_measure(std::string_view quantity) { return find_quantity(quantity) != nullptr; }
+
 void require_external_name(std::string_view name, std::string_view text) {
   require_name(name, text);
   if (find_scheme(text) != nullptr) reject_text(name, text, "another name than those of our schemes");

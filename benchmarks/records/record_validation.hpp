@@ -23,4 +23,7 @@ void require_external_name(std::string_view name, std::string_view text);
 // The unit of a measure; empty for one without a unit or of another build.
 std::string_view unit_of(std::string_view quantity);
 
+// Whether this build has a measure with this id.
+bool is_measure(std::string_view quantity);
+
 }  // namespace fde::bench

@@ -21,7 +21,6 @@ constexpr int most_direct_steps = 1 << 21;  // more steps take hours
 
 constexpr double rounding = 1e-12;
 
-constexpr Range gradings{.low = 1.0, .high = 100.0};
 
 // Of the values of a request that a struct can hold and a run cannot have.
 void require_ranges(const SolveRequest& request) {

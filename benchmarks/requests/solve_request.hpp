@@ -20,7 +20,7 @@ namespace fde::bench {
 inline constexpr int most_steps = 1'000'000'000;  // the weights are tested up to this lag
 inline constexpr int most_rows = 10'000'000;      // of a table
 inline constexpr CountRange step_counts{1, most_steps}, point_counts{2, most_rows}, thread_counts{1, 1024};
-inline constexpr Range newton_tolerances{.low = 0.0, .high = 1.0};
+inline constexpr Range newton_tolerances{.low = 0.0, .high = 1.0}, gradings{.low = 1.0, .high = 100.0};
 
 // The times of a table: all times of the run; times of its grid, in any order; each k-th time of the grid and
 // the last; or so many from 0 to the end, equally spaced in the number of the step, or in time without a

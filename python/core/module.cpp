@@ -21,10 +21,12 @@
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
+#include "fdebench/benchmarks/records/record_text.hpp"
 #include "fdebench/benchmarks/requests/answers_json.hpp"
 #include "fdebench/benchmarks/requests/choice.hpp"
 #include "fdebench/benchmarks/requests/exact.hpp"
 #include "fdebench/benchmarks/requests/own_problem.hpp"
+#include "fdebench/benchmarks/requests/recorded_sweep.hpp"
 #include "fdebench/benchmarks/requests/solve.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
@@ -69,11 +71,6 @@ Scene scene_of(const std::string& name, const std::vector<std::string>& settings
   if (problem != nullptr) return *problem;
   const SceneRegistry all = named_scenes();
   return make(read_variant(name, settings, all));
-}
-
-// One row of the array for each column of the matrix.
-py::array_t<double> array_of(const Rows& values) {
-  return py::array_t<double>({values.cols(), values.rows()}, values.data());
 }
 
 // The value with the types of Python.
@@ -163,19 +160,68 @@ py::list facts_of_all(const Entries& entries) {
   return object_of(all);
 }
 
-// Dictionary of what is chosen. `columns`: names with commas between them; None: all. `schemes`: functions by
-// the ids of the schemes, see python_scheme.
+// Functions of Python by the ids of schemes and of measures; see python_scheme and python_measure.
+using Functions = std::map<std::string, py::object>;
+
+std::vector<OwnMeasure> measures_of(const Functions& functions) {
+  std::vector<OwnMeasure> measures;
+  for (const auto& [id, value] : functions) measures.push_back(python_measure(id, value));
+  return measures;
+}
+
+// The refusal of a sweep with the arguments of Python for its fields.
+Refusal said_of_sweep(const Refusal& refusal) {
+  return refusal.said([](const std::string& field) {
+    return field == "scheme" ? "schemes" : field == "accuracy" ? "accuracies" : field;
+  });
+}
+
+// List of the runs of a sweep, a dictionary each, as a line of a results file has them. `scenes`: names with
+// their settings NAME=VALUE. `schemes`: None for a scheme of ours. `results`: the file; None: there is none.
+py::object sweep_for(const std::vector<std::pair<std::string, std::vector<std::string>>>& scenes,
+                     const py::dict& schemes, const Functions& measures, const std::vector<int>& steps,
+                     const std::vector<double>& accuracies, const py::dict& given,
+                     const std::optional<std::string>& results) {
+  std::vector<std::unique_ptr<OwnScheme>> own;
+  const auto grading = parse_grid(given["grid"].cast<std::string>());
+  SweepRequest request{.measures = measures_of(measures),
+                       .settings = {.grading = grading.value_or(1.0),
+                                    .history = parse_history(given["history"].cast<std::string>())},
+                       .optimal_grading = !grading,
+                       .budget = find<double>(given, "budget"),
+                       .repeats = given["repeat"].cast<int>()};
+  if (const auto tolerance = find<double>(given, "tolerance")) request.settings.newton_tolerance = *tolerance;
+  for (const auto& [name, states] : schemes) {
+    const auto id = name.cast<std::string>();
+    if (!states.is_none()) own.push_back(python_scheme(id, py::reinterpret_borrow<py::object>(states)));
+    request.schemes.push_back(states.is_none() ? &scheme_named(id) : &own.back()->scheme());
+  }
+  request.resolutions.assign(steps.begin(), steps.end());
+  for (const double one : accuracies) request.resolutions.emplace_back(Tolerance{.rtol = one, .atol = one});
+  const auto runs = without_gil([&] {
+    const SceneRegistry all = named_scenes();
+    for (const auto& [name, settings] : scenes) request.scenes.push_back(read_variant(name, settings, all));
+    auto lines = nlohmann::json::array();
+    for (const Record& run : results ? sweep(request, *results) : sweep(request))
+      lines.push_back(json_of(run));
+    return lines;
+  });
+  return object_of(runs);
+}
+
+// Dictionary of what is chosen. `columns`: names with commas between them; None: all.
 py::object choose_for(const std::string& name, const std::vector<std::string>& settings, const Scene* problem,
                       double error, const std::string& norm, const std::string& scale,
                       const std::optional<std::string>& columns, double seconds, const std::string& runs,
-                      const std::map<std::string, py::object>& schemes) {
+                      const Functions& schemes, const Functions& measures) {
   std::vector<std::unique_ptr<OwnScheme>> own;
   for (const auto& [id, states] : schemes) own.push_back(python_scheme(id, states));
   ChoiceRequest request{.error = error,
                         .kind = {parse_norm(norm), parse_scale(scale)},
                         .columns = columns ? split_names(*columns) : std::vector<std::string>(),
                         .seconds = seconds,
-                        .first_run = parse_first_run(runs)};
+                        .first_run = parse_first_run(runs),
+                        .measures = measures_of(measures)};
   for (const auto& scheme : own) request.schemes.push_back(&scheme->scheme());
   const auto facts = without_gil([&] {
     if (problem != nullptr) return json_of(choose(*problem, request));
@@ -252,6 +298,7 @@ PYBIND11_MODULE(_core, module) {
   module.def("facts", facts);
   module.def("solve", solve_for);
   module.def("choose", choose_for);
+  module.def("sweep", sweep_for);
   module.def("exact", exact_of);
   module.def("exact_in_digits", exact_decimals);
   module.def("mittag_leffler", mittag_leffler_of);

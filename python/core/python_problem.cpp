@@ -129,6 +129,22 @@ std::unique_ptr<OwnScheme> python_scheme(const std::string& id, const py::object
       });
 }
 
+py::array_t<double> array_of(const Rows& values) {
+  return py::array_t<double>({values.cols(), values.rows()}, values.data());
+}
+
+OwnMeasure python_measure(const std::string& id, const py::object& value) {
+  return {id,
+          [function = shared(value)](const std::vector<double>& times, const Rows& values,
+                                     const Rows& reference) -> std::optional<double> {
+            const py::gil_scoped_acquire lock;
+            const py::object known = reference.cols() > 0 ? py::object(array_of(reference)) : py::none();
+            const py::array_t<double> at(std::ssize(times), times.data());
+            const py::object result = (*function)(at, array_of(values), known);
+            return result.is_none() ? std::nullopt : std::optional(result.cast<double>());
+          }};
+}
+
 void define_posed_problem(py::module_& module) {
   const auto orders = [](const Problem& problem) {
     std::vector<double> all;

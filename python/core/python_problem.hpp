@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/measures/own_measure.hpp"
 #include "fdebench/benchmarks/requests/own_scheme.hpp"
 #include "fdebench/benchmarks/scenes/scene.hpp"
 
@@ -25,6 +27,13 @@ Scene python_scene(const std::vector<double>& orders, const std::vector<std::vec
 // A scheme states(problem, times) -> array of shape (len(times), n), a Python function; it propagates
 // exceptions as the right-hand side does.
 std::unique_ptr<OwnScheme> python_scheme(const std::string& id, const pybind11::object& states);
+
+// A measure value(times, values, reference) -> number or None, a Python function of arrays with one row a
+// time; the reference is None where there is none.
+OwnMeasure python_measure(const std::string& id, const pybind11::object& value);
+
+// One row of the array for each column of the matrix.
+pybind11::array_t<double> array_of(const Rows& values);
 
 // The class of `problem` there: orders, initial, end, rhs(t, y).
 void define_posed_problem(pybind11::module_& module);

@@ -22,7 +22,7 @@ from . import _core
 from ._exact import Digits, Exact, exact, mittag_leffler, mittag_leffler_digits
 from ._failure import DoubtfulResult, NumericalFailure
 from ._scene import Problem, Scene, Scheme, scene_facts, scenes, schemes
-from ._solve import Solution, choose, solve
+from ._solve import Solution, choose, solve, sweep
 
 __version__ = _core.version()
 
@@ -44,4 +44,5 @@ __all__ = [
     "scenes",
     "schemes",
     "solve",
+    "sweep",
 ]

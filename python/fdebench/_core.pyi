@@ -11,6 +11,8 @@ Rhs = Callable[[float, NDArray[numpy.float64]], ArrayLike]
 
 States = Callable[["PosedProblem", NDArray[numpy.float64]], ArrayLike]
 
+Value = Callable[[NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.float64] | None], float | None]
+
 class PosedProblem:
     orders: list[float]
     initial: list[list[float]]
@@ -39,8 +41,12 @@ def solve(
 ) -> tuple[list[str], NDArray[numpy.float64], NDArray[numpy.float64], str, dict[str, Any], list[str] | None]: ...
 def choose(
     name: str, settings: Sequence[str], problem: Problem | None, error: float, norm: str, scale: str, columns: str | None, seconds: float, runs: str,
-    schemes: dict[str, States],
+    schemes: dict[str, States], measures: dict[str, Value],
 ) -> dict[str, Any]: ...
+def sweep(
+    scenes: Sequence[tuple[str, Sequence[str]]], schemes: dict[str, States | None], measures: dict[str, Value], steps: Sequence[int],
+    accuracies: Sequence[float], given: dict[str, Any], results: str | None
+) -> list[dict[str, Any]]: ...
 def exact(
     name: str, settings: Sequence[str], problem: Problem | None, times: Sequence[float]
 ) -> tuple[list[str], NDArray[numpy.float64], NDArray[numpy.float64]]: ...

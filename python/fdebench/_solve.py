@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._failure import DoubtfulResult
-from ._scene import Problem, Scene, _integer, _known, _real, _reals, _text
+from ._scene import Problem, Scene, _integer, _known, _listed, _real, _reals, _text
 
 
 class Solution(Mapping[str, NDArray[numpy.float64]]):
@@ -112,6 +112,7 @@ def choose(
     seconds: float | None = None,
     runs: str | int = "many",
     schemes: Mapping[str, _core.States] | None = None,
+    measures: Mapping[str, _core.Value] | None = None,
 ) -> dict[str, Any]:
     """The scheme, grid and number of steps to take for an accuracy, found by making runs.
 
@@ -119,7 +120,10 @@ def choose(
     |e| / max |y|. ``columns``: those that count; default all. ``seconds``: for the search; default 60. ``runs``: "1" ranks by the first run of a process, which
     computes start weights and tables, "many" by later runs. ``schemes``: schemes of one's own by their names, functions
     ``states(problem, times)`` that return y at all these times, an array of shape (len(times), unknowns); they are tried beside
-    all others, on the grids that suit them. ``problem`` has ``orders``, ``initial``, ``end`` and ``rhs(t, y)``. Returns the fields that ``fdebench choose --json`` has: scheme,
+    all others, on the grids that suit them. ``problem`` has ``orders``, ``initial``, ``end`` and ``rhs(t, y)``.
+    ``measures``: measures of one's own by their names, functions ``value(times, values, reference)`` of arrays with a row a time and a
+    column for each of the scene that return a number, or None where they do not apply; ``reference`` is None where there is none. Their
+    values stand under ``measures``. Returns the fields that ``fdebench choose --json`` has: scheme,
     grid, steps, error, seconds, runner_up, ...; of a problem or a scheme of one's own ``command`` is None. Raises NumericalFailure where no
     run is within the accuracy. Solve what was found with ``solve(..., steps, grid=grid)``, or with ``accuracy=asked`` where
     ``asked`` is not None: a scheme that chooses its own steps.
@@ -133,10 +137,55 @@ def choose(
     >>> choose("relaxation", error=1e-10, seconds=5, schemes={"closed_form": closed_form})["scheme"]
     'closed_form'
     """
-    own = dict(schemes or {})
-    for name, states in own.items():
-        if not isinstance(name, str) or not callable(states):
-            raise TypeError(f"schemes = {{{name!r}: {states!r}}}: must be functions by the names of the schemes")
     counted = None if columns is None else _text("columns", columns)
     return _core.choose(*_known(scene)._posed, _real("error", error), _text("norm", norm), _text("scale", scale),
-                        counted, 60.0 if seconds is None else _real("seconds", seconds), _text("runs", runs), own)
+                        counted, 60.0 if seconds is None else _real("seconds", seconds), _text("runs", runs), _functions("schemes", schemes),
+                        _functions("measures", measures))
+
+
+def sweep(
+    scenes: Sequence[str | os.PathLike[str] | Scene],
+    *,
+    schemes: Sequence[str] | Mapping[str, _core.States | None] = (),
+    steps: Sequence[int] = (),
+    accuracies: Sequence[float] = (),
+    grid: str = "uniform",
+    history: str = "auto",
+    tolerance: float | None = None,
+    budget: float | None = None,
+    repeat: int = 3,
+    measures: Mapping[str, _core.Value] | None = None,
+    results: str | os.PathLike[str] | None = None,
+) -> list[dict[str, Any]]:
+    """Measure schemes on scenes, as ``fdebench run`` does: errors of all kinds, costs and times.
+
+    ``schemes``: ids, default all; or a mapping of names, to None for a scheme of fdebench and to a function ``states(problem, times)``
+    for one of one's own, as in ``choose``. ``steps`` are taken by schemes over grids, ``accuracies`` by those that choose their steps;
+    without both the cheapest runs within the errors 1e-2, ..., 1e-12 are searched. ``repeat``: how often each run is timed.
+    ``measures``: as in ``choose``; their values stand beside ours, under ``values``. ``results``: a results file that the runs are added
+    to; one that it has is not made again, and gets no new measure. ``fdebench report`` makes a page of the file. Returns a dictionary for
+    each run, as its line of a results file: scene, scheme, steps, ending, values, time.
+
+    >>> runs = sweep(["relaxation"], schemes=["l1", "bdf2"], steps=[64, 128], measures={"last": lambda times, values, reference: values[-1, 0]})
+    >>> [(run["scheme"], run["steps"], run["values"]["error_end"] < 1e-2, round(run["values"]["last"], 2)) for run in runs[:2]]
+    [('bdf2', 64, True, 0.43), ('l1', 64, True, 0.43)]
+    """
+    named = schemes if isinstance(schemes, Mapping) else dict.fromkeys(_listed("schemes", schemes))
+    ours = {name: states for name, states in named.items() if states is None}
+    given: dict[str, Any] = {"grid": _text("grid", grid), "history": _text("history", history), "repeat": _integer("repeat", repeat)}
+    given |= {name: _real(name, value) for name, value in {"tolerance": tolerance, "budget": budget}.items() if value is not None}
+    posed = [_known(scene)._posed for scene in _listed("scenes", scenes)]
+    if any(problem is not None for _, _, problem in posed):
+        raise TypeError("scenes: must be scenes; a problem of one's own has no line in a results file")
+    functions = _functions("schemes", {name: states for name, states in named.items() if states is not None})
+    return _core.sweep([(name, settings) for name, settings, _ in posed], ours | functions, _functions("measures", measures),
+                       [_integer("steps", one) for one in _listed("steps", steps)],
+                       [_real("accuracies", one) for one in _listed("accuracies", accuracies)], given,
+                       None if results is None else os.fspath(results))
+
+
+def _functions(name: str, functions: Mapping[str, Any] | None) -> dict[str, Any]:
+    for key, one in (functions or {}).items():
+        if not isinstance(key, str) or not callable(one):
+            raise TypeError(f"{name} = {{{key!r}: {one!r}}}: must be functions by the names of the {name}")
+    return dict(functions or {})

@@ -7,10 +7,12 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include "fdebench/benchmarks/records/record_validation.hpp"
 #include "fdebench/reports/page/facts.hpp"
 
 namespace fde::bench {
@@ -34,6 +36,15 @@ std::optional<double> common_end(const std::vector<const Record*>& runs) {
     if (std::abs(end_of_run - *end) > 1e-9 * *end) return std::nullopt;
   }
   return end;
+}
+
+// The quantities of these runs that are no measures of ours.
+std::set<std::string> quantities_of_others(const std::vector<const Record*>& runs) {
+  std::set<std::string> names;
+  for (const Record* run : runs)
+    for (const auto& [quantity, value] : run->values)
+      if (!is_measure(quantity)) names.emplace(quantity);
+  return names;
 }
 
 json requested_tolerance(const Record& run) {
@@ -69,6 +80,8 @@ json run_columns(const PageInput& page, const std::vector<const Record*>& runs) 
     add(std::string(name), [&](const Record& run) { return chart_number(run[name]); });
   for (const auto name : cost_names)
     add(std::string(name), [&](const Record& run) { return chart_number(run[name], few_digits); });
+  for (const auto& name : quantities_of_others(runs))
+    add("own " + name, [&](const Record& run) { return chart_number(run[name], few_digits); });
   add("grading", [](const Record& run) {
     return run.key.settings.grading == 1.0 ? json() : json(run.key.settings.grading);
   });

@@ -41,6 +41,7 @@ function wordsOf(row, coarser, kind, kinds, { parameter, made }) {
   add("Newton iterations", row.newton_iterations, String);
   add("rejected steps", row.rejected_steps, String);
   add("memory of the history", row.history_bytes, bytesText);
+  for (const [name, value] of Object.entries(row)) if (name.startsWith("own ")) add(name.slice(4), value, fewDigits);
   return { ...words, ...made?.[(row.session ?? 1) - 1] };
 }
 

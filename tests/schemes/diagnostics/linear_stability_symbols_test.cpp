@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "fdebench/schemes/diagnostics/stability_region.hpp"
+#include "fdebench/schemes/history/symbols/generating_function.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
