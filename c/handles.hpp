@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "fdebench/benchmarks/scenes/scene.hpp"
-#include "fdebench/benchmarks/text/count_range.hpp"
 #include "fdebench/benchmarks/text/range.hpp"
 
 namespace fde::bench::c {

@@ -14,6 +14,7 @@
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
+#include "fdebench/benchmarks/text/entry_named.hpp"
 
 namespace fde::bench {
 namespace {

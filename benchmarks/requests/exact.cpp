@@ -11,7 +11,7 @@
 
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
-#include "fdebench/benchmarks/text/count_range.hpp"
+#include "fdebench/benchmarks/text/range.hpp"
 #include "fdebench/benchmarks/text/refusal.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"

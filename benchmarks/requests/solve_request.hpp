@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "fdebench/benchmarks/records/run_settings.hpp"
-#include "fdebench/benchmarks/text/count_range.hpp"
 #include "fdebench/benchmarks/text/range.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 

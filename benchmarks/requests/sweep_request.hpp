@@ -8,7 +8,7 @@
 #include "fdebench/benchmarks/measures/own_measure.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
-#include "fdebench/benchmarks/text/count_range.hpp"
+#include "fdebench/benchmarks/text/range.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde::bench {

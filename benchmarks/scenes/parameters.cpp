@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/text/entry_named.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {

@@ -9,7 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "fdebench/benchmarks/text/entry_named.hpp"
 #include "fdebench/benchmarks/text/range.hpp"
 
 namespace fde::bench {

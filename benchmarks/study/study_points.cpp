@@ -9,8 +9,8 @@
 
 #include "fdebench/benchmarks/study/exact_numbers.hpp"
 #include "fdebench/benchmarks/study/study.hpp"
-#include "fdebench/benchmarks/text/count_range.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
+#include "fdebench/benchmarks/text/range.hpp"
 
 namespace fde::bench {
 namespace {

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "fdebench/benchmarks/text/count_range.hpp"
+#include "fdebench/benchmarks/text/range.hpp"
 
 namespace fde::bench {
 namespace {

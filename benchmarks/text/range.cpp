@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "fdebench/benchmarks/text/count_range.hpp"
-
 namespace fde::bench {
 
 bool Range::contains(double value) const {

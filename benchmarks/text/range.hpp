@@ -25,4 +25,11 @@ constexpr Range order_up_to_two{.low = 0.0, .high = 2.0, .open_low = true};
 constexpr Range order_below_one{.low = 0.0, .high = 1.0, .open_low = true, .open_high = true};
 constexpr Range order_below_two{.low = 0.0, .high = 2.0, .open_low = true, .open_high = true};
 
+// Allowed whole numbers, both ends among them.
+struct CountRange {
+  int lowest = 0, highest = 0;
+
+  [[nodiscard]] std::string text() const;  // "a whole number from 1 to 100"
+};
+
 }  // namespace fde::bench

@@ -8,7 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "fdebench/benchmarks/text/count_range.hpp"
 #include "fdebench/benchmarks/text/range.hpp"
 
 namespace fde::bench {
