@@ -83,13 +83,25 @@ def rule(problem, times):
 own = {"mine": rule, "none": lambda problem, times: numpy.full((len(times), len(problem.orders)), numpy.nan)}
 numpy.seterr(all="ignore")
 error = float(sys.argv[2])
+def size(times, values, reference):
+    assert values.shape == reference.shape and len(values) == len(times)
+    return float(abs(values).max())
 try:
-    answer = fdebench.choose(sys.argv[1], error=error, norm=sys.argv[3], scale=sys.argv[4], runs=sys.argv[5], seconds=2, schemes=own)
+    answer = fdebench.choose(sys.argv[1], error=error, norm=sys.argv[3], scale=sys.argv[4], runs=sys.argv[5], seconds=2, schemes=own,
+                             measures={"size": size})
 except (ValueError, fdebench.NumericalFailure):
     sys.exit()
 assert answer["error"] <= error, answer
 assert answer["scheme"] != "none", answer
 assert (answer["command"] is None) == (answer["scheme"] == "mine"), answer
+assert answer["measures"]["size"] >= 0.0, answer
+names = {answer["scheme"]: own.get(answer["scheme"]), "mine": rule, "none": own["none"]}
+file = sys.argv[6]
+for _ in range(2):
+    runs = fdebench.sweep([sys.argv[1]], schemes=names, steps=[3, 8], accuracies=[1e-2], repeat=1, measures={"size": size}, results=file)
+    assert {run["scheme"] for run in runs} == set(names), runs
+    assert all(run["ending"] != "finished" or run["values"]["size"] >= 0.0 for run in runs), runs
+    assert all(run["ending"] != "finished" for run in runs if run["scheme"] == "none"), runs
 """
 
 
@@ -102,4 +114,8 @@ def drawn_choice(random: Random, lists: Lists) -> Case:
 
 @must_hold(drawn_choice, 0.2)
 def python_schemes(program: Program, case: Case, lists: Lists) -> None:
-    python(program, OWN, case.problem()[0], *(case.options[name] for name in ("--error", "--norm", "--scale", "--runs")))
+    options = (case.options[name] for name in ("--error", "--norm", "--scale", "--runs"))
+    if python(program, OWN, case.problem()[0], *options, "own.jsonl") and (program.folder / "own.jsonl").exists():
+        page = program.run("report", "own.jsonl", "--out", "own")
+        if not page.done:
+            raise Fault("differs", f"no page of a file with runs of one's own: {page.err}")

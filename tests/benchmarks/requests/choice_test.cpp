@@ -49,6 +49,21 @@ TEST(Choice, TriesASchemeOfTheCallerBesideOurs) {
   EXPECT_NE(runner_up(made), nullptr);
 }
 
+// y(1) = e erfc(1) within the error that is asked for.
+TEST(Choice, TakesMeasuresOfTheCallerOfTheRunsWithinTheError) {
+  ChoiceRequest request = with_schemes(1e-6, {});
+  request.measures = {{"last", [](const auto&, const Rows& values, const Rows&) -> std::optional<double> {
+                         return values(0, values.cols() - 1);
+                       }}};
+  const auto made = choose(scene_of("relaxation"), request, {"relaxation"});
+  for (const auto& option : made.options) {
+    ASSERT_TRUE(option.measured["last"]) << option.schemes.front();
+    EXPECT_NEAR(*option.measured["last"], std::exp(1.0) * std::erfc(1.0), 2e-6) << option.schemes.front();
+  }
+  EXPECT_EQ(json_of(made)["measures"]["last"], *made.options.front().measured["last"]);
+  EXPECT_THAT(to_text(made), testing::HasSubstr("; last 0.428"));
+}
+
 TEST(Choice, SaysWhyASchemeOfTheCallerHasNoRun) {
   const OwnScheme wrong("wrong", [](const Problem& problem, const std::vector<double>& times) -> Rows {
     return Rows::Constant(problem.size(), std::ssize(times), std::nan(""));
