@@ -24,6 +24,10 @@ BEGIN(charts)
   TEXT(page/say.js)
   TEXT(page/statements.js)
   TEXT(page/runs.js)
+  .ascii "const placesOfSchemes = {"
+#define FDE_SCHEME(id, mark) .ascii QUOTED(id), ": ", QUOTED(mark), ", "
+#include "../schemes/list.def"
+  .ascii "};\n"
   TEXT(page/scheme_marks.js)
   TEXT(page/charts.js)
   TEXT(page/section_charts.js)

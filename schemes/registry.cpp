@@ -82,13 +82,13 @@ std::optional<std::string> unsupported_checkpoints_reason(const Scheme& scheme, 
 }
 
 // list.def has one line a scheme; the function Scheme <id>() defines it.
-#define FDE_SCHEME(id) Scheme id();
+#define FDE_SCHEME(id, mark) Scheme id();
 #include "fdebench/schemes/list.def"
 #undef FDE_SCHEME
 
 std::span<const Scheme> schemes() {
   static const std::array all{
-#define FDE_SCHEME(id) id(),
+#define FDE_SCHEME(id, mark) id(),
 #include "fdebench/schemes/list.def"
 #undef FDE_SCHEME
   };

@@ -50,14 +50,44 @@ std::string printable(std::string_view message) {
   return line;
 }
 
-std::vector<Command> commands() {
-  std::vector<Command> all{
-      solve_command(),    choose_command(),    run_command(),   report_command(),         study_command(),
-      judge_command(),    compare_command(),   merge_command(), export_command(),         plot_command(),
-      scenes_command(),   schemes_command(),   exact_command(), mittag_leffler_command(), stability_command(),
-      geometry_command(), reference_command(), help_command(),  completion_command()};
-  for (auto& command : all) set_choices(command.text.arguments);
-  return all;
+// A subcommand by its name, made when it is called or its texts are asked for.
+struct NamedCommand {
+  std::string_view name;
+  Command (*declared)();
+
+  [[nodiscard]] Command made() const {
+    Command command = declared();
+    set_choices(command.text.arguments);
+    return command;
+  }
+};
+constexpr std::array commands{NamedCommand{"solve", solve_command},
+                              NamedCommand{"choose", choose_command},
+                              NamedCommand{"run", run_command},
+                              NamedCommand{"report", report_command},
+                              NamedCommand{"study", study_command},
+                              NamedCommand{"judge", judge_command},
+                              NamedCommand{"compare", compare_command},
+                              NamedCommand{"merge", merge_command},
+                              NamedCommand{"export", export_command},
+                              NamedCommand{"plot", plot_command},
+                              NamedCommand{"scenes", scenes_command},
+                              NamedCommand{"schemes", schemes_command},
+                              NamedCommand{"exact", exact_command},
+                              NamedCommand{"mittag-leffler", mittag_leffler_command},
+                              NamedCommand{"stability", stability_command},
+                              NamedCommand{"geometry", geometry_command},
+                              NamedCommand{"reference", reference_command},
+                              NamedCommand{"help", help_command},
+                              NamedCommand{"completion", completion_command}};
+
+const NamedCommand& command_named(const std::string& name) {
+  const auto found = std::ranges::find(commands, name, &NamedCommand::name);
+  if (found != commands.end()) return *found;
+  std::vector<std::string_view> names;
+  for (const NamedCommand& command : commands) names.push_back(command.name);
+  throw std::invalid_argument(fmt::format("command {}: no such command{}; there are {}", name,
+                                          did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
 int complain(const Streams& streams, int code, std::string_view message) {
@@ -96,10 +126,9 @@ bool asks_for_version(std::span<const std::string> options) {
 }
 
 void run_words(std::vector<std::string> words, Streams& streams, const SceneRegistry& known) {
-  const auto program = program_text();
   const auto name = std::ranges::find_if(words, [](const auto& word) { return !word.starts_with('-'); });
   if (asks_for_version({words.begin(), name})) {
-    streams.out << program.version << '\n';
+    streams.out << this_session().version << '\n';
     return;
   }
   if (name == words.end()) {
@@ -107,27 +136,21 @@ void run_words(std::vector<std::string> words, Streams& streams, const SceneRegi
       throw std::invalid_argument(
           fmt::format("A subcommand is required; {} help lists the subcommands", name_of_program));
     }
-    streams.out << overview_text(program, output_style(streams));
+    streams.out << overview_text(program_text(), output_style(streams));
     return;
   }
-  const auto all = commands();
-  const auto command = std::ranges::find_if(all, [&](const Command& one) { return one.text.name == *name; });
-  if (command == all.end()) {
-    throw std::invalid_argument(fmt::format("command {}: no such command{}; there are {}", *name,
-                                            did_you_mean(*name, program.names()),
-                                            fmt::join(program.names(), ", ")));
-  }
+  const Command command = command_named(*name).made();
   words.erase(name);
-  const auto given = parse_words(command->text, words, streams.quiet);
-  given ? command->run(*given, streams, known)
-        : void(streams.out << help_text(program, command->text, output_style(streams)));
+  const auto given = parse_words(command.text, words, streams.quiet);
+  given ? command.run(*given, streams, known)
+        : void(streams.out << help_text(program_text(), command.text, output_style(streams)));
 }
 
 }  // namespace
 
 ProgramText program_text() {
   ProgramText program{.name = name_of_program, .what = purpose, .version = this_session().version};
-  for (auto& command : commands()) program.subcommands.push_back(std::move(command.text));
+  for (const NamedCommand& command : commands) program.subcommands.push_back(command.made().text);
   return program;
 }
 

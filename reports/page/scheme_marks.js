@@ -8,19 +8,15 @@ const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
 const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", isDark ? "#c4c8ce" : "#333333", "#8c564b"];
 const shapes = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down", "triangle-right", "triangle-left"];
 
-// The place of a scheme gives its mark: a new scheme comes last, and none moves. Those often drawn together have colours of their own.
-const schemesMarked = [
-  "adams_pc", "l1", "grunwald_letnikov", "product_trapezoidal", "bdf4", "spectral_collocation", "radau_exponentials", "fractional_trapezoidal",
-  "newton_gregory_3", "bdf6", "bdf5", "decoupled_multi_order", "multi_term_bdf2", "adaptive_trapezoidal", "l1_2", "multi_term_trapezoidal",
-  "multi_term_grunwald_letnikov", "newton_gregory_2", "adaptive_pc", "bdf2", "bdf3", "l2_1_sigma", "multi_term_pc", "commensurate_adams_pc",
-];
-
 // Every colour with every shape once: the colours in turn, with the next shapes in each round.
 const markAt = (place) => ({ colour: colours[place % colours.length], shape: shapes[(place + Math.floor(place / colours.length)) % shapes.length] });
 const places = Array.from({ length: colours.length * shapes.length }, (_, place) => place);
 
-// Of a scheme on another grid: its colour with another shape. What the list does not have, an external program, has what is left, in the
-// order of the lines; beyond 64 lines marks are repeated.
+// The place of the mark of a scheme: placesOfSchemes has the numbers of schemes/list.def (assets.S). -1: it is not in that list.
+const placeOf = (id) => (Object.hasOwn(placesOfSchemes, id) ? placesOfSchemes[id] : -1);
+
+// Of a scheme on another grid: its colour with another shape. What is not in that list, an external program or a
+// scheme of somebody's own, has what is left, in the order of the lines; beyond 64 lines marks are repeated.
 function marksOf(lines) {
   const marks = new Map();
   const used = new Set();
@@ -28,10 +24,10 @@ function marksOf(lines) {
     used.add(place);
     marks.set(line, markAt(place));
   };
-  for (const line of lines) if (schemesMarked.includes(line)) mark(line, schemesMarked.indexOf(line));
-  const isFree = (place) => !used.has(place), isLeft = (place) => isFree(place) && place >= schemesMarked.length;
+  for (const line of lines) if (placeOf(line) >= 0) mark(line, placeOf(line));
+  const isFree = (place) => !used.has(place), isLeft = (place) => isFree(place) && place >= Object.keys(placesOfSchemes).length;
   const give = (line, wanted) => mark(line, wanted.find(isLeft) ?? places.find(isLeft) ?? places.find(isFree) ?? marks.size % places.length);
-  const others = lines.filter((line) => !marks.has(line)), schemeAt = (line) => schemesMarked.indexOf(line.split(",")[0]);
+  const others = lines.filter((line) => !marks.has(line)), schemeAt = (line) => placeOf(line.split(",")[0]);
   for (const line of others.filter((one) => schemeAt(one) >= 0)) {
     const later = schemeAt(line) + colours.length * shapes.length / 2;
     give(line, places.map((_, round) => (later + round * colours.length) % places.length));
