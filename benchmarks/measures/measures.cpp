@@ -51,26 +51,26 @@ constexpr std::array all_of_time{
 
 using Value = std::optional<double>;
 
-template <Value RunObservations::*seen>
+template <Value RunObservations::*of>
 Value observed(const FinishedRun& run) {
-  return run.observed.*seen;
+  return run.observed.*of;
 }
 
 using OneDrift = std::optional<Drift> RunObservations::*;
 template <OneDrift drift>
 Value largest(const FinishedRun& run) {
-  const auto& seen = run.observed.*drift;
-  return seen ? Value(seen->largest) : std::nullopt;
+  const auto& of = run.observed.*drift;
+  return of ? Value(of->largest) : std::nullopt;
 }
 template <OneDrift drift>
 Value growth(const FinishedRun& run) {
-  const auto& seen = run.observed.*drift;
-  return seen ? seen->growth : std::nullopt;
+  const auto& of = run.observed.*drift;
+  return of ? of->growth : std::nullopt;
 }
 template <OneDrift drift>
 Course course(const FinishedRun& run) {
-  const auto& seen = run.observed.*drift;
-  return seen ? seen->course : Course{};
+  const auto& of = run.observed.*drift;
+  return of ? of->course : Course{};
 }
 
 template <auto count>

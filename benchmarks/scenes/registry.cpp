@@ -28,7 +28,7 @@ struct SceneRegistry::Entry {
 // Cache of the scenes made by the loader.
 struct SceneRegistry::LoadedScenes {
   std::mutex mutex;
-  std::deque<SceneFactory> makers;
+  std::deque<SceneFactory> factories;
 };
 
 SceneRegistry::SceneRegistry()
@@ -72,9 +72,9 @@ const SceneFactory& SceneRegistry::named(std::string_view id) const {
   if (const auto* const listed = find(id)) return scene_of(**listed);
   if (!loader_) throw_unknown_id("scene", id, ids());
   const std::scoped_lock lock(loaded_->mutex);
-  const auto before = std::ranges::find(loaded_->makers, id, &SceneFactory::id);
-  if (before != loaded_->makers.end()) return *before;
-  if (auto made = loader_(id)) return loaded_->makers.emplace_back(std::move(*made));
+  const auto before = std::ranges::find(loaded_->factories, id, &SceneFactory::id);
+  if (before != loaded_->factories.end()) return *before;
+  if (auto made = loader_(id)) return loaded_->factories.emplace_back(std::move(*made));
   throw_unknown_id("scene", id, ids());
 }
 

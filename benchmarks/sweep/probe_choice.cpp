@@ -72,15 +72,15 @@ class VariantProbes {
 }  // namespace
 
 ProbeChoice choose_probes(const std::vector<SceneVariant>& scenes) {
-  std::vector<const SceneFactory*> makers;  // in the order of their first scenes
+  std::vector<const SceneFactory*> factories;  // in the order of their first scenes
   std::map<const SceneFactory*, std::vector<std::size_t>> variants;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     auto& members = variants[scenes[i].factory];
-    if (members.empty()) makers.push_back(scenes[i].factory);
+    if (members.empty()) factories.push_back(scenes[i].factory);
     members.push_back(i);
   }
   ProbeChoice choice{.of = std::vector<std::size_t>(scenes.size())};
-  for (const auto* factory : makers) VariantProbes(scenes, std::move(variants[factory])).add_to(choice);
+  for (const auto* factory : factories) VariantProbes(scenes, std::move(variants[factory])).add_to(choice);
   return choice;
 }
 

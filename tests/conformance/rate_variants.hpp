@@ -76,7 +76,7 @@ inline std::vector<RateScene> variants() {
   // Constraints of whole order, in every form: the last is with multipliers, for implicit schemes only.
   for (const auto* scene :
        {"nonholonomic_particle", "knife_edge", "rolling_disc", "loxodrome", "isokinetic"}) {
-    for (const auto& form : parameter_named("formulation", scene, scene_maker(scene).parameters).choices) {
+    for (const auto& form : parameter_named("formulation", scene, scene_factory(scene).parameters).choices) {
       ParameterValues values{{"formulation", form}};
       if (scene == std::string_view("rolling_disc")) values["pull"] = 0.6;
       if (scene == std::string_view("loxodrome")) values["speed"] = 0.5;

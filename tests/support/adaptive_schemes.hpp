@@ -31,7 +31,7 @@ struct AccuracyRun {
 };
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest looks for this name.
 inline void PrintTo(const AccuracyRun& asked, std::ostream* out) {
-  *out << asked.scheme << ' ' << SceneVariant{&scene_maker(asked.scene), asked.values}.label();
+  *out << asked.scheme << ' ' << SceneVariant{&scene_factory(asked.scene), asked.values}.label();
 }
 inline constexpr auto name_of_run = [](const auto& test) {
   return as_identifier(testing::PrintToString(test.param));

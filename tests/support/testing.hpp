@@ -14,10 +14,10 @@
 
 namespace fde::bench {
 
-inline const SceneFactory& scene_maker(std::string_view id) { return *find_scene(id); }
+inline const SceneFactory& scene_factory(std::string_view id) { return *find_scene(id); }
 
 inline Scene scene_of(std::string_view id, const ParameterValues& values = {}) {
-  return make_scene(scene_maker(id), values);
+  return make_scene(scene_factory(id), values);
 }
 
 inline Trajectory solve(std::string_view scheme, const Problem& problem, const Resolution& resolution,

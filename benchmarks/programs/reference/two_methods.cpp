@@ -78,11 +78,11 @@ double difference_in_bounds(const Problem& problem) {
 int random_problems(int count) {
   std::mt19937_64 generator(
       1);  // NOLINT(bugprone-random-generator-seed,cert-msc51-cpp): the same problems each time
-  const auto makers = nonlinear_scenes();
+  const auto factories = nonlinear_scenes();
   std::uniform_real_distribution<double> end(0.3, 10.0);
   int without = 0, beyond = 0;
   for (int i = 0; i < count; ++i) {
-    const SceneFactory& factory = *makers[static_cast<std::size_t>(i) % makers.size()];
+    const SceneFactory& factory = *factories[static_cast<std::size_t>(i) % factories.size()];
     const auto values = drawn_values(factory, generator);
     std::string label = factory.id;
     for (const auto& [name, value] : values) label += fmt::format(" {}={}", name, to_text(value));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // choices SEED COUNT: asks `choose` COUNT random questions over the default scenes and compares each answer
 // with all runs of all schemes that take no longer, numbers of steps in a ratio of 1.1 on five gradings and
-// tolerances likewise. Prints CSV: the question, the answer, the quickest of these runs within the accuracy,
-// the ratio of their times, measured interleaved, and the seconds of the search.
+// tolerances likewise. Prints CSV: what is wanted, the answer, the quickest of these runs within the
+// accuracy, the ratio of their times, measured interleaved, and the seconds of the search.
 
 #include <fmt/format.h>
 
@@ -63,13 +63,13 @@ void try_all(RunEvaluator& evaluator, const Configuration& configuration, double
   }
 }
 
-struct Question {
+struct Wanted {
   SceneVariant scene;
   ErrorKind kind;
   double accuracy;
 };
 
-Question random_question(std::mt19937_64& random) {
+Wanted random_wanted(std::mt19937_64& random) {
   const auto scenes = default_scenes();
   const auto pick = [&](std::size_t count) {
     return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
@@ -96,10 +96,10 @@ Best best_of_all(const Scene& scene, const AccuracyTarget& target, double most_s
   return best;
 }
 
-void compare(const Question& question) {
-  Scene scene = make_scene(question.scene);
-  const AccuracyTarget target{question.kind, question.accuracy, all_columns(scene)};
-  fmt::print("{},{},{:g},", question.scene.label(), error_measure(question.kind), question.accuracy);
+void compare(const Wanted& wanted) {
+  Scene scene = make_scene(wanted.scene);
+  const AccuracyTarget target{wanted.kind, wanted.accuracy, all_columns(scene)};
+  fmt::print("{},{},{:g},", wanted.scene.label(), error_measure(wanted.kind), wanted.accuracy);
   std::vector<SearchCandidate> found;
   const auto start = std::chrono::steady_clock::now();
   try {
@@ -127,7 +127,7 @@ void compare(const Question& question) {
     ratio = times[0].median / times[1].median;
   }
   fmt::print("{},{},{},{:.3g},{:.3g},{},{},{},{:.2f},{:.2f}\n", first.configuration.scheme->id,
-             first.configuration.grading, first.best.steps, first.best.error().value / question.accuracy,
+             first.configuration.grading, first.best.steps, first.best.error().value / wanted.accuracy,
              first.time->median, is_found ? best.configuration.scheme->id : "none",
              best.configuration.grading, best.run.steps, ratio, taken.count());
 }
@@ -141,7 +141,7 @@ void choices(const Words& given) {
       "scene,kind,accuracy,scheme,grading,steps,part_of_accuracy,seconds,best,its_grading,its_steps,ratio,"
       "search_seconds\n");
   for (int i = 0; i < questions; ++i) {
-    compare(random_question(random));
+    compare(random_wanted(random));
     std::fflush(stdout);
   }
 }

@@ -79,7 +79,7 @@ TEST(AboveOrderOne, TheFormWithAMultiplierTakesOtherSteps) {
 
 // The reference does not depend on the formulation, nor on whether it can be posed: a.b = 0.
 TEST(AboveOrderOne, TheReferenceIsThatOfEveryFormulation) {
-  const SceneFactory& factory = scene_maker("fractional_constraint_2d");
+  const SceneFactory& factory = scene_factory("fractional_constraint_2d");
   ParameterValues values{{"alpha", 1.5}, {"b1", 0.6}, {"b2", -0.3}};
   const auto at_three = [&](const std::string& formulation) -> Vec {
     values["formulation"] = formulation;

@@ -54,7 +54,7 @@ std::optional<Scene> in_form(const ConstrainedMotion& motion, const std::string&
   ParameterValues values = motion.values;
   values["formulation"] = formulation;
   try {
-    return make_scene({.factory = &scene_maker(motion.scene), .values = values, .until = motion.end});
+    return make_scene({.factory = &scene_factory(motion.scene), .values = values, .until = motion.end});
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }

@@ -159,7 +159,7 @@ TEST(ExtremumResidual, IsTheDifferenceOfTheAccelerations) {
 // In two dimensions every constraint a(q) v = 0 is a multiple of the derivative of some phi(q): extremum and
 // motion coincide.
 TEST(ExtremumResidual, IsZeroWithTwoCoordinates) {
-  const ExtremumResidual residual(scene_maker("loxodrome").toml);
+  const ExtremumResidual residual(scene_factory("loxodrome").toml);
   const Eigen::Vector2d q(0.7, 0.2), v(0.4, 0.8 / std::sin(0.7)), acceleration(0.3, -0.9);
   EXPECT_LT(residual.at(0.0, q, v, acceleration, Vec::Constant(1, 1.5)).norm(), 1e-15);
 }

@@ -25,7 +25,7 @@ Vec slope_of(const Function& function, const Eigen::Vector2d& at, int k) {
 const Eigen::Vector2d place(0.7, 0.3), speed(0.4, -0.9);
 
 TEST(Derivatives, OfAConstraintAreThoseByDifferences) {
-  const DynamicsOfFile sphere(scene_maker("loxodrome").toml);
+  const DynamicsOfFile sphere(scene_factory("loxodrome").toml);
   const auto& motion = sphere.dynamics;
   const Matrix directions = sphere.values(motion.reaction_directions(), 0.0, {place, speed});
   double flow = 0.0;
@@ -40,7 +40,7 @@ TEST(Derivatives, OfAConstraintAreThoseByDifferences) {
 
 // G v' = -(d/dt (G v) - 1/2 grad(v'G v) - G v') without forces.
 TEST(Derivatives, OfAMetricAreThoseByDifferences) {
-  const DynamicsOfFile sphere(scene_maker("loxodrome").toml);
+  const DynamicsOfFile sphere(scene_factory("loxodrome").toml);
   const auto metric = [&](const Vec& q) { return sphere.values(sphere.dynamics.metric(), 0.0, {q, speed}); };
   const auto momentum = [&](const Vec& q) -> Vec { return metric(q) * speed; };
   Eigen::Vector2d terms = Eigen::Vector2d::Zero();
@@ -204,7 +204,7 @@ TEST(MechanicsParameters, AreRefusedWithWhatIsAllowed) {
             "theta0 = 0: must be a number in (0, 3.141592653589793)");
   EXPECT_EQ(complaint("rolling_disc", {{"m", -1.0}}), "m = -1: must be a finite number above 0");
   const auto& choices =
-      parameter_named("formulation", "isokinetic", scene_maker("isokinetic").parameters).choices;
+      parameter_named("formulation", "isokinetic", scene_factory("isokinetic").parameters).choices;
   EXPECT_EQ(choices, (std::vector<std::string>{"acceleration", "stabilised", "multiplier"}));
 }
 

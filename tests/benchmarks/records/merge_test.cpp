@@ -171,7 +171,7 @@ TEST(Shards, AreAllOfASweepTogether) {
 }
 
 TEST(Shards, BeyondTheScenesAreEmpty) {
-  const Sweep sweep{.scenes = {{&scene_maker("power")}}, .schemes = sweep_schemes(), .plan = {{8}}};
+  const Sweep sweep{.scenes = {{&scene_factory("power")}}, .schemes = sweep_schemes(), .plan = {{8}}};
   EXPECT_EQ(shard_of({sweep}, {.number = 1, .count = 2}).size(), 1U);
   EXPECT_TRUE(shard_of({sweep}, {.number = 2, .count = 2}).empty());
 }

@@ -8,8 +8,8 @@ namespace fde::bench {
 
 // Tables of two small scenes: one with digits, one whose parameters are not the defaults.
 inline std::vector<TableSpec> example_tables() {
-  auto tables = planned_tables({{.factory = &scene_maker("power")},
-                                {.factory = &scene_maker("relaxation"), .values = {{"gamma", 0.2}}}});
+  auto tables = planned_tables({{.factory = &scene_factory("power")},
+                                {.factory = &scene_factory("relaxation"), .values = {{"gamma", 0.2}}}});
   std::erase_if(tables, [](const auto& table) { return !table.kind->of_scenes(); });
   return tables;
 }

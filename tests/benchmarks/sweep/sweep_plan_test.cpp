@@ -73,7 +73,7 @@ class RecordedSweep {
 
 // Limits of time are disabled, so that only errors end the refinement.
 Sweep sweep_of_power() {
-  return {.scenes = {{&scene_maker("power")}},
+  return {.scenes = {{&scene_factory("power")}},
           .schemes = {find_scheme("product_trapezoidal"), find_scheme("adams_pc")},
           .plan = {.goal = SearchGoal{.targets = {{error_maximum, 1e-5}},
                                       .coarsest_steps = 64,
@@ -139,7 +139,7 @@ TEST(Forecasts, RefineAsTheSweepDoes) {
 
 // A scheme with adaptive step size refuses a number of steps at once, however large it is.
 TEST(Forecasts, GiveNoTimeToRunsThatAreRefused) {
-  const Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
+  const Sweep sweep{.scenes = {{&scene_factory("relaxation")}},
                     .schemes = {find_scheme("adaptive_pc"), find_scheme("l1")},
                     .plan = {.resolutions = {1 << 20, 1 << 26}}};
   const auto expected = forecast(sweep, [](const RunKey& /*run*/) { return std::optional<Record>(); });
@@ -155,7 +155,7 @@ TEST(Forecasts, GiveNoTimeToRunsThatAreRefused) {
 // A step of adaptive_pc is as dear at any tolerance, and its steps grow as E^(-1/2): a hundred times smaller
 // tolerances take about ten times as long, whatever the first solve of the process took.
 TEST(Forecasts, GrowWithTheStepsOfATolerance) {
-  Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
+  Sweep sweep{.scenes = {{&scene_factory("relaxation")}},
               .schemes = {find_scheme("adaptive_pc")},
               .plan = {.resolutions = {Tolerance{1e-5, 1e-5}, Tolerance{1e-9, 1e-9}}}};
   sweep.repeats = {.most = 1, .min_seconds = 0.0, .enough_seconds = 0.0};
@@ -169,7 +169,7 @@ TEST(Forecasts, GrowWithTheStepsOfATolerance) {
 
 // What two short solves foretell of a tolerance of 1e-13 may be years.
 TEST(Forecasts, OfARunAreWithinItsBudget) {
-  Sweep sweep{.scenes = {{&scene_maker("pendulum")}},
+  Sweep sweep{.scenes = {{&scene_factory("pendulum")}},
               .schemes = {find_scheme("adaptive_pc"), find_scheme("l1")},
               .plan = {.resolutions = {Tolerance{1e-13, 1e-13}, 100'000'000}}};
   sweep.settings.budget = 0.5;

@@ -47,7 +47,7 @@ TEST(Sweeps, DescribeASolutionWithAJumpSoThatItIsReadBack) {
   for (const double end : {30.0, 0.013}) {
     for (const double part : {0.4, 0.999}) {
       const SceneVariant variant{
-          .factory = &scene_maker("bagley_torvik"), .values = {{"load_until", part * end}}, .until = end};
+          .factory = &scene_factory("bagley_torvik"), .values = {{"load_until", part * end}}, .until = end};
       const Scene scene = make_scene(variant);
       MemoizedReference reference(scene);
       const auto line = line_of(describe(variant, scene, reference, true));
@@ -57,7 +57,7 @@ TEST(Sweeps, DescribeASolutionWithAJumpSoThatItIsReadBack) {
 }
 
 TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
-  const Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
+  const Sweep sweep{.scenes = {{&scene_factory("relaxation")}},
                     .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
                     .plan = {{16, 32}},
                     .repeats = {.most = 2}};
@@ -77,7 +77,7 @@ TEST(Sweeps, SkipWhatIsKnownAndMeasureTheRest) {
 // D^0.5 y = -y: f = -y has the powers 0, 1/2 and 1 of t at 0. The higher powers do not reduce the rate of
 // BDF2.
 TEST(Sweeps, RecordStartWeightsOfSchemesThatHaveThem) {
-  const auto [examined, timed] = appended({.scenes = {{&scene_maker("relaxation")}},
+  const auto [examined, timed] = appended({.scenes = {{&scene_factory("relaxation")}},
                                            .schemes = {find_scheme("grunwald_letnikov"), find_scheme("bdf2")},
                                            .plan = {{64, 64}},
                                            .repeats = {.most = 1}},
@@ -89,7 +89,7 @@ TEST(Sweeps, RecordStartWeightsOfSchemesThatHaveThem) {
 }
 
 TEST(Sweeps, ExamineFirstAndTimeLater) {
-  Sweep sweep{.scenes = {{&scene_maker("relaxation")}},
+  Sweep sweep{.scenes = {{&scene_factory("relaxation")}},
               .schemes = {find_scheme("l1")},
               .plan = {{16}},
               .examines_only = true};
@@ -108,7 +108,7 @@ TEST(Sweeps, ExamineFirstAndTimeLater) {
 }
 
 TEST(Sweeps, TimeAgainWhatWasDisturbedUpToALimit) {
-  Sweep sweep{.scenes = {{&scene_maker("relaxation")}}, .schemes = {find_scheme("l1")}, .plan = {{16}}};
+  Sweep sweep{.scenes = {{&scene_factory("relaxation")}}, .schemes = {find_scheme("l1")}, .plan = {{16}}};
   Record run = complete({.scene = {"relaxation"}, .scheme = "l1", .settings = sweep.settings});
   const auto timed = [&] {
     return appended(sweep, [&](const RunKey&) { return std::optional(run); }).timed.size();
@@ -124,7 +124,7 @@ TEST(Sweeps, TimeAgainWhatWasDisturbedUpToALimit) {
 }
 
 TEST(Sweeps, MeasureOnceWhatIsAskedForTwice) {
-  const SceneVariant power{&scene_maker("power")};
+  const SceneVariant power{&scene_factory("power")};
   const auto* l1 = find_scheme("l1");
   const auto [examined, timed] = appended(
       {.scenes = {power, power}, .schemes = {l1, l1}, .plan = {{16, 16}}, .repeats = {.most = 1}}, nothing);
@@ -149,7 +149,7 @@ std::vector<std::string> lines_of_sweep(const Sweep& sweep, const std::set<std::
 }
 
 TEST(Sweeps, DescribeASceneBeforeItsFirstRunUnlessItIsRecorded) {
-  const Sweep sweep{.scenes = {{&scene_maker("power")}, {&scene_maker("relaxation")}},
+  const Sweep sweep{.scenes = {{&scene_factory("power")}, {&scene_factory("relaxation")}},
                     .schemes = {find_scheme("l1")},
                     .plan = {{16, 32}},
                     .repeats = {.most = 1},
@@ -171,7 +171,7 @@ TEST(Sweeps, StopAtTheFirstFailureToWrite) {
   };
   EXPECT_THROW(
       run_sweep(
-          {.scenes = {{&scene_maker("power")}}, .schemes = {find_scheme("l1")}, .plan = {{16, 32}}},
+          {.scenes = {{&scene_factory("power")}}, .schemes = {find_scheme("l1")}, .plan = {{16, 32}}},
           {.recorded = nothing, .append = write, .append_times = write, .on_event = [](const auto&) {}}),
       std::runtime_error);
   EXPECT_EQ(calls, 1);
@@ -179,12 +179,13 @@ TEST(Sweeps, StopAtTheFirstFailureToWrite) {
 
 // The lines of the examined runs, scene by scene.
 std::vector<std::string> lines_with_threads(unsigned threads) {
-  const Sweep sweep{
-      .scenes = {{&scene_maker("relaxation")}, {&scene_maker("brusselator")}, {&scene_maker("pendulum")}},
-      .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
-      .plan = {{16, 600}},
-      .repeats = {.most = 1},
-      .threads = threads};
+  const Sweep sweep{.scenes = {{&scene_factory("relaxation")},
+                               {&scene_factory("brusselator")},
+                               {&scene_factory("pendulum")}},
+                    .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
+                    .plan = {{16, 600}},
+                    .repeats = {.most = 1},
+                    .threads = threads};
   auto examined = appended(sweep, nothing).examined;
   std::ranges::stable_sort(examined, {}, [](const Record& run) { return run.key.scene.id; });
   std::vector<std::string> lines;

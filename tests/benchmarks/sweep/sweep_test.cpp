@@ -20,7 +20,7 @@ constexpr auto no_report = [](const auto&) {};
 // A continued sweep times the examined runs without a second examination.
 TEST(ContinuedSweeps, TimeWhatIsExamined) {
   std::vector<std::string> examined, timed;
-  run_sweep({.scenes = {{&scene_maker("power")}},
+  run_sweep({.scenes = {{&scene_factory("power")}},
              .schemes = {find_scheme("l1"), find_scheme("adams_pc")},
              .plan = {{16}},
              .repeats = {.most = 1}},
@@ -56,7 +56,7 @@ std::string words_of(const SweepEvent& event) {
 
 TEST(Sweeps, TakeOneResolutionAfterTheOtherAndReportEachRun) {
   std::vector<std::string> events;
-  run_sweep({.scenes = {{&scene_maker("power")}},
+  run_sweep({.scenes = {{&scene_factory("power")}},
              .schemes = {find_scheme("l1")},
              .plan = {{16, 32}},
              .repeats = {.most = 1},
@@ -76,7 +76,7 @@ class SlowAppends : public testing::TestWithParam<int> {};
 TEST_P(SlowAppends, LoseNoExaminationAndNoTime) {
   std::multiset<RunKey> runs, times;
   const auto relaxation = [](double gamma) {
-    return SceneVariant{&scene_maker("relaxation"), {{"gamma", gamma}}};
+    return SceneVariant{&scene_factory("relaxation"), {{"gamma", gamma}}};
   };
   const Sweep sweep{.scenes = {relaxation(0.5), relaxation(0.6), relaxation(0.7), relaxation(0.8)},
                     .schemes = {find_scheme("l1"), find_scheme("adams_pc")},

@@ -138,7 +138,7 @@ TEST_P(AccuracyScheme, HasDenseOutputOfAlgebraicRows) {
 // A multiplier that starts like t^-0.38, which a first step does not resolve: at the end of the step the
 // constraint removes the error that this leaves in the velocities.
 TEST_P(AccuracyScheme, DenseOutputOfConstrainedRowsIsAccurateInTheFirstStep) {
-  const Scene scene = make_scene(scene_maker("fractional_constraint_2d"),
+  const Scene scene = make_scene(scene_factory("fractional_constraint_2d"),
                                  {{"alpha", 0.376}, {"formulation", std::string("multiplier")}});
   if (unsupported_reason(*GetParam(), scene.problem, Tolerance{1e-7, 1e-7}))
     GTEST_SKIP() << "takes no algebraic rows";
