@@ -202,8 +202,12 @@ py::object sweep_for(const std::vector<std::pair<std::string, std::vector<std::s
     const SceneRegistry all = named_scenes();
     for (const auto& [name, settings] : scenes) request.scenes.push_back(read_variant(name, settings, all));
     auto lines = nlohmann::json::array();
-    for (const Record& run : results ? sweep(request, *results) : sweep(request))
-      lines.push_back(json_of(run));
+    try {
+      const auto made = results ? sweep(request, *results) : sweep(request);
+      for (const Record& run : made) lines.push_back(json_of(run));
+    } catch (const Refusal& refusal) {
+      throw said_of_sweep(refusal);
+    }
     return lines;
   });
   return object_of(runs);

@@ -61,31 +61,31 @@ struct NamedCommand {
     return command;
   }
 };
-constexpr std::array commands{NamedCommand{"solve", solve_command},
-                              NamedCommand{"choose", choose_command},
-                              NamedCommand{"run", run_command},
-                              NamedCommand{"report", report_command},
-                              NamedCommand{"study", study_command},
-                              NamedCommand{"judge", judge_command},
-                              NamedCommand{"compare", compare_command},
-                              NamedCommand{"merge", merge_command},
-                              NamedCommand{"export", export_command},
-                              NamedCommand{"plot", plot_command},
-                              NamedCommand{"scenes", scenes_command},
-                              NamedCommand{"schemes", schemes_command},
-                              NamedCommand{"exact", exact_command},
-                              NamedCommand{"mittag-leffler", mittag_leffler_command},
-                              NamedCommand{"stability", stability_command},
-                              NamedCommand{"geometry", geometry_command},
-                              NamedCommand{"reference", reference_command},
-                              NamedCommand{"help", help_command},
-                              NamedCommand{"completion", completion_command}};
+constexpr std::array subcommands{NamedCommand{"solve", solve_command},
+                                 NamedCommand{"choose", choose_command},
+                                 NamedCommand{"run", run_command},
+                                 NamedCommand{"report", report_command},
+                                 NamedCommand{"study", study_command},
+                                 NamedCommand{"judge", judge_command},
+                                 NamedCommand{"compare", compare_command},
+                                 NamedCommand{"merge", merge_command},
+                                 NamedCommand{"export", export_command},
+                                 NamedCommand{"plot", plot_command},
+                                 NamedCommand{"scenes", scenes_command},
+                                 NamedCommand{"schemes", schemes_command},
+                                 NamedCommand{"exact", exact_command},
+                                 NamedCommand{"mittag-leffler", mittag_leffler_command},
+                                 NamedCommand{"stability", stability_command},
+                                 NamedCommand{"geometry", geometry_command},
+                                 NamedCommand{"reference", reference_command},
+                                 NamedCommand{"help", help_command},
+                                 NamedCommand{"completion", completion_command}};
 
 const NamedCommand& command_named(const std::string& name) {
-  const auto found = std::ranges::find(commands, name, &NamedCommand::name);
-  if (found != commands.end()) return *found;
+  const auto found = std::ranges::find(subcommands, name, &NamedCommand::name);
+  if (found != subcommands.end()) return *found;
   std::vector<std::string_view> names;
-  for (const NamedCommand& command : commands) names.push_back(command.name);
+  for (const NamedCommand& command : subcommands) names.push_back(command.name);
   throw std::invalid_argument(fmt::format("command {}: no such command{}; there are {}", name,
                                           did_you_mean(name, names), fmt::join(names, ", ")));
 }
@@ -150,7 +150,7 @@ void run_words(std::vector<std::string> words, Streams& streams, const SceneRegi
 
 ProgramText program_text() {
   ProgramText program{.name = name_of_program, .what = purpose, .version = this_session().version};
-  for (const NamedCommand& command : commands) program.subcommands.push_back(command.made().text);
+  for (const NamedCommand& command : subcommands) program.subcommands.push_back(command.made().text);
   return program;
 }
 
