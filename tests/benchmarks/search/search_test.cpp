@@ -2,6 +2,7 @@
 // The results of search() are compared with independent runs.
 
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "fdebench/benchmarks/search/configurations.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A warning where the numbers of a solve deserve distrust, and none where they do not.
 
+#include "fdebench/schemes/diagnostics/other_steps.hpp"
 #include "fdebench/schemes/diagnostics/warnings.hpp"
 
 #include <fmt/format.h>
