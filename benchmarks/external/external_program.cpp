@@ -175,9 +175,9 @@ ExternalProgram parse_external(std::string_view text) {
   const auto equals = text.find('=');
   const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n'; };
   if (equals == std::string_view::npos || std::ranges::all_of(text.substr(equals + 1), is_blank))
-    reject_text("--external", text, "NAME=COMMAND, a name and a command of the shell");
+    reject_text("external", text, "NAME=COMMAND, a name and a command of the shell");
   const auto name = text.substr(0, equals);
-  require_external_name("--external", name);
+  require_external_name("external", name);
   return {std::string(name), std::string(text.substr(equals + 1))};
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
@@ -61,11 +62,15 @@ const Scheme& scheme_of(const RecommendedRun& run, const std::vector<const Schem
   return found != own.end() ? **found : scheme_named(id);
 }
 
-// Runs each option again, and takes the measures of the caller.
-void take_measures(const Scene& scene, const ChoiceRequest& request, Recommendation& made) {
+// Runs the best option of each scheme again, and takes the measures of the caller.
+void take_measures(const Scene& scene, const ChoiceRequest& request, const SearchProgress& tell,
+                   Recommendation& made) {
   if (request.measures.empty()) return;
   MemoizedReference reference(scene);
+  std::set<std::string> measured;
   for (RecommendedRun& option : made.options) {
+    if (!measured.insert(option.schemes.front()).second) continue;
+    tell(fmt::format("measures {}", option.schemes.front()), 1.0);
     const Record run = examine(made.scene, scene, reference, scheme_of(option, request.schemes),
                                option.settings, request.measures);
     for (const auto& measure : request.measures)
@@ -102,7 +107,7 @@ Recommendation choose(Scene scene, const ChoiceRequest& request, const SceneSett
   made.examined_at_points_only = at_points_only;
   made.columns = request.columns;
   require_option(made);
-  take_measures(scene, request, made);
+  take_measures(scene, request, tell, made);
   return made;
 }
 

@@ -27,7 +27,7 @@ struct ChoiceRequest {
   double seconds = 60.0;                 // for the search
   bool first_run = false;                // ranks by the first run of a process, otherwise by a later one
   std::vector<const Scheme*> schemes{};  // of the caller, tried beside ours; each has an id of its own
-  std::vector<OwnMeasure> measures{};    // of the caller, taken of the runs within the error
+  std::vector<OwnMeasure> measures{};    // of the caller, taken of the best run of each scheme
 };
 
 // true for "1", the first run of a process, and false for "many". Throws Refusal.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/benchmarks/requests/recorded_sweep.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -15,10 +17,38 @@
 namespace fde::bench {
 namespace {
 
-// The runs of a sweep, each with its last times, in the order in which they come.
-class MadeRuns {
+// The runs that a sweep has asked for, each with its last times.
+class SweptRuns {
  public:
-  void take(const Record& run) {
+  // The callbacks that keep what passes through these.
+  [[nodiscard]] SweepCallbacks keeping(const SweepCallbacks& to) {
+    SweepCallbacks hooks = to;
+    hooks.recorded = [this, to](const RunKey& key) {
+      auto run = to.recorded(key);
+      if (run) keep(*run);
+      return run;
+    };
+    hooks.append = [this, to](const Record& run) {
+      keep(run);
+      to.append(run);
+    };
+    hooks.append_times = [this, to](const Record& run) {
+      keep(run);
+      to.append_times(run);
+    };
+    return hooks;
+  }
+
+  // Those of a scene in the order in which they came; the scenes, which threads share, in this order.
+  [[nodiscard]] std::vector<Record> sorted(const std::vector<SceneVariant>& scenes) && {
+    std::map<SceneSettings, std::size_t> order;
+    for (const SceneVariant& scene : scenes) order.emplace(scene.key(), order.size());
+    std::ranges::stable_sort(runs_, {}, [&](const Record& run) { return order.at(run.key.scene); });
+    return std::move(runs_);
+  }
+
+ private:
+  void keep(const Record& run) {
     const std::scoped_lock lock(mutex_);
     const auto [place, is_new] = places_.try_emplace(run.key, runs_.size());
     if (is_new) {
@@ -28,32 +58,10 @@ class MadeRuns {
     }
   }
 
-  [[nodiscard]] std::vector<Record> runs() && { return std::move(runs_); }
-
- private:
   std::mutex mutex_;  // several threads ask for recorded runs
   std::map<RunKey, std::size_t> places_;
   std::vector<Record> runs_;
 };
-
-// The callbacks that take what a sweep asks for and gives, before those of `to`.
-SweepCallbacks taking(MadeRuns& made, const SweepCallbacks& to) {
-  SweepCallbacks hooks = to;
-  hooks.recorded = [&made, to](const RunKey& key) {
-    auto run = to.recorded(key);
-    if (run) made.take(*run);
-    return run;
-  };
-  hooks.append = [&made, to](const Record& run) {
-    made.take(run);
-    to.append(run);
-  };
-  hooks.append_times = [&made, to](const Record& run) {
-    made.take(run);
-    to.append_times(run);
-  };
-  return hooks;
-}
 
 SweepCallbacks without_file(const SweepListener& listener) {
   return {
@@ -100,10 +108,14 @@ class Appender {
   std::string unwritten_{};  // why the first line is left out
 };
 
-std::vector<Record> made_by(const std::vector<Sweep>& sweeps, const SweepCallbacks& to) {
-  MadeRuns made;
-  for (const Sweep& one : sweeps) run_sweep(one, taking(made, to));
-  return std::move(made).runs();
+std::vector<Record> runs_of(const std::vector<Sweep>& sweeps, const SweepCallbacks& to) {
+  std::vector<Record> all;
+  for (const Sweep& one : sweeps) {
+    SweptRuns swept;
+    run_sweep(one, swept.keeping(to));
+    std::ranges::move(std::move(swept).sorted(one.scenes), std::back_inserter(all));
+  }
+  return all;
 }
 
 }  // namespace
@@ -118,14 +130,15 @@ std::vector<Record> sweep(const SweepRequest& request, const std::filesystem::pa
                           const SweepListener& listener) {
   const auto sweeps = sweeps_of(request);
   ResultsFile file(results);
+  if (listener.warn && !file.warning().empty()) listener.warn(file.warning());
   Appender appender(file, listener);
-  auto runs = made_by(sweeps, appender.callbacks());
+  auto runs = runs_of(sweeps, appender.callbacks());
   appender.require_written();
   return runs;
 }
 
 std::vector<Record> sweep(const SweepRequest& request, const SweepListener& listener) {
-  return made_by(sweeps_of(request), without_file(listener));
+  return runs_of(sweeps_of(request), without_file(listener));
 }
 
 }  // namespace fde::bench

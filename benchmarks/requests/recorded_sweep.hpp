@@ -4,20 +4,23 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/requests/sweep_request.hpp"
+#include "fdebench/benchmarks/sweep/sweep_event.hpp"
 
 namespace fde::bench {
 
 class ResultsFile;
-struct SweepEvent;
 
-// What is told of a sweep while it lasts: its progress, and each run that is examined.
+// What is told of a sweep while it lasts, by one thread at a time: its progress, each run that is examined,
+// and first which lines of the results file are left out, if there are any.
 struct SweepListener {
   std::function<void(const SweepEvent&)> on_event{};
   std::function<void(const Record&)> on_run{};
+  std::function<void(const std::string&)> warn{};
 };
 
 // Makes the runs of the sweeps that the file does not have, and appends them to it. Throws NumericalFailure
@@ -25,9 +28,10 @@ struct SweepListener {
 void run_into(ResultsFile& file, std::span<const Sweep> sweeps, const SweepListener& listener = {});
 
 // The same for a request and the path of a results file, which is made where it is missing. Returns the runs
-// of the request, in the order in which the sweep asks for them: those of the file as it has them, without
-// measures that it lacks. Throws Refusal as sweeps_of() does, and std::invalid_argument naming a file that is
-// no results file.
+// of the request, those of a scene side by side, the scenes of a sweep in the order of the request. A run
+// that the file has is returned without courses and errors of single columns, and without measures that it
+// lacks. Several threads examine runs: they call the caller's schemes and measures at the same time. Throws
+// Refusal as sweeps_of() does, and std::invalid_argument naming a file that is no results file.
 std::vector<Record> sweep(const SweepRequest& request, const std::filesystem::path& results,
                           const SweepListener& listener = {});
 

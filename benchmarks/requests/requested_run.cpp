@@ -21,25 +21,16 @@ constexpr int most_direct_steps = 1 << 21;  // more steps take hours
 
 constexpr double rounding = 1e-12;
 
-
 // Of the values of a request that a struct can hold and a run cannot have.
 void require_ranges(const SolveRequest& request) {
-  if (const auto* steps = std::get_if<int>(&request.settings.resolution)) {
-    require_in("steps", *steps, step_counts);
-  } else {
-    const auto& [rtol, atol] = std::get<Tolerance>(request.settings.resolution);
-    require_in("accuracy", rtol, positive);
-    require_in("accuracy", atol, not_negative);
-    const bool uniform = !request.optimal_grading && request.settings.grading == 1.0;
-    const auto grid =
-        request.optimal_grading ? std::string(optimal_grid) : grid_text(request.settings.grading);
-    if (!uniform) {
-      refuse_value("grid", grid,
-                   {"without ", RequestField{"accuracy"}, ", whose schemes choose their times"});
-    }
+  require_allowed(request.settings.resolution);
+  const bool uniform = !request.optimal_grading && request.settings.grading == 1.0;
+  if (std::holds_alternative<Tolerance>(request.settings.resolution) && !uniform) {
+    refuse_value("grid",
+                 request.optimal_grading ? std::string(optimal_grid) : grid_text(request.settings.grading),
+                 {"without ", RequestField{"accuracy"}, ", whose schemes choose their times"});
   }
-  require_in("grid", request.settings.grading, gradings);
-  require_in("tolerance", request.settings.newton_tolerance, newton_tolerances);
+  require_allowed(request.settings);
   require_in("threads", request.threads, thread_counts);
   if (!(request.settings.budget > 0.0))
     refuse_value("budget", fmt::format("{}", request.settings.budget), {positive.text()});

@@ -52,6 +52,18 @@ void set_grid(SolveRequest& request, std::string_view text) {
   request.settings.grading = grading.value_or(1.0);
 }
 
+void require_allowed(const StepsOrTolerance& resolution) {
+  if (const auto* steps = std::get_if<int>(&resolution)) return require_in("steps", *steps, step_counts);
+  const auto& [rtol, atol] = std::get<Tolerance>(resolution);
+  require_in("accuracy", rtol, positive);
+  require_in("accuracy", atol, not_negative);
+}
+
+void require_allowed(const RunSettings& settings) {
+  require_in("grid", settings.grading, gradings);
+  require_in("tolerance", settings.newton_tolerance, newton_tolerances);
+}
+
 const Scheme& scheme_named(std::string_view id) {
   const Scheme* const found = find_scheme(id);
   return found != nullptr ? *found : entry_by_id(schemes(), "scheme", id);

@@ -71,6 +71,10 @@ std::optional<double> parse_grid(std::string_view text);
 // Sets the grading of the request to it.
 void set_grid(SolveRequest& request, std::string_view text);
 
+// Throw Refusal naming steps, accuracy, grid or tolerance where a value is not in its range.
+void require_allowed(const StepsOrTolerance& resolution);
+void require_allowed(const RunSettings& settings);  // but for resolution and budget
+
 // The scheme with this id. Throws std::invalid_argument with the ids that there are.
 const Scheme& scheme_named(std::string_view id);
 

@@ -2,7 +2,6 @@
 #include "fdebench/benchmarks/requests/sweep_request.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -66,20 +65,15 @@ void require_fitting_times(const SweepRequest& request) {
 }
 
 // Each value alone.
-void require_allowed(const SweepRequest& request) {
-  for (const auto& resolution : request.resolutions) {
-    if (const auto* count = std::get_if<int>(&resolution)) require_in("steps", *count, step_counts);
-    if (const auto* tolerance = std::get_if<Tolerance>(&resolution))
-      require_in("accuracy", tolerance->rtol, positive);
-  }
-  require_in("grid", request.settings.grading, gradings);
-  require_in("tolerance", request.settings.newton_tolerance, newton_tolerances);
+void require_ranges_of(const SweepRequest& request) {
+  for (const auto& resolution : request.resolutions) require_allowed(resolution);
+  require_allowed(request.settings);
   if (request.budget) require_in("budget", *request.budget, positive);
   require_in("repeat", request.repeats, repeat_counts);
 }
 
 void require_fitting(const SweepRequest& request) {
-  require_allowed(request);
+  require_ranges_of(request);
   std::vector<const Scheme*> own = request.schemes;
   std::erase_if(own, [](const Scheme* scheme) { return find_scheme(scheme->id) == scheme; });
   require_own_ids(own);

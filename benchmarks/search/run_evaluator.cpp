@@ -53,7 +53,7 @@ RefinementRun RunEvaluator::evaluate(const Configuration& configuration, const S
                     .first_run = target_.first_run,
                     .fails_with_more_steps = path.status == SolveStatus::out_of_budget,
                     .ending = outcome_of(scene_.problem, path),
-                    .errors = {RunError{}}};
+                    .errors = {RunError{.baseline = 0.0}}};
   if (path.status != SolveStatus::finished) return run;
   const Rows values = compared_columns(columns_of(scene_.outputs, path));
   if (const auto gap = first_not_finite(values)) {

@@ -42,7 +42,7 @@ class RunEvaluator {
   [[nodiscard]] const AccuracyTarget& target() const { return target_; }
 
   // Whether the solution equals y(0) at all sampled times, to rounding and the bounds of the reference. The
-  // baseline y = y(0) is then correct, so `baseline_error` does not apply.
+  // baseline y = y(0) is then correct, so RunError::baseline does not apply.
   bool is_constant();
 
   // Whether the error is within the accuracy with the bound of the reference, and better than a constant's.

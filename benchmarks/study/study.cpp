@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -40,6 +42,7 @@ class StudyReader : StudySettingsReader {
       study.title = text_value(*title, "title");
       if (!is_printable(study.title)) reject(position_of(*title), "title: must be UTF-8 that prints");
     }
+    static_cast<void>(settings_of(all, {}));  // also those that every family replaces have to be right
     const auto& families = required(all, {}, "a study", "family");
     std::size_t scenes = 0;
     for (const auto& family : array(families, "family", "tables [[family]]")) {
@@ -135,18 +138,15 @@ std::string text_of(const Study& study, const std::filesystem::path& folder) {
 
 std::vector<Sweep> sweeps_of(const Study& study, bool examine, bool undisturbed) {
   std::vector<Sweep> sweeps;
-  std::vector<const StudyFamily*> firsts;  // of each sweep
+  std::map<std::string, std::size_t> with_settings;  // the sweep with the settings of this text
   for (const auto& family : study.families) {
-    if (family.scenes.empty()) continue;  // those of a study, none, are not all
-    const auto same = std::ranges::find_if(
-        firsts, [&](const auto* first) { return text_of(first->settings) == text_of(family.settings); });
-    if (same != firsts.end()) {
-      auto& scenes = sweeps[static_cast<std::size_t>(same - firsts.begin())].scenes;
-      scenes.insert(scenes.end(), family.scenes.begin(), family.scenes.end());
-      continue;
+    if (family.scenes.empty()) continue;  // a request without scenes takes all
+    const auto [place, is_new] = with_settings.try_emplace(text_of(family.settings), sweeps.size());
+    if (is_new) {
+      sweeps.push_back(sweep_of(study, family, examine, undisturbed));
+    } else {
+      std::ranges::copy(family.scenes, std::back_inserter(sweeps[place->second].scenes));
     }
-    sweeps.push_back(sweep_of(study, family, examine, undisturbed));
-    firsts.push_back(&family);
   }
   return sweeps;
 }

@@ -67,14 +67,14 @@ double StudyPoints::number_value(const toml::node& node, std::string_view name) 
 
 int StudyPoints::count_value(const toml::node& node, std::string_view name, int lowest, int highest) const {
   const auto allowed = CountRange{lowest, highest}.text();
-  const auto* number = node.as_integer();
-  if (number == nullptr && !node.is_number()) reject_kind(node, name, allowed);
-  if (number == nullptr || number->get() < lowest || number->get() > highest) {
-    const auto value = number == nullptr ? fmt::format("{}", node.as_floating_point()->get())
-                                         : fmt::format("{}", number->get());
+  if (!node.is_number()) reject_kind(node, name, allowed);
+  const double number = number_value(node, name);
+  if (number != std::floor(number) || number < lowest || number > highest) {
+    const auto* whole = node.as_integer();
+    const auto value = whole == nullptr ? fmt::format("{}", number) : fmt::format("{}", whole->get());
     reject(position_of(node), fmt::format("{} = {}: must be {}", name, value, allowed));
   }
-  return static_cast<int>(number->get());
+  return static_cast<int>(number);
 }
 
 double StudyPoints::number_at(const toml::table& of, const TextPosition& place, std::string_view name,

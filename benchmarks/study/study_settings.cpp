@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <utility>
 
 #include "fdebench/benchmarks/requests/solve_request.hpp"
-#include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {
 namespace {

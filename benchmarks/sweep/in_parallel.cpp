@@ -11,6 +11,8 @@
 #include <thread>
 #include <vector>
 
+#include "fdebench/schemes/problem/progress/progress.hpp"
+
 namespace fde::bench {
 
 unsigned usable_cores() {
@@ -22,6 +24,7 @@ unsigned usable_cores() {
 
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
   std::atomic<std::size_t> next = 0;
+  std::atomic<bool> has_failed = false;
   std::exception_ptr failure;
   std::mutex mutex;
   const auto work = [&] {
@@ -31,14 +34,21 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
       const std::scoped_lock lock(mutex);
       if (!failure) failure = std::current_exception();
       next = count;
+      has_failed = true;
     }
+  };
+  const auto work_until_failure = [&] {
+    const ProgressScope scope([&](std::size_t, std::size_t) {
+      if (has_failed) throw Cancelled();
+    });
+    work();
     mpfr_free_cache();  // MPFR does not free its cached constants of a thread when the thread ends
   };
   {
     std::vector<std::jthread> workers;
-    for (std::size_t worker = 0; worker < std::min<std::size_t>(count, threads); ++worker) {
-      workers.emplace_back(work);
-    }
+    for (std::size_t worker = 1; worker < std::min<std::size_t>(count, threads); ++worker)
+      workers.emplace_back(work_until_failure);
+    work();
   }
   if (failure) std::rethrow_exception(failure);
 }

@@ -14,6 +14,7 @@
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
+#include "fdebench/benchmarks/sweep/sweep_event.hpp"
 #include "fdebench/benchmarks/sweep/sweep_plan.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
@@ -35,15 +36,6 @@ struct Sweep {
   bool examines_only = false;         // no run is timed
   bool retimes = false;               // disturbed times of earlier sweeps are measured again
   unsigned threads = usable_cores();  // for the untimed part
-};
-
-// Progress of a sweep: it starts to examine or to time a run, a run is done, or the refinement has ended (no
-// further run of this scene, scheme and grading follows).
-struct SweepEvent {
-  enum class Kind { examines, times, is_done, refinement_ends };
-  Kind kind;
-  RunKey run;
-  bool with_reference = false;  // this examination also computes the reference of the scene
 };
 
 // Lookup of recorded runs.

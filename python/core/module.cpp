@@ -176,12 +176,13 @@ Refusal said_of_sweep(const Refusal& refusal) {
   });
 }
 
-// List of the runs of a sweep, a dictionary each, as a line of a results file has them. `scenes`: names with
-// their settings NAME=VALUE. `schemes`: None for a scheme of ours. `results`: the file; None: there is none.
-py::object sweep_for(const std::vector<std::pair<std::string, std::vector<std::string>>>& scenes,
-                     const py::dict& schemes, const Functions& measures, const std::vector<int>& steps,
-                     const std::vector<double>& accuracies, const py::dict& given,
-                     const std::optional<std::string>& results) {
+// Tuple of the runs of a sweep, a dictionary each, as a line of a results file has them, and a warning of
+// other lines of the file. `scenes`: names with their settings NAME=VALUE. `schemes`: None for a scheme of
+// ours. `results`: the file; None: there is none.
+py::tuple sweep_for(const std::vector<std::pair<std::string, std::vector<std::string>>>& scenes,
+                    const py::dict& schemes, const Functions& measures, const std::vector<int>& steps,
+                    const std::vector<double>& accuracies, const py::dict& given,
+                    const std::optional<std::string>& results) {
   std::vector<std::unique_ptr<OwnScheme>> own;
   const auto grading = parse_grid(given["grid"].cast<std::string>());
   SweepRequest request{.measures = measures_of(measures),
@@ -198,19 +199,21 @@ py::object sweep_for(const std::vector<std::pair<std::string, std::vector<std::s
   }
   request.resolutions.assign(steps.begin(), steps.end());
   for (const double one : accuracies) request.resolutions.emplace_back(Tolerance{.rtol = one, .atol = one});
+  std::string warning;
   const auto runs = without_gil([&] {
     const SceneRegistry all = named_scenes();
     for (const auto& [name, settings] : scenes) request.scenes.push_back(read_variant(name, settings, all));
     auto lines = nlohmann::json::array();
+    const SweepListener listener{.warn = [&](const std::string& text) { warning = text; }};
     try {
-      const auto made = results ? sweep(request, *results) : sweep(request);
+      const auto made = results ? sweep(request, *results, listener) : sweep(request);
       for (const Record& run : made) lines.push_back(json_of(run));
     } catch (const Refusal& refusal) {
       throw said_of_sweep(refusal);
     }
     return lines;
   });
-  return object_of(runs);
+  return py::make_tuple(object_of(runs), warning);
 }
 
 // Dictionary of what is chosen. `columns`: names with commas between them; None: all.

@@ -135,13 +135,14 @@ py::array_t<double> array_of(const Rows& values) {
 
 OwnMeasure python_measure(const std::string& id, const py::object& value) {
   return {id,
-          [function = shared(value)](const std::vector<double>& times, const Rows& values,
-                                     const Rows& reference) -> std::optional<double> {
+          [id, function = shared(value)](const std::vector<double>& times, const Rows& values,
+                                         const Rows& reference) -> std::optional<double> {
             const py::gil_scoped_acquire lock;
             const py::object known = reference.cols() > 0 ? py::object(array_of(reference)) : py::none();
             const py::array_t<double> at(std::ssize(times), times.data());
             const py::object result = (*function)(at, array_of(values), known);
-            return result.is_none() ? std::nullopt : std::optional(result.cast<double>());
+            if (result.is_none()) return std::nullopt;
+            return *reals_of(result, "measure " + id, "", {1}).data();
           }};
 }
 

@@ -164,24 +164,29 @@ def sweep(
     without both the cheapest runs within the errors 1e-2, ..., 1e-12 are searched. ``repeat``: how often each run is timed.
     ``measures``: as in ``choose``; their values stand beside ours, under ``values``. ``results``: a results file that the runs are added
     to; one that it has is not made again, and gets no new measure. ``fdebench report`` makes a page of the file. Returns a dictionary for
-    each run, as its line of a results file: scene, scheme, steps, ending, values, time.
+    each run, as its line of a results file: scene, scheme, steps, ending, values, time; those that the file had without courses and errors
+    of single columns. Functions of one's own may be called from several threads.
 
     >>> runs = sweep(["relaxation"], schemes=["l1", "bdf2"], steps=[64, 128], measures={"last": lambda times, values, reference: values[-1, 0]})
     >>> [(run["scheme"], run["steps"], run["values"]["error_end"] < 1e-2, round(run["values"]["last"], 2)) for run in runs[:2]]
-    [('bdf2', 64, True, 0.43), ('l1', 64, True, 0.43)]
+    [('l1', 64, True, 0.43), ('bdf2', 64, True, 0.43)]
     """
-    named = schemes if isinstance(schemes, Mapping) else dict.fromkeys(_listed("schemes", schemes))
-    ours = {name: states for name, states in named.items() if states is None}
+    named = dict(schemes) if isinstance(schemes, Mapping) else dict.fromkeys(_listed("schemes", schemes))
+    _functions("schemes", {name: states for name, states in named.items() if states is not None or not isinstance(name, str)})
     given: dict[str, Any] = {"grid": _text("grid", grid), "history": _text("history", history), "repeat": _integer("repeat", repeat)}
     given |= {name: _real(name, value) for name, value in {"tolerance": tolerance, "budget": budget}.items() if value is not None}
     posed = [_known(scene)._posed for scene in _listed("scenes", scenes)]
+    if not posed:
+        raise ValueError("scenes = []: must be at least one scene")
     if any(problem is not None for _, _, problem in posed):
         raise TypeError("scenes: must be scenes; a problem of one's own has no line in a results file")
-    functions = _functions("schemes", {name: states for name, states in named.items() if states is not None})
-    return _core.sweep([(name, settings) for name, settings, _ in posed], ours | functions, _functions("measures", measures),
-                       [_integer("steps", one) for one in _listed("steps", steps)],
-                       [_real("accuracies", one) for one in _listed("accuracies", accuracies)], given,
-                       None if results is None else os.fspath(results))
+    runs, warning = _core.sweep([(name, settings) for name, settings, _ in posed], named, _functions("measures", measures),
+                                [_integer("steps", one) for one in _listed("steps", steps)],
+                                [_real("accuracies", one) for one in _listed("accuracies", accuracies)], given,
+                                None if results is None else os.fspath(results))
+    if warning:
+        warnings.warn(warning, stacklevel=2)
+    return runs
 
 
 def _functions(name: str, functions: Mapping[str, Any] | None) -> dict[str, Any]:

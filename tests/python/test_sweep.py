@@ -32,6 +32,15 @@ def test_measures_schemes_of_ones_own_beside_ours(tmp_path):
     assert fdebench.sweep([fdebench.Scene("relaxation")], **asked) == runs
 
 
+def test_returns_scenes_in_their_order(tmp_path):
+    """A run that the file has comes without courses and errors of single columns."""
+    scenes = ["pendulum", "relaxation", "linear_system"]
+    asked = {"schemes": ["l1", "bdf2"], "steps": [16], "repeat": 1, "results": tmp_path / "runs.jsonl"}
+    first, second = fdebench.sweep(scenes, **asked), fdebench.sweep(scenes, **asked)
+    assert [(run["scene"], run["scheme"]) for run in first] == [(scene, scheme) for scene in scenes for scheme in ("l1", "bdf2")]
+    assert [{key: value for key, value in run.items() if key not in ("columns", "courses")} for run in first] == second
+
+
 def test_takes_all_schemes_by_default():
     runs = fdebench.sweep(["power"], steps=[4], accuracies=[1e-2], repeat=1)
     assert {run["scheme"] for run in runs} == {scheme.id for scheme in fdebench.schemes()}
@@ -70,6 +79,12 @@ def test_names_the_argument(given, message):
 
 
 def test_refuses_what_is_no_function_or_scene():
+    with pytest.raises(ValueError, match="measure size: returned .* must be real numbers"):
+        fdebench.sweep(["relaxation"], schemes=["l1"], steps=[4], measures={"size": lambda *_: "large"})
+    with pytest.raises(TypeError, match="schemes = "):
+        fdebench.sweep(["relaxation"], schemes=[3], steps=[4])
+    with pytest.raises(ValueError, match="scenes = "):
+        fdebench.sweep([], steps=[4])
     with pytest.raises(TypeError, match="measures = "):
         fdebench.sweep(["relaxation"], steps=[4], measures={"size": 3})
     with pytest.raises(TypeError, match="scenes: must be scenes"):

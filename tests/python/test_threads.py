@@ -19,6 +19,7 @@ LONG = {
     "exact": 'fdebench.exact("fractional_oscillator", 1.0, digits=4000)',
     "choose": 'fdebench.choose("pendulum", 1e-12, seconds=600)',
     "problem": 'fdebench.solve(fdebench.Problem([0.5], [1.0], lambda t, y: -y, 1.0), "l1", 2**24, points=2)',
+    "sweep": 'fdebench.sweep(["pendulum", "bagley_torvik"], schemes=["l1"], steps=[2**20])',
     "two_sided": 'fdebench.solve("fractional_extremum", "product_trapezoidal", 2**18, points=2)',
 }
 

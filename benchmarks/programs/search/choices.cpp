@@ -63,13 +63,13 @@ void try_all(RunEvaluator& evaluator, const Configuration& configuration, double
   }
 }
 
-struct Wanted {
+struct Task {
   SceneVariant scene;
   ErrorKind kind;
   double accuracy;
 };
 
-Wanted random_wanted(std::mt19937_64& random) {
+Task random_task(std::mt19937_64& random) {
   const auto scenes = default_scenes();
   const auto pick = [&](std::size_t count) {
     return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
@@ -96,10 +96,10 @@ Best best_of_all(const Scene& scene, const AccuracyTarget& target, double most_s
   return best;
 }
 
-void compare(const Wanted& wanted) {
-  Scene scene = make_scene(wanted.scene);
-  const AccuracyTarget target{wanted.kind, wanted.accuracy, all_columns(scene)};
-  fmt::print("{},{},{:g},", wanted.scene.label(), error_measure(wanted.kind), wanted.accuracy);
+void compare(const Task& task) {
+  Scene scene = make_scene(task.scene);
+  const AccuracyTarget target{task.kind, task.accuracy, all_columns(scene)};
+  fmt::print("{},{},{:g},", task.scene.label(), error_measure(task.kind), task.accuracy);
   std::vector<SearchCandidate> found;
   const auto start = std::chrono::steady_clock::now();
   try {
@@ -127,7 +127,7 @@ void compare(const Wanted& wanted) {
     ratio = times[0].median / times[1].median;
   }
   fmt::print("{},{},{},{:.3g},{:.3g},{},{},{},{:.2f},{:.2f}\n", first.configuration.scheme->id,
-             first.configuration.grading, first.best.steps, first.best.error().value / wanted.accuracy,
+             first.configuration.grading, first.best.steps, first.best.error().value / task.accuracy,
              first.time->median, is_found ? best.configuration.scheme->id : "none",
              best.configuration.grading, best.run.steps, ratio, taken.count());
 }
@@ -141,7 +141,7 @@ void choices(const Words& given) {
       "scene,kind,accuracy,scheme,grading,steps,part_of_accuracy,seconds,best,its_grading,its_steps,ratio,"
       "search_seconds\n");
   for (int i = 0; i < questions; ++i) {
-    compare(random_wanted(random));
+    compare(random_task(random));
     std::fflush(stdout);
   }
 }

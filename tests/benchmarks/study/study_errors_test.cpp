@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
           1, 1, "more than 100000 scenes"},
          {"steps = [4, 0]\n" + family(""), 1, 13, "steps = 0: must be a whole number"},
          {"steps = []\n" + family(""), 1, 9, "is an empty list"},
-         {"steps = \"4\"\n" + family(""), 1, 9, "steps: is a text, must be a number"},
+         {"steps = \"4\"\n" + family(""), 1, 9, "steps: is a text, must be a whole number from 1 to"},
          {"schemes = [\"l11\"]\n" + family(""), 1, 11, "did you mean 'l1'?"},
          {family("schemes = 3"), 3, 11, "schemes: is a number, must be a text"},
          {"accuracies = -1\n" + family(""), 1, 14, "accuracies = -1: must be"},
