@@ -67,8 +67,9 @@ TEST(RecordedSweep, ContinuesAFileThatThePageShows) {
   ASSERT_EQ(second.size(), first.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(second[i].key, first[i].key);
-    EXPECT_EQ(second[i].values, first[i].values);
-    EXPECT_EQ(second[i].timing.values, first[i].timing.values);
+    for (const auto& [quantity, value] : first[i].values) EXPECT_EQ(second[i][quantity], value) << quantity;
+    for (const auto& [quantity, value] : first[i].timing.values)
+      EXPECT_EQ(second[i][quantity], value) << quantity;
   }
   expect_success(fdebench({"report", file, "--out", folder.file("page")}));
   const auto page = content_of(folder.file("page/index.html"));
