@@ -25,12 +25,12 @@ struct TimedSolves;
 
 // Identifies a run of one build, or a trajectory of another program. In the latter case `scheme` is the name
 // of the program, and of the settings only the number of times is known; if a sweep started the program, also
-// the requested steps and grid.
+// the requested steps and grid. A scheme of the caller counts as a program, with all settings.
 struct RunKey {
   SceneSettings scene{};
   std::string scheme{};
   RunSettings settings{};
-  bool external = false;  // of another program
+  bool external = false;  // of another program, or of a scheme of the caller
 
   auto operator<=>(const RunKey&) const = default;  // NOLINT(readability-implicit-bool-conversion)
 };

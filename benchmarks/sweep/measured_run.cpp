@@ -156,12 +156,19 @@ TimedSolves solve_repeatedly(const Scheme& scheme, const Problem& problem, const
 
 }  // namespace
 
+RunKey key_of(const Scheme& scheme, const SceneSettings& scene, const RunSettings& settings) {
+  return {.scene = scene,
+          .scheme = std::string(scheme.id),
+          .settings = settings,
+          .external = find_scheme(scheme.id) != &scheme};
+}
+
 // Over a grid the steps are the requested ones, also if the run stopped earlier.
 Record examine(const SceneSettings& name, const Scene& scene, MemoizedReference& reference,
                const Scheme& scheme, const RunSettings& settings, std::span<const OwnMeasure> own) {
   const auto [steps, judgement] = solve_and_judge(scene, reference, scheme, settings, own);
   const auto* requested = std::get_if<int>(&settings.resolution);
-  return assessed({.key = {.scene = name, .scheme = std::string(scheme.id), .settings = settings},
+  return assessed({.key = key_of(scheme, name, settings),
                    .steps = requested != nullptr ? *requested : static_cast<int>(steps),
                    .end = scene.problem.end},
                   judgement);

@@ -11,6 +11,9 @@
 
 namespace fde::bench {
 
+// The key of a scheme's run of a scene in results. A scheme of the caller is external: no command has it.
+RunKey key_of(const Scheme& scheme, const SceneSettings& scene, const RunSettings& settings);
+
 // The record of one run except its times: solves once within the budget and compares the run with the
 // reference at comparison_times. `name` is the scene's key in the record. Thread safe if each thread has its
 // own MemoizedReference.

@@ -36,7 +36,7 @@ std::vector<RunSettings> settings_of(const Sweep& sweep, const Scheme& scheme, c
 SceneRefinements::SceneRefinements(const Sweep& sweep, const SceneSettings& scene, const Problem* problem) {
   for (const auto* scheme : sweep.schemes) {
     for (const RunSettings& settings : settings_of(sweep, *scheme, problem))
-      add({scheme, {scene, std::string(scheme->id), settings}, settings}, scheme->capabilities, sweep.plan);
+      add({scheme, key_of(*scheme, scene, settings), settings}, scheme->capabilities, sweep.plan);
   }
   for (const auto& program : sweep.programs)
     add({&program, key_of(program, scene, sweep.settings), sweep.settings}, Capabilities{}, sweep.plan);

@@ -13,7 +13,7 @@ const markAt = (place) => ({ colour: colours[place % colours.length], shape: sha
 const places = Array.from({ length: colours.length * shapes.length }, (_, place) => place);
 
 // The place of the mark of a scheme: placesOfSchemes has the numbers of schemes/list.def (assets.S). -1: it is not in that list.
-const placeOf = (id) => (Object.hasOwn(placesOfSchemes, id) ? placesOfSchemes[id] : -1);
+const placeOfMark = (id) => (Object.hasOwn(placesOfSchemes, id) ? placesOfSchemes[id] : -1);
 
 // Of a scheme on another grid: its colour with another shape. What is not in that list, an external program or a
 // scheme of somebody's own, has what is left, in the order of the lines; beyond 64 lines marks are repeated.
@@ -24,10 +24,10 @@ function marksOf(lines) {
     used.add(place);
     marks.set(line, markAt(place));
   };
-  for (const line of lines) if (placeOf(line) >= 0) mark(line, placeOf(line));
+  for (const line of lines) if (placeOfMark(line) >= 0) mark(line, placeOfMark(line));
   const isFree = (place) => !used.has(place), isLeft = (place) => isFree(place) && place >= Object.keys(placesOfSchemes).length;
   const give = (line, wanted) => mark(line, wanted.find(isLeft) ?? places.find(isLeft) ?? places.find(isFree) ?? marks.size % places.length);
-  const others = lines.filter((line) => !marks.has(line)), schemeAt = (line) => placeOf(line.split(",")[0]);
+  const others = lines.filter((line) => !marks.has(line)), schemeAt = (line) => placeOfMark(line.split(",")[0]);
   for (const line of others.filter((one) => schemeAt(one) >= 0)) {
     const later = schemeAt(line) + colours.length * shapes.length / 2;
     give(line, places.map((_, round) => (later + round * colours.length) % places.length));

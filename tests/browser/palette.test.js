@@ -49,7 +49,7 @@ test("every scheme has a mark of its own, whatever else is drawn, and another on
   withReadPage("", async (page) => {
     const ids = JSON.parse(execFileSync(PROGRAM, ["schemes", "--json"], { encoding: "utf8" })).map(({ id }) => id);
     const marksOf = (lines, of) => page.evaluate(([all, some]) => some.map((line) => `${colourOf(all, line)} ${shapeOf(all, line)}`), [lines, of]);
-    assert.deepEqual(await page.evaluate((all) => all.filter((id) => placeOf(id) < 0), ids), [], "schemes without a place of their mark");
+    assert.deepEqual(await page.evaluate((all) => all.filter((id) => placeOfMark(id) < 0), ids), [], "schemes without a place of their mark");
     const alone = (await Promise.all(ids.map((id) => marksOf([id], [id])))).flat();
     const others = ids.flatMap((id) => [`${id}, graded`, id, `${id}, direct`]).slice(0, 60);
     assert.equal(new Set(alone).size, ids.length);
