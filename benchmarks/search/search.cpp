@@ -230,10 +230,10 @@ class Search {
     const double more = best->counted_setup();
     time = {time.median + more, time.low + more, time.high + more};
     candidates_[i].time = time;
-    // What made this run slower than it was before makes the others of the configuration slower too.
-    const double slower = std::max(1.0, time.median / *best->seconds);
+    // What made this run slower or quicker than it was before makes the others of the configuration so too.
+    const double factor = time.median / *best->seconds;
     for (RefinementRun& run : refinements_[i].runs)
-      run.seconds = &run == best ? time.median : slower * *run.seconds;
+      run.seconds = &run == best ? time.median : factor * *run.seconds;
   }
 
   // Compares the best run with the reference at more times; returns whether it is within the accuracy there.
