@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "fdebench/benchmarks/records/record_validation.hpp"
 #include "fdebench/benchmarks/requests/own_scheme.hpp"
 #include "fdebench/benchmarks/requests/solve_request.hpp"
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
@@ -42,6 +43,7 @@ std::string grid_of(const SweepRequest& request) {
 void require_fitting_programs(const SweepRequest& request) {
   std::set<std::string_view> names;
   for (const auto& [name, command] : request.programs) {
+    require_external_name("external", name);
     if (!names.insert(name).second)
       refuse_value("external", fmt::format("{}={}", name, command), {"a name that no other program has"});
   }
