@@ -5,8 +5,8 @@
 
 namespace fde {
 
-// How the memory terms of a run are evaluated: with all samples, or with a sum of exponentials in place of the
-// weights. automatic: the faster one by an estimate of their costs.
+// How the memory terms of a run are evaluated: with all samples, or with a sum of exponentials in place of
+// the weights. automatic: the faster one by an estimate of their costs.
 enum class HistoryKind { automatic, direct, exponentials };
 
 // "auto", "direct", "exponentials".

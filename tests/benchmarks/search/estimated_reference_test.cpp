@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Error estimates without a reference. The scenes here have one, which is withheld and used as a check.
 
-#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 
 #include <gmock/gmock.h>
@@ -14,6 +13,7 @@
 #include <string>
 
 #include "benchmarks/search/search_case.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/search/interpolated_run.hpp"
 #include "fdebench/benchmarks/search/run_evaluator.hpp"

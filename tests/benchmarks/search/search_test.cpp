@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The results of search() are compared with independent runs.
 
-#include "fdebench/benchmarks/references/memoized_reference.hpp"
-#include "fdebench/benchmarks/search/configurations.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
 
 #include <gmock/gmock.h>
@@ -13,7 +11,9 @@
 
 #include "benchmarks/search/search_case.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
+#include "fdebench/benchmarks/search/configurations.hpp"
 #include "fdebench/benchmarks/search/error_model.hpp"
 #include "fdebench/benchmarks/search/run_evaluator.hpp"
 #include "support/testing.hpp"

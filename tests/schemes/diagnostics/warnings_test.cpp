@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A warning where the numbers of a solve deserve distrust, and none where they do not.
 
-#include "fdebench/schemes/diagnostics/other_steps.hpp"
 #include "fdebench/schemes/diagnostics/warnings.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include <sstream>
 
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
+#include "fdebench/schemes/diagnostics/other_steps.hpp"
 #include "support/command_line_result.hpp"
 #include "support/testing.hpp"
 
