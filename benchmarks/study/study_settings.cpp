@@ -176,9 +176,10 @@ void reject_settings(const Refusal& refusal, const StudySettings& settings, cons
 
 std::string text_of(const StudySettings& settings) {
   std::string text;
-  for (const auto& one : StudySettingsReader::all())
+  for (const auto& one : StudySettingsReader::all()) {
     if (settings.places.contains(std::string(one.key)))
       text += fmt::format("{} = {}\n", one.key, one.text(settings.request));
+  }
   return text;
 }
 

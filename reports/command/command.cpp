@@ -82,7 +82,7 @@ constexpr std::array subcommands{NamedCommand{"solve", solve_command},
                                  NamedCommand{"completion", completion_command}};
 
 const NamedCommand& command_named(const std::string& name) {
-  const auto found = std::ranges::find(subcommands, name, &NamedCommand::name);
+  const auto* const found = std::ranges::find(subcommands, name, &NamedCommand::name);
   if (found != subcommands.end()) return *found;
   std::vector<std::string_view> names;
   for (const NamedCommand& command : subcommands) names.push_back(command.name);

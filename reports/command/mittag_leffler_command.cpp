@@ -72,9 +72,10 @@ std::vector<reference::DecimalComplex> parse_matrix(const std::string& text) {
   }
   std::vector<reference::DecimalComplex> entries;
   for (const auto& row : rows) {
-    if (row.size() != rows.size())
+    if (row.size() != rows.size()) {
       refuse_value("matrix", text,
                    {fmt::format("square: of {} rows one has length {}", rows.size(), row.size())});
+    }
     std::ranges::transform(row, std::back_inserter(entries), split_complex);
   }
   return entries;

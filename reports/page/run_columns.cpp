@@ -41,9 +41,10 @@ std::optional<double> common_end(const std::vector<const Record*>& runs) {
 // The quantities of these runs that are no measures of ours.
 std::set<std::string> quantities_of_others(const std::vector<const Record*>& runs) {
   std::set<std::string> names;
-  for (const Record* run : runs)
+  for (const Record* run : runs) {
     for (const auto& [quantity, value] : run->values)
       if (!is_measure(quantity)) names.emplace(quantity);
+  }
   return names;
 }
 
