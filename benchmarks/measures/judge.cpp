@@ -63,29 +63,27 @@ void take_column_errors(const FinishedRun& run, const ComparedColumns& compared,
   judgement.columns = column_errors(run, compared.names, compared.is_part);
 }
 
-// Adds a value where there is one. Returns false, and the judgement is that of its run, if it is not finite.
-bool take(const FinishedRun& run, const MeasuredValue& measured, std::optional<double> value,
-          Assessment& judgement) {
-  if (!value) return true;
-  if (!std::isfinite(*value)) {
+// Adds a value. Returns false, and the judgement is that of its run, if it is not finite.
+bool take(const FinishedRun& run, const MeasuredValue& measured, Assessment& judgement) {
+  if (!std::isfinite(measured.value)) {
     judgement = {{SolveStatus::non_finite, fmt::format("in {}", measured.id)}, run.path.times.back()};
     return false;
   }
   judgement.measured.push_back(measured);
-  judgement.measured.back().value = *value;
   return true;
 }
 
 void take_measures(const FinishedRun& run, Assessment& judgement) {
   for (const auto* measure : measures()) {
     const auto value = measure->value(run);
-    const bool has_course = value && std::isfinite(*value) && measure->course != nullptr;
-    const MeasuredValue measured{measure->id, measure->unit, 0.0,
-                                 has_course ? measure->course(run) : Course{}};
-    if (!take(run, measured, value, judgement)) return;
+    if (!value) continue;
+    const auto course = measure->course != nullptr ? measure->course(run) : Course{};
+    if (!take(run, {measure->id, measure->unit, *value, course}, judgement)) return;
   }
-  for (const auto& [id, value] : run.observed.own)
-    if (!take(run, {id, "", 0.0}, value(run.path.times, run.values, run.reference), judgement)) return;
+  for (const auto& [id, value_of] : run.observed.own) {
+    const auto value = value_of(run.path.times, run.values, run.reference);
+    if (value && !take(run, {id, "", *value}, judgement)) return;
+  }
 }
 
 Assessment judge_values(const Trajectory& path, const Rows& values, MemoizedReference& reference,

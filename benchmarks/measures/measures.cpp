@@ -51,26 +51,26 @@ constexpr std::array all_of_time{
 
 using Value = std::optional<double>;
 
-template <Value RunObservations::*of>
+template <Value RunObservations::*quantity>
 Value observed(const FinishedRun& run) {
-  return run.observed.*of;
+  return run.observed.*quantity;
 }
 
 using OneDrift = std::optional<Drift> RunObservations::*;
 template <OneDrift drift>
 Value largest(const FinishedRun& run) {
-  const auto& of = run.observed.*drift;
-  return of ? Value(of->largest) : std::nullopt;
+  const auto& found = run.observed.*drift;
+  return found ? Value(found->largest) : std::nullopt;
 }
 template <OneDrift drift>
 Value growth(const FinishedRun& run) {
-  const auto& of = run.observed.*drift;
-  return of ? of->growth : std::nullopt;
+  const auto& found = run.observed.*drift;
+  return found ? found->growth : std::nullopt;
 }
 template <OneDrift drift>
 Course course(const FinishedRun& run) {
-  const auto& of = run.observed.*drift;
-  return of ? of->course : Course{};
+  const auto& found = run.observed.*drift;
+  return found ? found->course : Course{};
 }
 
 template <auto count>

@@ -15,8 +15,8 @@ namespace fde::bench {
 
 class ResultsFile;
 
-// What is told of a sweep while it lasts, by one thread at a time: its progress, each run that is examined,
-// and first which lines of the results file are left out, if there are any.
+// Callbacks of a sweep, called by one thread at a time: with its progress, with each run that is examined,
+// and first with a warning where lines of the results file are left out.
 struct SweepListener {
   std::function<void(const SweepEvent&)> on_event{};
   std::function<void(const Record&)> on_run{};
