@@ -127,6 +127,19 @@ TEST(NextResolutions, LeaveASlowerConfigurationWithARunThatShowsIt) {
   }
 }
 
+// Another process may run beside the longest run outside the accuracy, which then seems to take longer than
+// the quickest.
+TEST(NextResolutions, CloseOnTheFewestStepsBesideADisturbedRun) {
+  const Model model = power(1e-3, 1.0);
+  Refinement of;
+  for (const int steps : {256, 512, 1024}) of.runs.push_back(run_of(model, steps));
+  of.runs[1].seconds = 100.0 * *of.runs[2].seconds;
+  const auto next = next_resolutions(goal_for(), std::vector{of}).front();
+  ASSERT_TRUE(next.has_value());
+  EXPECT_GT(std::get<int>(*next), 512);
+  EXPECT_LT(std::get<int>(*next), 1024);
+}
+
 // The second configuration takes 100 times as long for a step: its next run waits until the first, which goes
 // on with more and more steps, takes as long.
 TEST(NextResolutions, AreDueBeforeThoseThatTakeFourTimesAsLong) {
