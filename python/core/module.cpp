@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -30,10 +29,11 @@
 #include "fdebench/benchmarks/requests/solve.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
+#include "fdebench/benchmarks/text/refusal.hpp"
 #include "fdebench/python/core/python_problem.hpp"
 #include "fdebench/python/core/without_gil.hpp"
+#include "fdebench/python/program/run_program.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
-#include "fdebench/reports/command/command.hpp"
 
 // The extension module of the package `fdebench`. The public functions with their docstrings are in
 // ../fdebench.
@@ -45,11 +45,6 @@ namespace {
 // Equation files are read at every call, as they may have changed.
 SceneRegistry named_scenes(NoteReceiver on_note = {}) {
   return with_equation_files(built_in_scenes(), std::move(on_note));
-}
-
-// Runs the command as the program does, on the streams of the process, and returns its exit code.
-int program(const std::vector<std::string>& arguments) {
-  return without_gil([&] { return run_fdebench(arguments, {.out = std::cout, .err = std::cerr}); });
 }
 
 // Tuple of id, column names, orders, end time, and what the scene changes of its file ("" if nothing).
@@ -301,7 +296,9 @@ PYBIND11_MODULE(_core, module) {
   module.def("version", [] { return fde::bench::this_session().version; });
   module.def("scenes", [] { return facts_of_all(fde::bench::built_in_scenes()); });
   module.def("schemes", [] { return facts_of_all(fde::schemes()); });
-  module.def("program", program);
+  module.def("program", [](const std::vector<std::string>& arguments) {
+    return without_gil([&] { return run_program(arguments); });
+  });
   module.def("facts", facts);
   module.def("solve", solve_for);
   module.def("choose", choose_for);
