@@ -12,6 +12,7 @@
 #include "fdebench/benchmarks/requests/failure.hpp"
 #include "fdebench/benchmarks/requests/own_scheme.hpp"
 #include "fdebench/benchmarks/text/refusal.hpp"
+#include "support/refusal_of.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
@@ -84,19 +85,14 @@ TEST(Choice, RefusesSchemesWhoseIdsAreTaken) {
 
 TEST(Choice, NamesTheFieldThatItRefuses) {
   const Scene scene = scene_of("relaxation");
-  const auto refused = [&](const ChoiceRequest& request) -> std::string {
-    try {
-      choose(scene, request);
-    } catch (const Refusal& refusal) {
-      const std::string text = refusal.what();
-      return text.substr(0, text.find(':'));
-    }
-    return "";
+  const auto refused = [&](const ChoiceRequest& request) {
+    const auto text = refusal_of([&] { choose(scene, request); });
+    return text.substr(0, text.find(':'));
   };
-  EXPECT_EQ(refused({}), "error = 0");
-  EXPECT_EQ(refused({.error = 1.0}), "error = 1");
-  EXPECT_EQ(refused({.error = 0.1, .columns = {"z"}}), "columns = z");
-  EXPECT_EQ(refused({.error = 0.1, .seconds = 0.0}), "seconds = 0");
+  EXPECT_EQ(refused({}), "<error> = 0");
+  EXPECT_EQ(refused({.error = 1.0}), "<error> = 1");
+  EXPECT_EQ(refused({.error = 0.1, .columns = {"z"}}), "<columns> = z");
+  EXPECT_EQ(refused({.error = 0.1, .seconds = 0.0}), "<seconds> = 0");
   EXPECT_THROW(parse_first_run("2"), Refusal);
 }
 

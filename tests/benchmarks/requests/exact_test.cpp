@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fdebench/benchmarks/text/refusal.hpp"
+#include "support/refusal_of.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
@@ -45,26 +45,18 @@ TEST(Exact, InDigitsRoundsToTheSameDoubles) {
 }
 
 TEST(Exact, NamesTheFieldThatItRefuses) {
-  const auto refused = [](const auto& asked) -> std::string {
-    try {
-      asked();
-    } catch (const Refusal& refusal) {
-      return refusal.said([](const std::string& field) { return "<" + field + ">"; }).what();
-    }
-    return "";
-  };
   const Scene one_end = scene_of("relaxation"), two_ends = scene_of("two_sided_constraint");
-  EXPECT_EQ(refused([&] {
+  EXPECT_EQ(refusal_of([&] {
               exact(one_end, {1.0, -1.0});
             }),
             "<times> = -1: must be a finite number of at least 0");
-  EXPECT_EQ(refused([&] { exact(one_end, {std::nan("")}); }),
+  EXPECT_EQ(refusal_of([&] { exact(one_end, {std::nan("")}); }),
             "<times> = nan: must be a finite number of at least 0");
-  EXPECT_EQ(refused([&] { exact(two_ends, {2.5}); }),
+  EXPECT_EQ(refusal_of([&] { exact(two_ends, {2.5}); }),
             "<times> = 2.5: must be in [0, 2], the time of the scene");
-  EXPECT_EQ(refused([&] { exact_in_digits(one_end, "relaxation", {1.0}, 0); }),
+  EXPECT_EQ(refusal_of([&] { exact_in_digits(one_end, "relaxation", {1.0}, 0); }),
             "<digits> = 0: must be a whole number from 1 to 100000");
-  EXPECT_EQ(refused([&] { exact_in_digits(two_ends, "two_sided_constraint", {1.0}, 40); }),
+  EXPECT_EQ(refusal_of([&] { exact_in_digits(two_ends, "two_sided_constraint", {1.0}, 40); }),
             "<digits> = 40: scene two_sided_constraint has no exact solution in digits, only what is known "
             "in double");
 }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fdebench/benchmarks/text/refusal.hpp"
+#include "support/refusal_of.hpp"
 
 namespace fde::bench {
 namespace {
@@ -25,12 +25,7 @@ JudgeRequest request_for(const ExternalTrajectory& path, const std::string& scen
 }
 
 std::string refused(const JudgeRequest& request) {
-  try {
-    judge(request);
-  } catch (const Refusal& refusal) {
-    return refusal.said([](const std::string& field) { return "<" + field + ">"; }).what();
-  }
-  return "";
+  return refusal_of([&] { judge(request); });
 }
 
 TEST(JudgedTrajectories, HaveNoErrorWhereTheyAreExact) {

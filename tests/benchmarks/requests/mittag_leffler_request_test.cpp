@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "fdebench/benchmarks/text/refusal.hpp"
+#include "support/refusal_of.hpp"
 
 namespace fde::bench {
 namespace {
@@ -49,13 +49,8 @@ TEST(MittagLefflerRequests, HaveAsManyDigitsAsAreAsked) {
 }
 
 TEST(MittagLefflerRequests, NameTheFieldThatTheyRefuse) {
-  const auto refused = [](const MittagLefflerRequest& request) -> std::string {
-    try {
-      mittag_leffler(request);
-    } catch (const Refusal& refusal) {
-      return refusal.said([](const std::string& field) { return "<" + field + ">"; }).what();
-    }
-    return "";
+  const auto refused = [](const MittagLefflerRequest& request) {
+    return refusal_of([&] { mittag_leffler(request); });
   };
   const std::vector one{real("1")};
   EXPECT_EQ(refused({.alpha = "6", .argument = real("1")}), "<alpha> = 6: must be a number in (0, 5]");

@@ -10,8 +10,8 @@
 
 #include "fdebench/benchmarks/requests/own_scheme.hpp"
 #include "fdebench/benchmarks/sweep/sweep.hpp"
-#include "fdebench/benchmarks/text/refusal.hpp"
 #include "support/command_output.hpp"
+#include "support/refusal_of.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace fde::bench {
@@ -88,12 +88,7 @@ TEST(RecordedSweep, EndsARunWhoseMeasureIsNoNumber) {
 std::string refused(const std::function<void(SweepRequest&)>& change) {
   auto request = of_relaxation();
   change(request);
-  try {
-    sweeps_of(request);
-  } catch (const Refusal& refusal) {
-    return refusal.said([](const std::string& field) { return '<' + field + '>'; }).what();
-  }
-  return "";
+  return refusal_of([&] { sweeps_of(request); });
 }
 
 TEST(SweepRequests, NameTheFieldThatIsRefused) {

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "fdebench/benchmarks/requests/answers_json.hpp"
-#include "fdebench/benchmarks/text/refusal.hpp"
+#include "support/refusal_of.hpp"
 #include "support/testing.hpp"
 
 namespace fde::bench {
@@ -67,20 +67,11 @@ TEST(RequestedSolve, SaysWhatSpeaksAgainstTheValues) {
   EXPECT_THAT(warning_text(table.warnings), testing::StartsWith(table.warnings.front().text));
 }
 
-std::string refused(const std::function<void()>& asked) {
-  try {
-    asked();
-  } catch (const Refusal& refusal) {
-    return refusal.said([](const std::string& field) { return "<" + field + ">"; }).what();
-  }
-  return "";
-}
-
 TEST(RequestedSolve, NamesTheFieldsThatItRefuses) {
   const Scene scene = scene_of("relaxation");
   const auto of = [&](SolveRequest request, auto change) {
     change(request);
-    return refused([&] { solve(scene, request); });
+    return refusal_of([&] { solve(scene, request); });
   };
   const auto grid = steps_of("l1", 8), adaptive = accuracy_of("adaptive_pc", 1e-4);
   EXPECT_EQ(of(steps_of("l1", 0), [](auto&) {}), "<steps> = 0: must be a whole number from 1 to 1000000000");
@@ -118,16 +109,16 @@ TEST(RequestedSolve, NamesTheFieldsThatItRefuses) {
 TEST(SolveRequest, TakesOneOfTheFieldsThatExcludeEachOther) {
   EXPECT_EQ(std::get<int>(resolution_from(8, std::nullopt)), 8);
   EXPECT_EQ(std::get<Tolerance>(resolution_from(std::nullopt, 1e-3)).atol, 1e-3);
-  EXPECT_EQ(refused([] { resolution_from(std::nullopt, std::nullopt); }), "<steps> is required");
+  EXPECT_EQ(refusal_of([] { resolution_from(std::nullopt, std::nullopt); }), "<steps> is required");
   EXPECT_EQ(std::get<EveryTime>(output_times_from(std::nullopt, 3, std::nullopt)).stride, 3);
-  EXPECT_EQ(refused([] { output_times_from(std::nullopt, 3, 5); }),
+  EXPECT_EQ(refusal_of([] { output_times_from(std::nullopt, 3, 5); }),
             "<at>, <every> and <points>: one of them at most");
   SolveRequest request;
   set_grid(request, "graded:3");
   EXPECT_EQ(request.settings.grading, 3.0);
   set_grid(request, "graded:auto");
   EXPECT_TRUE(request.optimal_grading);
-  EXPECT_EQ(refused([&] { set_grid(request, "square"); }),
+  EXPECT_EQ(refusal_of([&] { set_grid(request, "square"); }),
             "<grid> = square: must be uniform or graded:R with R in [1, 100], or graded:auto");
 }
 
