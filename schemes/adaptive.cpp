@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/adaptive_solver.hpp"
-#include "fdebench/schemes/rules/adaptive/trapezoidal_stepper.hpp"
+#include "fdebench/schemes/rules/adaptive/trapezoidal_rule.hpp"
 
 namespace fde {
 namespace {
@@ -11,8 +11,8 @@ Solve trapezoidal(Make make) {
   return [make](const Problem& problem, const Resolution& resolution, const Options& options) {
     const auto accuracy = std::get<Tolerance>(resolution);
     return solve_adaptively(problem, accuracy, options, [&](Run& run, double shortest) {
-      return std::make_unique<TrapezoidalStepper>(problem, accuracy, options, run, shortest,
-                                                  make(problem, options));
+      return std::make_unique<TrapezoidalRule>(problem, accuracy, options, run, shortest,
+                                               make(problem, options));
     });
   };
 }

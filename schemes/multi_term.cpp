@@ -1,122 +1,125 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
+#include <vector>
 
 #include "fdebench/schemes/history/weights/weights.hpp"
-#include "fdebench/schemes/rules/implicit/newton.hpp"
+#include "fdebench/schemes/rules/implicit/newton_stepper.hpp"
 #include "fdebench/schemes/rules/multi_term/integrated_equations.hpp"
 #include "fdebench/schemes/rules/multi_term/multi_term_rates.hpp"
 #include "fdebench/schemes/rules/multi_term/multi_term_symbols.hpp"
-#include "fdebench/schemes/stepping/grid_jumps.hpp"
-#include "fdebench/schemes/stepping/run.hpp"
+#include "fdebench/schemes/stepping/grid_stepper.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 
 namespace {
 
-// Solves the integrated equations of a problem (integrated_equations.hpp) with the weights of one family,
-// each step by Newton's method. A multistep rule has starting weights, and its first steps are one system
-// (starting_procedure.hpp).
 Trajectory solve_integrated_equations(const Problem& problem, const Grid& grid, const Options& options,
                                       const WeightFamily& family);
 
-// The first steps of a rule with starting weights, one column each.
-Matrix first_steps_of(Run& run, IntegratedEquations& equations, const Problem& problem,
-                      const Problem& stepped, const Grid& grid, double tolerance, SolveStatus& ending) {
-  auto system = equations.first_equations();
-  if (!system) {
-    ending = SolveStatus::step_too_large;
-    return {};
-  }
-  const auto first_order = [&](const Grid& steps, const Options& exact) {
-    return solve_integrated_equations(problem, steps, exact, families::grunwald_letnikov);
-  };
-  return StartingProcedure(stepped, grid, std::move(*system), first_order).solve(run, tolerance, ending);
+// The powers that starting weights of this family make exact; none without starting weights.
+std::vector<double> powers_for(const WeightFamily& family, const Problem& problem, const Grid& grid) {
+  if (family.multistep == nullptr) return {};
+  return starting_powers_of_equations(family, problem).for_steps(grid.steps);
 }
+
+// The integrated equations of a problem (integrated_equations.hpp) with the weights of one family, each step
+// by Newton's method. A multistep rule has starting weights, and its first steps are one system
+// (starting_procedure.hpp).
+class EquationStepper final : public NewtonStepper<EquationStepper> {
+ public:
+  EquationStepper(const Problem& problem, const Problem& stepped, const Grid& grid, const Options& options,
+                  const WeightFamily& family)
+      : NewtonStepper(stepped, grid, options),
+        chains_(problem),
+        powers_(powers_for(family, problem, grid)),
+        equations_(problem, family, grid, options, powers_) {
+    record_history(equations_.bytes(), equations_.history_kind());
+    if (!powers_.empty()) run_.cost().starting_weights = static_cast<int>(powers_.size());
+  }
+
+  StepOutcome start() {
+    if (powers_.size() <= 1) return {0.0};
+    auto system = equations_.first_equations();
+    if (!system) return {grid().time(1), SolveStatus::step_too_large};
+    const auto first_order = [&](const Grid& steps, const Options& exact) {
+      return solve_integrated_equations(chains_, steps, exact, families::grunwald_letnikov);
+    };
+    SolveStatus ending{};
+    first_ = StartingProcedure(problem_, grid(), std::move(*system), first_order)
+                 .solve(run_, options_.newton_tolerance, ending);
+    return {grid().time(1), ending};
+  }
+
+  SolveStatus step() {
+    equations_.push(before(), y_, rhs_before());
+    if (n() <= first_.cols()) {
+      y_ = first_.col(n() - 1);
+      return SolveStatus::finished;
+    }
+    if (!equations_.prepare_step(n())) return SolveStatus::step_too_large;
+    return solve(equations_.kappa(), equations_.known());
+  }
+
+  void rule_state(Archive& archive) {
+    NewtonStepper::rule_state(archive);
+    archive(equations_);
+    archive.resizable(first_);
+  }
+
+ private:
+  const Problem& chains_;  // with the equations; problem_ is what each step solves
+  const std::vector<double> powers_;
+  IntegratedEquations equations_;
+  Matrix first_{};  // the first steps of a rule with starting weights, one column each
+};
 
 Trajectory solve_integrated_equations(const Problem& problem, const Grid& grid, const Options& options,
                                       const WeightFamily& family) {
-  std::vector<double> powers;  // none without starting weights
-  if (family.multistep != nullptr)
-    powers = starting_powers_of_equations(family, problem).for_steps(grid.steps);
   const Problem stepped = integrated_problem(problem);
-  Run run(stepped, options, grid.steps);
-  NewtonSolver newton(stepped, options.newton_tolerance);
-  const GridJumps jumps(problem, grid);
-  IntegratedEquations equations(problem, family, grid, options, powers);
-  run.cost().history_bytes = equations.bytes();
-  run.cost().history = name(equations.history_kind());
-  if (!powers.empty()) run.cost().starting_weights = static_cast<int>(powers.size());
-
-  Matrix first;
-  SolveStatus ending = SolveStatus::finished;
-  Vec y = run.start();
-  double t = 0.0;
-  int n = 1;
-  const StateArchiver state = [&](Archive& archive) {
-    archive.count(n, 1, grid.steps);
-    archive(t, y, newton, equations);
-    archive.resizable(first);
-  };
-  if (!run.resume_from_checkpoint(state) && powers.size() > 1)
-    first = first_steps_of(run, equations, problem, stepped, grid, options.newton_tolerance, ending);
-  for (; n <= grid.steps && ending == SolveStatus::finished; ++n) {
-    run.offer_checkpoint(state);
-    equations.push(t, y, newton.rhs_at_solution(run, t, y));
-    t = grid.time(n);
-    if (n <= first.cols()) {
-      y = first.col(n - 1);
-    } else {
-      ending = SolveStatus::step_too_large;
-      if (equations.prepare_step(n))
-        ending = newton.solve(run, {t, equations.kappa(), equations.known(), jumps.before(t)}, y);
-    }
-    if (ending == SolveStatus::finished && !run.accept(t, newton.delivered(y))) return run.finish();
-  }
-  if (ending != SolveStatus::finished) run.fail(ending, t > 0.0 ? t : grid.time(1));
-  return run.finish();
+  return integrate(EquationStepper(problem, stepped, grid, options, family));
 }
 
 // Predictor-corrector method with the trapezoidal weights. Only g is predicted, by the line through its last
 // two values; the terms of the equation are linear in the unknown and are solved exactly:
 //   y^P = known + kappa (f_(n-1) + h_n/h_(n-1) (f_(n-1) - f_(n-2))),   y_n = known + kappa f(t_n, y^P).
 // options.corrections: how often the second equation is applied.
+class EquationPredictor final : public GridStepper<EquationPredictor> {
+ public:
+  EquationPredictor(const Problem& problem, const Problem& stepped, const Grid& grid, const Options& options)
+      : GridStepper(stepped, grid, options),
+        equations_(problem, families::trapezoid, grid, options),
+        f_(Vec::Zero(y_.size())),
+        f_before_(f_) {
+    record_history(equations_.bytes(), equations_.history_kind());
+  }
+
+  SolveStatus step() {
+    f_before_ = f_;
+    f_ = run_.rhs(before(), y_);
+    equations_.push(before(), y_, f_);
+    if (!equations_.prepare_step(n())) return SolveStatus::step_too_large;
+    const double ratio = n() == 1 ? 0.0 : grid().step(n()) / grid().step(n() - 1);
+    if (n() == 1) f_before_ = f_;
+    y_ = equations_.known() + equations_.kappa().cwiseProduct(f_ + ratio * (f_ - f_before_));
+    const bool jump = jumps().correct(t(), y_, before_jump_, [&](double time) {
+      for (int correction = 0; correction < options_.corrections; ++correction)
+        y_ = equations_.known() + equations_.kappa().cwiseProduct(run_.rhs(time, y_));
+    });
+    result_ = jump ? &before_jump_ : &y_;
+    return SolveStatus::finished;
+  }
+
+  void rule_state(Archive& archive) { archive(f_, equations_); }
+
+ private:
+  IntegratedEquations equations_;
+  Vec before_jump_{}, f_, f_before_;
+};
+
 Trajectory predict_and_correct_equations(const Problem& problem, const Grid& grid, const Options& options) {
   const Problem stepped = integrated_problem(problem);
-  Run run(stepped, options, grid.steps);
-  IntegratedEquations equations(problem, families::trapezoid, grid, options);
-  run.cost().history_bytes = equations.bytes();
-  run.cost().history = name(equations.history_kind());
-
-  const GridJumps jumps(problem, grid);
-  Vec y = run.start(), delivered, f = Vec::Zero(y.size()), before = f;
-  double t = 0.0;
-  int n = 1;
-  const StateArchiver state = [&](Archive& archive) {
-    archive.count(n, 1, grid.steps);
-    archive(t, y, f, equations);
-  };
-  for (run.resume_from_checkpoint(state); n <= grid.steps; ++n) {
-    run.offer_checkpoint(state);
-    before = f;
-    f = run.rhs(t, y);
-    equations.push(t, y, f);
-    t = grid.time(n);
-    if (!equations.prepare_step(n)) {
-      run.fail(SolveStatus::step_too_large, t);
-      break;
-    }
-    const double ratio = n == 1 ? 0.0 : grid.step(n) / grid.step(n - 1);
-    if (n == 1) before = f;
-    y = equations.known() + equations.kappa().cwiseProduct(f + ratio * (f - before));
-    const auto correct = [&](double time) {
-      for (int correction = 0; correction < options.corrections; ++correction)
-        y = equations.known() + equations.kappa().cwiseProduct(run.rhs(time, y));
-    };
-    const bool jump = jumps.correct(t, y, delivered, correct);
-    if (!run.accept(t, jump ? delivered : y)) break;
-  }
-  return run.finish();
+  return integrate(EquationPredictor(problem, stepped, grid, options));
 }
 
 constexpr std::string_view of_product_rules =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/adaptive/adaptive_solver.hpp"
-#include "fdebench/schemes/rules/adaptive/radau_stepper.hpp"
+#include "fdebench/schemes/rules/adaptive/radau_rule.hpp"
 #include "fdebench/schemes/stepping/order_splitting.hpp"
 
 namespace fde {
@@ -9,13 +9,13 @@ namespace {
 Trajectory solve_by_radau(const Problem& problem, const Resolution& resolution, const Options& options) {
   const auto accuracy = std::get<Tolerance>(resolution);
   return solve_adaptively(problem, accuracy, options, [&](Run& run, double shortest) {
-    return std::make_unique<RadauStepper>(problem, accuracy, options, run, shortest);
+    return std::make_unique<RadauRule>(problem, accuracy, options, run, shortest);
   });
 }
 
 }  // namespace
 
-// Orders above 1 are split, because RadauStepper is for orders up to 1.
+// Orders above 1 are split, because RadauRule is for orders up to 1.
 Scheme radau_exponentials() {
   return {.id = "radau_exponentials",
           .title = "Radau IIA with exponentials",

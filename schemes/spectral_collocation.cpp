@@ -14,7 +14,7 @@ Scheme spectral_collocation() {
       .capabilities = {.resolution = ResolutionKind::tolerance, .implicit = true, .algebraic_rows = true},
       .solve =
           [](const Problem& problem, const Resolution& resolution, const Options& options) {
-            return PanelCollocation(problem, std::get<Tolerance>(resolution), options).solve();
+            return integrate(PanelCollocation(problem, std::get<Tolerance>(resolution), options));
           },
       .unsupported_problem_reason = [](const Problem& problem) -> std::optional<std::string> {
         if (has_sparse_jacobian(problem)) return "takes dense Jacobians only";

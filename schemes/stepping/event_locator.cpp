@@ -156,13 +156,13 @@ EventLocator::EventLocator(const std::vector<Event>& events, In start) : events_
   for (const auto& event : events_) values_.push_back(event.value(0.0, start));
 }
 
-std::vector<EventOccurrence> EventLocator::step(double t, In y, const StepInterpolant& path, int pieces) {
-  const auto times = looked_at(time_, t, pieces);
+std::vector<EventOccurrence> EventLocator::step(double t, In y, const StepInterpolant& within) {
+  const auto times = looked_at(time_, t, within.pieces);
   std::vector<Vec> states;
-  for (const double at : times) states.push_back(at == time_ || at == t ? Vec(y) : path(at));
+  for (const double at : times) states.push_back(at == time_ || at == t ? Vec(y) : within.at(at));
   std::vector<EventOccurrence> found;
   for (std::size_t e = 0; e < events_.size(); ++e) {
-    const Value value = [&](double at) { return events_[e].value(at, at == t ? Vec(y) : path(at)); };
+    const Value value = [&](double at) { return events_[e].value(at, at == t ? Vec(y) : within.at(at)); };
     std::vector<Sample> samples{{time_, values_[e]}};
     for (std::size_t k = 1; k < times.size(); ++k)
       samples.push_back({times[k], events_[e].value(times[k], states[k])});
@@ -177,7 +177,7 @@ std::vector<EventOccurrence> EventLocator::step(double t, In y, const StepInterp
   const auto last =
       std::ranges::find_if(found, [&](const EventOccurrence& one) { return events_[one.event].terminal; });
   if (last != found.end()) found.erase(last + 1, found.end());
-  for (auto& one : found) one.y = one.t == t ? Vec(y) : path(one.t);
+  for (auto& one : found) one.y = one.t == t ? Vec(y) : within.at(one.t);
   time_ = t;
   return found;
 }

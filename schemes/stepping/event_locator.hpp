@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
+#include <cstdint>
 #include <vector>
 
 #include "fdebench/schemes/problem/archive.hpp"
@@ -15,15 +15,12 @@ namespace fde {
 // 21 (1995)); two zeros in one piece are found through the minimum of |value| between them.
 class EventLocator {
  public:
-  using StepInterpolant = std::function<Vec(double t)>;
-
   // start = y(0). `events` must outlive this object.
   EventLocator(const std::vector<Event>& events, In start);
 
   // The zeros on the step from the time of the previous call (at first 0) up to t, by increasing time, up to
-  // the first that ends the run. y = y(t); path(s) is y(s) within the step; `pieces` >= 1 is the number of
-  // pieces that are sampled initially.
-  std::vector<EventOccurrence> step(double t, In y, const StepInterpolant& path, int pieces);
+  // the first that ends the run. y = y(t).
+  std::vector<EventOccurrence> step(double t, In y, const StepInterpolant& within);
 
   void state(Archive& archive) { archive(time_, values_, left_); }
 

@@ -2,66 +2,85 @@
 #include "fdebench/schemes/stepping/predict_and_correct.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <vector>
 
 #include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
-#include "fdebench/schemes/stepping/grid_jumps.hpp"
-#include "fdebench/schemes/stepping/run.hpp"
+#include "fdebench/schemes/stepping/grid_stepper.hpp"
 
 namespace fde {
 
-Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const Options& options) {
-  Run run(problem, options, grid.steps);
-  const auto predictor = weight_tables(problem, families::rectangle);
-  const auto corrector = weight_tables(problem, families::trapezoid);
-  const auto history =
-      make_history(options.history, {predictor, corrector}, step_plan(grid), options.newton_tolerance);
-  run.cost().history_bytes = history->bytes();
-  run.cost().history = name(history->kind());
-  const TaylorPart taylor_part(problem);
-  auto of_both = predictor;
-  of_both.insert(of_both.end(), corrector.begin(), corrector.end());
-  StepFactors factors(of_both);
+namespace {
 
-  const Eigen::Index size = problem.size();
-  const GridJumps jumps(problem, grid);
-  Vec y = run.start(), delivered, f(y.size()), predicted(y.size()), corrected(y.size()), taylor(y.size());
-  const Eigen::Ref<const Vec> solution(y), sample(f);  // made once: a view takes as long as a component
-  const bool moves =
-      std::ranges::any_of(problem.components, [](const auto& component) { return component.order > 1.0; });
-  double t = 0.0;
-  taylor_part.at(t, taylor);
-  int n = 1;
-  const StateArchiver state = [&](Archive& archive) {
-    archive.count(n, 1, grid.steps);
-    archive(t, y, *history);
-  };
-  for (run.resume_from_checkpoint(state); n <= grid.steps; ++n) {
-    run.offer_checkpoint(state);
-    run.rhs(t, solution, f);
-    history->push(t, sample);
-    const double before = t;
-    t = grid.time(n);
-    history->convolve(t, 0, predicted);
-    history->convolve(t, 1, corrected);
-    if (moves) taylor_part.at(t, taylor);
-    const double* const kappa = factors.at(grid.step(before, t)).data();
-    for_each_row(size, [=, part = taylor.data(), sum = predicted.data(), to = y.data()](Eigen::Index i) {
+std::vector<WeightTable> joined(std::vector<WeightTable> first, const std::vector<WeightTable>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+class PredictorCorrector final : public GridStepper<PredictorCorrector> {
+ public:
+  PredictorCorrector(const Problem& problem, const Grid& grid, const Options& options)
+      : PredictorCorrector(problem, grid, options, weight_tables(problem, families::rectangle),
+                           weight_tables(problem, families::trapezoid)) {}
+
+  SolveStatus step() {
+    const Eigen::Index size = y_.size();
+    run_.rhs(before(), solution_, f_);
+    history_->push(before(), sample_);
+    history_->convolve(t(), 0, predicted_);
+    history_->convolve(t(), 1, corrected_);
+    if (has_velocities_) taylor_part_.at(t(), taylor_);
+    const double* const kappa = factors_.at(h()).data();
+    for_each_row(size, [=, part = taylor_.data(), sum = predicted_.data(), to = y_.data()](Eigen::Index i) {
       to[i] = part[i] + kappa[i] * sum[i];
     });
-    const auto correct = [&](double time) {
-      for (int correction = 0; correction < options.corrections; ++correction) {
-        run.rhs(time, solution, f);
+    const bool jump = jumps().correct(t(), y_, before_jump_, [&](double time) {
+      for (int correction = 0; correction < options_.corrections; ++correction) {
+        run_.rhs(time, solution_, f_);
         for_each_row(size,
-                     [=, part = taylor.data(), sum = corrected.data(), newest = f.data(), to = y.data()](
+                     [=, part = taylor_.data(), sum = corrected_.data(), newest = f_.data(), to = y_.data()](
                          Eigen::Index i) { to[i] = part[i] + kappa[size + i] * (sum[i] + newest[i]); });
       }
-    };
-    const bool jump = jumps.correct(t, y, delivered, correct);
-    if (!(jump ? run.accept(t, delivered) : run.accept(t, solution))) break;
+    });
+    result_ = jump ? &before_jump_ : &y_;
+    return SolveStatus::finished;
   }
-  return run.finish();
+
+  void rule_state(Archive& archive) { archive(*history_); }
+
+ private:
+  PredictorCorrector(const Problem& problem, const Grid& grid, const Options& options,
+                     const std::vector<WeightTable>& predictor, const std::vector<WeightTable>& corrector)
+      : GridStepper(problem, grid, options),
+        has_velocities_(
+            std::ranges::any_of(problem.components, [](const auto& row) { return row.order > 1.0; })),
+        taylor_part_(problem),
+        history_(
+            make_history(options.history, {predictor, corrector}, step_plan(grid), options.newton_tolerance)),
+        factors_(joined(predictor, corrector)),
+        f_(y_.size()),
+        predicted_(y_.size()),
+        corrected_(y_.size()),
+        taylor_(y_.size()) {
+    record_history(history_->bytes(), history_->kind());
+    taylor_part_.at(0.0, taylor_);
+  }
+
+  const bool has_velocities_;  // the Taylor part depends on t
+  const TaylorPart taylor_part_;
+  const std::unique_ptr<History> history_;
+  StepFactors factors_;
+  Vec before_jump_{}, f_, predicted_, corrected_, taylor_;
+  // Made once: a view takes as long as a component.
+  const Eigen::Ref<const Vec> sample_{f_};
+};
+
+}  // namespace
+
+Trajectory predict_and_correct(const Problem& problem, const Grid& grid, const Options& options) {
+  return integrate(PredictorCorrector(problem, grid, options));
 }
 
 // The predictor takes f constant: where f starts like t, it has the error h^(1+g), and y has h^g times that.

@@ -14,7 +14,7 @@ namespace fde {
 namespace {
 
 // x - x is 0 where x is finite, otherwise NaN.
-bool all_finite(In y) {
+bool all_finite(const Vec& y) {
   return holds_for_each_row(y.size(),
                             [values = y.data()](Eigen::Index i) { return values[i] - values[i] == 0.0; });
 }
@@ -48,32 +48,31 @@ const Vec& Run::rhs_of_increments(double t, In z) {
   return f_;
 }
 
-bool Run::accept(double t, In y) {
-  if (events_)
+bool Run::accept(double t, const Vec& y, const StepInterpolant* within) {
+  if (events_ && within == nullptr)
     throw std::invalid_argument("events: are located by schemes that take an accuracy, not over a grid");
-  if (!check_step(t, y)) return false;
-  record(t, y);
-  return true;
-}
-
-bool Run::accept(double t, In y, const std::function<Vec(double)>& dense_output, int pieces) {
   const double before = path_.last_time;
   if (!check_step(t, y)) return false;
-  if (events_) {
-    const auto found = events_->step(t, y, dense_output, pieces);
-    path_.events.insert(path_.events.end(), found.begin(), found.end());
-    if (!found.empty() && options_.events[found.back().event].terminal) {
-      path_.status = SolveStatus::terminal_event;
-      path_.last_time = found.back().t;
-      record_step(before, found.back().t, found.back().y, dense_output);
-      return false;
-    }
+  if (within == nullptr) {
+    record(t, y);
+    return true;
   }
-  record_step(before, t, y, dense_output);
+  if (events_ && ends_at_event(before, t, y, *within)) return false;
+  record_step(before, t, y, *within);
   return true;
 }
 
-void Run::record_step(double before, double t, In y, const std::function<Vec(double)>& dense_output) {
+bool Run::ends_at_event(double before, double t, const Vec& y, const StepInterpolant& within) {
+  const auto found = events_->step(t, y, within);
+  path_.events.insert(path_.events.end(), found.begin(), found.end());
+  if (found.empty() || !options_.events[found.back().event].terminal) return false;
+  path_.status = SolveStatus::terminal_event;
+  path_.last_time = found.back().t;
+  record_step(before, found.back().t, found.back().y, within);
+  return true;
+}
+
+void Run::record_step(double before, double t, const Vec& y, const StepInterpolant& within) {
   if (options_.observer) options_.observer(t, y);
   if (options_.output_times.empty()) store(t, y);
   constexpr double rounding = 1e-12;  // of the time at which a last step ends
@@ -82,15 +81,17 @@ void Run::record_step(double before, double t, In y, const std::function<Vec(dou
   for (const auto& at = options_.output_times; next_output_ < at.size() && at[next_output_] <= until;
        ++next_output_) {
     const double output = at[next_output_];
-    if (output > before) store(output, output == t ? Vec(y) : dense_output(std::min(output, t)));
+    if (output > before) store(output, output == t ? y : within.at(std::min(output, t)));
   }
 }
 
-bool Run::check_step(double t, In y) {
+bool Run::check_step(double t, const Vec& y) {
   const std::int64_t n = t > 0.0 ? path_.steps + 1 : 0;
+  const auto& domain = problem_.domain;
   if (!all_finite(y)) {
     fail(SolveStatus::non_finite, t);
-  } else if (!problem_.domain.contains(t, y) || (rank_ && !rank_->is_kept_until(t, y))) {
+  } else if ((domain.margin && !domain.contains(t, y)) ||  // without a margin no view of y is made
+             (rank_ && !rank_->is_kept_until(t, y))) {
     fail(SolveStatus::left_domain, t);
   } else if (n >= next_look_ && is_out_of_budget_at(n)) {
     fail(SolveStatus::out_of_budget, t);
@@ -156,12 +157,12 @@ bool Run::out_of_budget() const {
   return taken.count() > options_.budget;
 }
 
-void Run::record(double t, In y) {
+void Run::record(double t, const Vec& y) {
   if (options_.observer) options_.observer(t, y);
   if (options_.output_times.empty() || (t >= next_output_from_ && is_output_time(t))) store(t, y);
 }
 
-void Run::store(double t, In y) {
+void Run::store(double t, const Vec& y) {
   const auto column = std::ssize(path_.times);
   if (column == path_.y.cols()) path_.y.conservativeResize(Eigen::NoChange, 2 * column + 1);
   path_.y.col(column) = y;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <optional>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
@@ -66,14 +68,12 @@ class Run {
   // y(0), which is recorded at t = 0; in a two-sided problem only a guess of it, which is not recorded.
   [[nodiscard]] const Vec& start() const { return start_; }
 
-  // Records the result y of the step to t; t > 0, in a two-sided problem t >= 0. False, and the run has
-  // ended, when y is not finite or outside the domain, or the budget is spent. Throws std::invalid_argument
-  // where Options::events is not empty: events need the other overload.
-  bool accept(double t, In y);
-  // The same for a scheme with dense output: dense_output(s) is y(s) within the step. Times of
-  // Options::output_times inside the step are recorded, and events are located from samples in `pieces`
-  // pieces of the step. False also at an event that ends the run; the result is then valid up to the event.
-  bool accept(double t, In y, const std::function<Vec(double)>& dense_output, int pieces = 8);
+  // Records the result y of the step to t; t > 0, in a two-sided problem t >= 0. With an interpolant of the
+  // step, times of Options::output_times inside the step are recorded too, and events are located. False, and
+  // the run has ended, when y is not finite or outside the domain, the budget is spent, or an event ends the
+  // run; the result is then valid up to the event. Throws std::invalid_argument where Options::events is not
+  // empty and there is no interpolant.
+  bool accept(double t, const Vec& y, const StepInterpolant* within = nullptr);
 
   // Whether an event has ended the run, within the last step.
   [[nodiscard]] bool ended_by_event() const { return path_.status == SolveStatus::terminal_event; }
@@ -93,17 +93,22 @@ class Run {
   // (report_progress), so it throws what a listener throws.
   [[nodiscard]] bool out_of_budget() const;
 
+  // Starts the clock of the budget anew: the construction of the scheme does not count.
+  void start_clock() { begin_ = last_look_ = std::chrono::steady_clock::now(); }
+
   Cost& cost() { return path_.cost; }
   Trajectory finish();
 
  private:
-  bool check_step(double t, In y);
+  bool check_step(double t, const Vec& y);
   // out_of_budget(), which is evaluated about every 0.1 ms.
   bool is_out_of_budget_at(std::int64_t step);
-  void record_step(double before, double t, In y, const std::function<Vec(double)>& dense_output);
+  // Locates events within the step; returns whether one of them has ended the run.
+  bool ends_at_event(double before, double t, const Vec& y, const StepInterpolant& within);
+  void record_step(double before, double t, const Vec& y, const StepInterpolant& within);
   void state(Archive& archive);
-  void record(double t, In y);
-  void store(double t, In y);
+  void record(double t, const Vec& y);
+  void store(double t, const Vec& y);
   bool is_output_time(double t);
 
   const Problem& problem_;

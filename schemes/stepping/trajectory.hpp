@@ -34,6 +34,13 @@ struct EventOccurrence {
   void state(Archive& archive);
 };
 
+// y within a step of a scheme with dense output. Events are located from samples at the ends of `pieces`
+// pieces.
+struct StepInterpolant {
+  std::function<Vec(double t)> at;
+  int pieces = 8;
+};
+
 using Rows = Matrix;  // one row a component, one column a time
 
 // How a solve ended.

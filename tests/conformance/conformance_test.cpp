@@ -164,7 +164,7 @@ TEST_P(Conformance, CallsAreCounted) {
   EXPECT_EQ(path.cost.rhs_calls, calls);
   EXPECT_EQ(path.cost.newton_iterations > 0, GetParam()->capabilities.implicit);
   if (!GetParam()->capabilities.implicit) {
-    EXPECT_EQ(calls, 2 * 40);
+    EXPECT_TRUE(calls == 40 || calls == 80) << calls << ", not one a step or, with a corrector, two";
   }
 }
 

@@ -20,8 +20,11 @@ PAGE = (ROOT / "docs" / "extending.md").read_text()
 
 
 def parts():
-    """{path: text} of the files and lines of the page."""
-    return dict(re.findall(r"^```cpp (\S+)\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL))
+    """{path: text} of the files and lines of the page; the lines of one list together."""
+    texts = {}
+    for path, text in re.findall(r"^```cpp (\S+)\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL):
+        texts[path] = texts.get(path, "") + text
+    return texts
 
 
 def includers(path):

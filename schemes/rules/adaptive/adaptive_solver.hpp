@@ -4,17 +4,17 @@
 #include <functional>
 #include <memory>
 
-#include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
+#include "fdebench/schemes/rules/adaptive/adaptive_rule.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
 
 // Creates the stepping rule of a run. `shortest` is a lower bound of all step sizes.
-using StepperFactory = std::function<std::unique_ptr<AdaptiveStepper>(Run& run, double shortest)>;
+using AdaptiveRuleFactory = std::function<std::unique_ptr<AdaptiveRule>(Run& run, double shortest)>;
 
 // Solves a problem with adaptive step size. The right-hand side hardly changes on the first step (see
 // initial_step_size). A step ends at each of the breaking_points, and the rule restarts there.
 Trajectory solve_adaptively(const Problem& problem, const Tolerance& accuracy, const Options& options,
-                            const StepperFactory& make);
+                            const AdaptiveRuleFactory& make);
 
 }  // namespace fde

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
+#include "fdebench/schemes/rules/adaptive/adaptive_rule.hpp"
 
 namespace fde {
 

@@ -5,7 +5,7 @@
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
-#include "fdebench/schemes/stepping/grid_jumps.hpp"
+#include "fdebench/schemes/rules/implicit/newton_stepper.hpp"
 
 namespace fde {
 
@@ -53,6 +53,59 @@ class HistoryOfRows {
   std::unique_ptr<History> history_;
 };
 
+class ImplicitStepper final : public NewtonStepper<ImplicitStepper> {
+ public:
+  ImplicitStepper(const Problem& problem, const Grid& grid, const Options& options, const ImplicitRule& rule)
+      : NewtonStepper(problem, grid, options),
+        rule_(rule),
+        factors_(rule.tables),
+        history_(problem, rule.tables, grid, options),
+        previous_(y_),
+        sample_(y_.size()),
+        known_(y_.size()),
+        convolved_(Vec::Zero(y_.size())) {
+    record_history(history_.bytes(), history_.kind());
+  }
+
+  SolveStatus step() {
+    push_sample();
+    copy_rows(y_.size(), y_.data(), previous_.data());
+    history_.convolve(t(), convolved_);
+    const Vec& kappa = factors_.at(h());
+    rule_.known(t(), sums_, before_step_, kappa, known_);
+    const SolveStatus ending = solve(kappa, known_);
+    if (ending != SolveStatus::finished || !rule_.recorded_result) return ending;
+    recorded_ = *result_;
+    rule_.recorded_result(*result_, recorded_);
+    result_ = &recorded_;
+    return ending;
+  }
+
+  void rule_state(Archive& archive) {
+    NewtonStepper::rule_state(archive);
+    archive(previous_, history_);
+    if (rule_.state) rule_.state(archive);
+  }
+
+ private:
+  // Appends the sample at t_(n-1).
+  void push_sample() {
+    if (rule_.sample) {
+      rule_.sample(before(), solution_, before_step_, sample_);
+    } else {
+      copy_rows(y_.size(), rhs_before().data(), sample_.data());
+    }
+    history_.push(before(), new_sample_);
+  }
+
+  const ImplicitRule& rule_;
+  StepFactors factors_;
+  HistoryOfRows history_;
+  Vec previous_, recorded_{}, sample_, known_, convolved_;
+  // Made once: a view takes as long as a component.
+  const Eigen::Ref<const Vec> before_step_{previous_}, new_sample_{sample_}, sums_{convolved_};
+};
+
 }  // namespace
 
 ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family) {
@@ -66,57 +119,7 @@ ImplicitRule integral_rule(const Problem& problem, const WeightFamily& family) {
 
 Trajectory solve_implicit(const Problem& problem, const Grid& grid, const Options& options,
                           const ImplicitRule& rule) {
-  Run run(problem, options, grid.steps);
-  NewtonSolver newton(problem, options.newton_tolerance);
-  StepFactors factors(rule.tables);
-  const GridJumps jumps(problem, grid);
-  HistoryOfRows history(problem, rule.tables, grid, options);
-  run.cost().history_bytes = history.bytes();
-  run.cost().history = name(history.kind());
-
-  Vec previous = run.start(), y = previous, recorded, sample(y.size()), known(y.size());
-  Vec convolved = Vec::Zero(y.size());
-  // Made once: a view takes as long as a component.
-  const Eigen::Ref<const Vec> solution(y), before_step(previous), new_sample(sample), sums(convolved);
-  double t = 0.0;
-  int n = 1;
-  const StateArchiver state = [&](Archive& archive) {
-    archive.count(n, 1, grid.steps);
-    archive(t, y, previous, sample, history, newton);
-    if (rule.state) rule.state(archive);
-  };
-  if (rule.sample) {
-    rule.sample(t, y, previous, sample);
-  } else {
-    run.rhs(t, y, sample);
-  }
-  for (run.resume_from_checkpoint(state); n <= grid.steps; ++n) {
-    run.offer_checkpoint(state);
-    history.push(t, new_sample);
-    const double before = t;
-    t = grid.time(n);
-    history.convolve(t, convolved);
-    const Vec& kappa = factors.at(grid.step(before, t));
-    rule.known(t, sums, before_step, kappa, known);
-    if (const SolveStatus ending = newton.solve(run, {t, kappa, known, jumps.before(t)}, y);
-        ending != SolveStatus::finished) {
-      run.fail(ending, t);
-      break;
-    }
-    const Vec& delivered = newton.delivered(y);
-    const bool is_solution = &delivered == &y && !rule.recorded_result;
-    if (!is_solution) recorded = delivered;
-    if (rule.recorded_result) rule.recorded_result(delivered, recorded);
-    if (!(is_solution ? run.accept(t, solution) : run.accept(t, recorded))) break;
-    if (n < grid.steps && rule.sample) {
-      rule.sample(t, solution, before_step, sample);
-    } else if (n < grid.steps) {
-      copy_rows(y.size(), newton.rhs_at_solution(run, t, solution).data(), sample.data());
-    }
-    copy_rows(y.size(), y.data(), previous.data());
-  }
-  run.cost().linear_solver = newton.linear_solver();
-  return run.finish();
+  return integrate(ImplicitStepper(problem, grid, options, rule));
 }
 
 const RateTheory trapezoidal_theory{[](double) { return 2.0; }, end_rate_of_interpolated_f,

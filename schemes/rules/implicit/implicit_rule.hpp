@@ -17,7 +17,7 @@ struct ImplicitRule {
   std::vector<WeightTable> tables;  // of the convolution over the history
   // Sets known_n, from that convolution, y_{n-1} and kappa.
   std::function<void(double t, In convolved, In previous, In kappa, Vec& known)> known;
-  // The sample added to the history after a step. Empty: f(t, y).
+  // The sample that a step, when it begins, adds to the history: that at t_(n-1) = t. Empty: f(t, y).
   std::function<void(double t, In y, In previous, Vec& sample)> sample{};
   // Changes a copy of y into the recorded result of the step. Empty: y is recorded.
   std::function<void(In y, Out recorded)> recorded_result{};

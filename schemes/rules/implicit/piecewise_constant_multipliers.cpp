@@ -45,7 +45,9 @@ class StepwiseMultipliers {
         taylor_(problem),
         constants_(problem, rows_with_multipliers(problem, multipliers), grid, options),
         orders_(orders_of(problem)),
-        continuous_(Vec::Zero(problem.size())),
+        start_(Vec::Zero(problem.size())),
+        rhs_(start_),
+        continuous_(start_),
         slopes_(Matrix::Zero(problem.size(), std::ssize(multipliers))),
         f_(problem.size()) {}
 

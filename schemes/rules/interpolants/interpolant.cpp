@@ -3,45 +3,59 @@
 
 #include <algorithm>
 
-#include "fdebench/schemes/rules/implicit/newton.hpp"
-#include "fdebench/schemes/stepping/grid_jumps.hpp"
+#include "fdebench/schemes/rules/implicit/newton_stepper.hpp"
 
 namespace fde {
+
+namespace {
+
+class InterpolantStepper final : public NewtonStepper<InterpolantStepper> {
+ public:
+  InterpolantStepper(Interpolant& interpolant, OffStepProblem& stepped, const Grid& grid,
+                     const Options& options)
+      : NewtonStepper(stepped.problem(), grid, options),
+        interpolant_(interpolant),
+        stepped_(stepped),
+        previous_(y_),
+        known_derivative_(y_.size()),
+        newest_(y_.size()),
+        kappa_(y_.size()),
+        known_(y_.size()) {
+    record_history(interpolant_.bytes(), interpolant_.history_kind());
+  }
+
+  void finish(Trajectory& path) {
+    NewtonStepper::finish(path);
+    *path.cost.rhs_calls *= stepped_.evaluations();
+  }
+
+  SolveStatus step() {
+    if (n() > 1) interpolant_.push(n() - 1, y_ - previous_);
+    previous_ = y_;
+    stepped_.set_step(before(), previous_, h());
+    interpolant_.derivative(n(), known_derivative_, newest_);
+    kappa_ = newest_.cwiseInverse();
+    known_ = previous_ - kappa_.cwiseProduct(known_derivative_);
+    return solve(kappa_, known_);
+  }
+
+  void rule_state(Archive& archive) {
+    NewtonStepper::rule_state(archive);
+    archive(previous_, interpolant_);
+  }
+
+ private:
+  Interpolant& interpolant_;
+  OffStepProblem& stepped_;
+  Vec previous_, known_derivative_, newest_, kappa_, known_;
+};
+
+}  // namespace
 
 Trajectory solve_with_interpolant(Interpolant& interpolant, const Problem& problem, const Grid& grid,
                                   const Options& options) {
   OffStepProblem stepped(problem, interpolant.offsets());
-  Run run(stepped.problem(), options, grid.steps);
-  NewtonSolver newton(stepped.problem(), options.newton_tolerance);
-  const GridJumps jumps(problem, grid);
-  run.cost().history_bytes = interpolant.bytes();
-  run.cost().history = name(interpolant.history_kind());
-
-  Vec y = run.start(), before = y, known_derivative(y.size()), newest(y.size()), kappa(y.size()),
-      known(y.size());
-  int n = 1;
-  const StateArchiver state = [&](Archive& archive) {
-    archive.count(n, 1, grid.steps);
-    archive(y, newton, interpolant);
-  };
-  for (run.resume_from_checkpoint(state); n <= grid.steps; ++n) {
-    run.offer_checkpoint(state);
-    const double t = grid.time(n);
-    before = y;
-    stepped.set_step(grid.time(n - 1), before, grid.step(n));
-    interpolant.derivative(n, known_derivative, newest);
-    kappa = newest.cwiseInverse();
-    known = before - kappa.cwiseProduct(known_derivative);
-    if (const SolveStatus ending = newton.solve(run, {t, kappa, known, jumps.before(t)}, y);
-        ending != SolveStatus::finished) {
-      run.fail(ending, t);
-      break;
-    }
-    if (!run.accept(t, newton.delivered(y))) break;
-    if (n < grid.steps) interpolant.push(n, y - before);
-  }
-  *run.cost().rhs_calls *= stepped.evaluations();
-  return run.finish();
+  return integrate(InterpolantStepper(interpolant, stepped, grid, options));
 }
 
 SlopeHistory::SlopeHistory(const std::vector<WeightTable>& tables, const StepPlan& steps,

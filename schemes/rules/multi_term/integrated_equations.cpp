@@ -91,7 +91,8 @@ Problem integrated_problem(const Problem& problem) {
           .rhs = [=, &problem](double t, In y, Out f) { evaluate(problem, chains, t, y, f); },
           .derivatives = integrated_derivatives(problem, chains),
           .end = problem.end,
-          .domain = problem.domain};
+          .domain = problem.domain,
+          .jump_times = problem.jump_times};
 }
 
 StartingPowers starting_powers_of_equations(const WeightFamily& family, const Problem& problem) {

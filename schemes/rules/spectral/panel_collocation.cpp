@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "fdebench/schemes/problem/problem.hpp"
@@ -25,72 +26,118 @@ Eigen::Index points_for(const Tolerance& accuracy) {
 }  // namespace
 
 PanelCollocation::PanelCollocation(const Problem& problem, const Tolerance& accuracy, const Options& options)
-    : problem_(problem),
+    : Stepper(problem, options),
       solution_(std::make_shared<PanelSolution>(problem, points_for(accuracy))),
-      run_(problem, options),
-      solver_(problem, solution_->integrated_rows, solution_->memory.kernels(), accuracy) {}
-
-Trajectory PanelCollocation::solve() {
-  sides_ = switch_signs(problem_, 0.0, run_.start());
-  double start = 0.0;
-  for (const double jump : breaking_points(problem_)) {
-    if (jump < problem_.end) solve_between(std::exchange(start, jump), jump);
+      solver_(problem, solution_->integrated_rows, solution_->memory.kernels(), accuracy),
+      within_{[this](double t) { return solution_->at(t); }, static_cast<int>(solution_->rule.size())},
+      sides_(switch_signs(problem, 0.0, run_.start())) {
+  for (const double jump : breaking_points(problem)) {
+    if (jump < problem.end) interval_ends_.push_back(jump);
   }
-  solve_between(start, problem_.end);
-  run_.cost().history_bytes = solution_->bytes();
-  auto path = run_.finish();
+  interval_ends_.push_back(problem.end);
+}
+
+bool PanelCollocation::is_at_end() const { return open_.empty() && interval_ends_.empty(); }
+
+StepOutcome PanelCollocation::advance() {
+  for (;;) {
+    if (open_.empty()) begin_segment();
+    if (may_be_panel(open_.back().block)) {
+      panel_ = attempt_panel(open_.back());
+      if (failure_) return *failure_;
+      if (panel_) break;
+      if (segment_ends_) {
+        end_segment_at(last_switch_time_);
+        continue;
+      }
+    }
+    open_.push_back(half_of(open_.back(), open_.back().block.older(), solution_->rule.to_older_half));
+  }
+  const double t = panel_->block.time(1.0);
+  solution_->panels.push_back(panel_.get());
+  result_ = solution_->at(t);
+  return {t};
+}
+
+// Merges the panel with the blocks that it completes, and opens the newer half of the next.
+void PanelCollocation::accept(double /*t*/) {
+  if (run_.ended_by_event()) return;
+  if (segment_ends_) return end_segment_at(last_switch_time_);
+  auto solved = std::move(panel_);
+  for (open_.pop_back(); !open_.empty(); open_.pop_back()) {
+    OpenBlock& parent = open_.back();
+    if (!parent.older) {
+      parent.older = std::move(solved);
+      open_.push_back(half_of(parent, parent.block.newer(), solution_->rule.to_newer_half));
+      return;
+    }
+    solved = merged(parent.block, std::move(parent.older), std::move(solved));
+  }
+  solution_->trees.push_back(std::move(solved));
+  end_segment_at(interval_ends_.front());
+}
+
+void PanelCollocation::finish(Trajectory& path) {
+  close_open_blocks();
+  path.cost.history_bytes = solution_->bytes();
   if (!solution_->panels.empty())
     path.dense_output = [solution = solution_](double t) { return solution->at(t); };
-  return path;
 }
 
-// Solves between two jumps, in segments that end at switches.
-void PanelCollocation::solve_between(double start, double end) {
-  const Matrix nothing = Matrix::Zero(solution_->rule.size(), solution_->integrated_rows.row_count());
-  while (phase_ != RunPhase::run_ended && start < end) {
-    phase_ = RunPhase::running;
-    const double first = start > 0.0 ? std::nextafter(start, infinity) : 0.0;
-    const double last = end < problem_.end ? std::nextafter(end, 0.0) : infinity;
-    solution_->segments.push_back({start, end - start, first, last});
-    const Segment& segment = solution_->segments.back();
-    width_ = 1.0;
-    last_rejected_ = {0.0, 1.0, infinity};
-    last_unknowns_ = start == 0.0 ? solver_.initial_unknowns(run_) : Vec();
-    Sources before;
-    for (const auto& tree : solution_->trees) before.push_back(tree.get());
-    auto tree = solve_block({&segment, 0.0, 1.0}, nothing, before);
-    if (tree) solution_->trees.push_back(std::move(tree));
-    if (phase_ == RunPhase::running) return;
-    start = last_switch_time_;
-  }
+// A segment begins after a jump or a switch.
+void PanelCollocation::begin_segment() {
+  const double start = next_start_, end = interval_ends_.front();
+  const double first = start > 0.0 ? std::nextafter(start, infinity) : 0.0;
+  const double last = end < problem_.end ? std::nextafter(end, 0.0) : infinity;
+  solution_->segments.push_back({start, end - start, first, last});
+  segment_ends_ = false;
+  width_ = 1.0;
+  last_rejected_ = {0.0, 1.0, infinity};
+  last_unknowns_ = start == 0.0 ? solver_.initial_unknowns(run_) : Vec();
+  Sources before;
+  for (const auto& tree : solution_->trees) before.push_back(tree.get());
+  Matrix nothing = Matrix::Zero(solution_->rule.size(), solution_->integrated_rows.row_count());
+  open_.push_back({{&solution_->segments.back(), 0.0, 1.0}, std::move(nothing), std::move(before)});
 }
 
-std::unique_ptr<MemoryBlock> PanelCollocation::solve_block(const TimeBlock& block, const Matrix& smooth,
-                                                           const Sources& near) {
-  if (block.width <= width_ && block.length() <= longest_step(problem_, block.time(-1.0))) {
-    auto panel = attempt_panel(block, smooth, near);
-    if (panel || phase_ != RunPhase::running) return panel;
+void PanelCollocation::end_segment_at(double t) {
+  close_open_blocks();
+  next_start_ = std::min(t, interval_ends_.front());
+  if (next_start_ == interval_ends_.front()) interval_ends_.erase(interval_ends_.begin());
+}
+
+// Moves the last panel and the solved halves of the open blocks to the trees. The rest of these blocks will
+// not be solved.
+void PanelCollocation::close_open_blocks() {
+  auto solved = std::move(panel_);
+  if (!open_.empty()) open_.pop_back();  // the block of the panel
+  for (; !open_.empty(); open_.pop_back()) {
+    OpenBlock& parent = open_.back();
+    if (parent.older && solved) {
+      solved = merged(parent.block, std::move(parent.older), std::move(solved));
+    } else if (auto& half = parent.older ? parent.older : solved) {
+      solution_->trees.push_back(std::move(half));
+    }
   }
-  Matrix of_half = solution_->rule.to_older_half * smooth;
-  Sources near_half;
-  for (const auto* source : near)
-    solution_->memory.split_near_and_far(*source, block.older(), of_half, near_half);
-  auto older = solve_block(block.older(), of_half, near_half);
-  if (phase_ != RunPhase::running) {
-    if (older) solution_->trees.push_back(std::move(older));
-    return nullptr;
-  }
-  of_half = solution_->rule.to_newer_half * smooth;
-  near_half.clear();
-  for (const auto* source : near)
-    solution_->memory.split_near_and_far(*source, block.newer(), of_half, near_half);
-  solution_->memory.split_near_and_far(*older, block.newer(), of_half, near_half);
-  auto newer = solve_block(block.newer(), of_half, near_half);
-  if (!newer) {
-    solution_->trees.push_back(std::move(older));
-    return nullptr;
-  }
-  return merged(block, std::move(older), std::move(newer));
+  if (solved) solution_->trees.push_back(std::move(solved));
+}
+
+bool PanelCollocation::may_be_panel(const TimeBlock& block) const {
+  return block.width <= width_ && block.length() <= longest_step(problem_, block.time(-1.0));
+}
+
+// A half of an open block; to_half restricts a function that is smooth on the block to it.
+PanelCollocation::OpenBlock PanelCollocation::half_of(const OpenBlock& open, const TimeBlock& block,
+                                                      const Matrix& to_half) {
+  OpenBlock half{block, to_half * open.smooth, {}};
+  for (const auto* source : open.near)
+    solution_->memory.split_near_and_far(*source, block, half.smooth, half.near);
+  if (open.older) solution_->memory.split_near_and_far(*open.older, block, half.smooth, half.near);
+  return half;
+}
+
+void PanelCollocation::state(Archive& /*archive*/) {
+  throw std::logic_error("spectral_collocation keeps no checkpoints");
 }
 
 std::unique_ptr<MemoryBlock> PanelCollocation::merged(const TimeBlock& block,
@@ -106,13 +153,13 @@ std::unique_ptr<MemoryBlock> PanelCollocation::merged(const TimeBlock& block,
   return whole;
 }
 
-std::unique_ptr<MemoryBlock> PanelCollocation::attempt_panel(const TimeBlock& block, const Matrix& smooth,
-                                                             const Sources& near) {
-  const PanelSystem task = task_on(block, smooth, near);
+std::unique_ptr<MemoryBlock> PanelCollocation::attempt_panel(const OpenBlock& open) {
+  const TimeBlock& block = open.block;
+  const PanelSystem task = task_on(open);
   PanelValues solved{guess_on(task), {}};
   if (!solver_.solve(run_, task, solved) || contains_switch(block, task, solved.rows)) {
     auto panel = step_over_switch(block, task);
-    if (!panel && phase_ == RunPhase::running) {
+    if (!panel && !failure_) {
       solver_.measure_rhs_error(run_, task, solved.rows);
       reject_panel(block, infinity);
     }
@@ -148,13 +195,10 @@ std::unique_ptr<MemoryBlock> PanelCollocation::accept_panel(const TimeBlock& blo
   last_unknowns_ = solved.unknowns.bottomRows<1>().transpose();
   sides_ =
       switch_signs(problem_, task.times[rule.size() - 1], solver_.values_at(solved.rows, rule.size() - 1));
-  auto panel =
-      std::make_unique<MemoryBlock>(MemoryBlock{.block = block,
-                                                .coefficients = rule.to_coefficients * solved.unknowns,
-                                                .units = task.units,
-                                                .values = std::move(solved.rows)});
-  record_panel(*panel);
-  return panel;
+  return std::make_unique<MemoryBlock>(MemoryBlock{.block = block,
+                                                   .coefficients = rule.to_coefficients * solved.unknowns,
+                                                   .units = task.units,
+                                                   .values = std::move(solved.rows)});
 }
 
 // Whether the panel is not on one side of every switch, or, after the first panel of a segment, not on the
@@ -187,24 +231,24 @@ std::unique_ptr<MemoryBlock> PanelCollocation::step_over_switch(const TimeBlock&
     return nullptr;
   returns_to_switch_ = t - last_switch_time_ <= at_once * t ? returns_to_switch_ + 1 : 0;
   if ((block.from == 0.0 && last_switch_time_ == block.segment->start) || returns_to_switch_ > most_returns) {
-    run_.fail(SolveStatus::sliding, t);
-    phase_ = RunPhase::run_ended;
+    failure_ = {t, SolveStatus::sliding};
     return nullptr;
   }
   auto panel = accept_panel(block, task, std::move(followed));
   last_switch_time_ = t;
-  if (phase_ == RunPhase::running) phase_ = RunPhase::segment_ended;
+  segment_ends_ = true;
   return panel;
 }
 
-PanelSystem PanelCollocation::task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near) {
+PanelSystem PanelCollocation::task_on(const OpenBlock& open) {
+  const TimeBlock& panel = open.block;
   PanelSystem task{.times = solution_->rule.points.unaryExpr([&](double place) {
                      return std::clamp(panel.time(place), panel.segment->first, panel.segment->last);
                    }),
                    .units = solution_->memory.kernels().units(panel.length()),
-                   .known = smooth,
+                   .known = open.smooth,
                    .term_sizes = {}};
-  for (const auto* source : near) solution_->memory.add(*source, panel, task.known);
+  for (const auto* source : open.near) solution_->memory.add(*source, panel, task.known);
   Matrix starts(task.known.rows(), task.known.cols());
   for (Eigen::Index j = 0; j < starts.rows(); ++j)
     starts.row(j) = solution_->integrated_rows.taylor_part(task.times[j]);
@@ -322,13 +366,12 @@ void PanelCollocation::reject_panel(const TimeBlock& block, double error) {
   if (!too_short && !run_.out_of_budget()) return;
   if (first && solver_.accept_unconverged_sweeps()) {  // restarts the segment
     last_switch_time_ = block.segment->start;
-    phase_ = RunPhase::segment_ended;
+    segment_ends_ = true;
     return;
   }
-  phase_ = RunPhase::run_ended;
   const auto unsolved = std::isfinite(error) ? SolveStatus::step_too_small : SolveStatus::not_converged;
   const auto reason = solver_.left_domain() ? SolveStatus::left_domain : unsolved;
-  run_.fail(too_short ? reason : SolveStatus::out_of_budget, block.time(1.0));
+  failure_ = {block.time(1.0), too_short ? reason : SolveStatus::out_of_budget};
 }
 
 // The power of its width with which the error of a first panel falls, from the last two attempts.
@@ -348,15 +391,6 @@ void PanelCollocation::set_next_width(const TimeBlock& panel, double needed_frac
   } else {
     width_ = needed_fraction <= 0.55 ? 2.0 * panel.width : panel.width;
   }
-}
-
-void PanelCollocation::record_panel(const MemoryBlock& panel) {
-  solution_->panels.push_back(&panel);
-  const double t = panel.block.time(1.0);
-  const auto pieces = static_cast<int>(solution_->rule.size());
-  if (!run_.accept(
-          t, solution_->at(t), [&](double between) { return solution_->at(between); }, pieces))
-    phase_ = RunPhase::run_ended;
 }
 
 }  // namespace fde

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <memory>
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include "fdebench/schemes/rules/spectral/panel_solver.hpp"
 #include "fdebench/schemes/rules/spectral/panel_tree.hpp"
+#include "fdebench/schemes/stepping/stepper.hpp"
 
 namespace fde {
 
@@ -17,20 +18,36 @@ namespace fde {
 // before. So panels shrink towards a start where the solution behaves like a power of t, each as long as its
 // distance from the start, and wherever the solution varies quickly. They also shrink towards a switch, where
 // a new segment begins as after a jump. The memory term of a panel is computed from the tree (MemorySum).
-class PanelCollocation {
+class PanelCollocation final : public Stepper {
  public:
   // Problem and options must outlive this object.
   PanelCollocation(const Problem& problem, const Tolerance& accuracy, const Options& options);
 
-  Trajectory solve();
+  [[nodiscard]] bool is_at_end() const;
+  StepOutcome advance();
+  [[nodiscard]] const Vec& result() const { return result_; }
+  [[nodiscard]] const StepInterpolant* interpolant() const { return &within_; }
+  void accept(double t);
+  static void state(Archive& archive);  // throws std::logic_error: Capabilities::checkpoints is false
+  void finish(Trajectory& path);
 
  private:
   using Sources = MemorySum::Sources;
+  // A block whose panels are being solved, with its memory term from before the block: the part that is
+  // smooth on it, and the sources of the rest.
+  struct OpenBlock {
+    TimeBlock block;
+    Matrix smooth;
+    Sources near;
+    std::unique_ptr<MemoryBlock> older{};  // its older half, once that is solved
+  };
 
-  void solve_between(double start, double end);
-  std::unique_ptr<MemoryBlock> solve_block(const TimeBlock& block, const Matrix& smooth, const Sources& near);
-  std::unique_ptr<MemoryBlock> attempt_panel(const TimeBlock& block, const Matrix& smooth,
-                                             const Sources& near);
+  void begin_segment();
+  void end_segment_at(double t);
+  void close_open_blocks();
+  [[nodiscard]] bool may_be_panel(const TimeBlock& block) const;
+  [[nodiscard]] OpenBlock half_of(const OpenBlock& open, const TimeBlock& block, const Matrix& to_half);
+  std::unique_ptr<MemoryBlock> attempt_panel(const OpenBlock& open);
   std::unique_ptr<MemoryBlock> accept_panel(const TimeBlock& block, const PanelSystem& task,
                                             PanelValues solved);
   std::unique_ptr<MemoryBlock> step_over_switch(const TimeBlock& block, const PanelSystem& task);
@@ -39,7 +56,7 @@ class PanelCollocation {
   [[nodiscard]] std::unique_ptr<MemoryBlock> merged(const TimeBlock& block,
                                                     std::unique_ptr<MemoryBlock> older,
                                                     std::unique_ptr<MemoryBlock> newer) const;
-  [[nodiscard]] PanelSystem task_on(const TimeBlock& panel, const Matrix& smooth, const Sources& near);
+  [[nodiscard]] PanelSystem task_on(const OpenBlock& open);
   [[nodiscard]] Matrix guess_on(const PanelSystem& task);
   [[nodiscard]] Vec errors_by_degree(const TimeBlock& panel, const PanelSystem& task,
                                      const PanelValues& solved, const Matrix& of_unknowns,
@@ -55,20 +72,23 @@ class PanelCollocation {
   [[nodiscard]] double error_rate_at_start(const RejectedPanel& before) const;
   void reject_panel(const TimeBlock& block, double error);
   void set_next_width(const TimeBlock& panel, double needed_fraction);
-  void record_panel(const MemoryBlock& panel);
 
-  const Problem& problem_;
   std::shared_ptr<PanelSolution> solution_;
-  Run run_;
   PanelSolver solver_;
-  double width_ = 1.0;             // largest width of the next panel, in units of its segment
-  RejectedPanel last_rejected_{};  // the last rejected panel of this segment
-  enum class RunPhase { running, segment_ended, run_ended };
-  RunPhase phase_ = RunPhase::running;  // otherwise the recursion over blocks stops
-  std::vector<bool> sides_{};           // the side of each switch on which the solution is
-  double last_switch_time_ = -1.0;      // time of the last switch
-  int returns_to_switch_ = 0;           // successive returns to a switch at once
-  Vec last_unknowns_;                   // at the end of the panel before; empty: not known
+  std::vector<double> interval_ends_;  // the breaking points and the end, those that are still to come
+  double next_start_ = 0.0;            // of the next segment
+  std::vector<OpenBlock> open_{};  // the blocks that contain the next panel, each a half of the one before
+  std::unique_ptr<MemoryBlock> panel_{};  // the last one, as long as it is in no block
+  Vec result_{};
+  const StepInterpolant within_;
+  double width_ = 1.0;                    // largest width of the next panel, in units of its segment
+  RejectedPanel last_rejected_{};         // the last rejected panel of this segment
+  bool segment_ends_ = false;             // the next panel begins a segment
+  std::optional<StepOutcome> failure_{};  // why there is no next panel
+  std::vector<bool> sides_{};             // the side of each switch on which the solution is
+  double last_switch_time_ = -1.0;        // time of the last switch
+  int returns_to_switch_ = 0;             // successive returns to a switch at once
+  Vec last_unknowns_;                     // at the end of the panel before; empty: not known
 };
 
 }  // namespace fde

@@ -5,15 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/symbols/rule_symbols.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/rules/implicit/implicit_rule.hpp"
+#include "fdebench/schemes/rules/implicit/newton_stepper.hpp"
 #include "fdebench/schemes/rules/start_weights/start_correction.hpp"
 #include "fdebench/schemes/rules/start_weights/starting_procedure.hpp"
-#include "fdebench/schemes/stepping/grid_jumps.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde {
@@ -33,74 +36,78 @@ StartingEquations first_equations(const Problem& problem, const Grid& grid, cons
   return equations;
 }
 
+class MultistepStepper final : public NewtonStepper<MultistepStepper> {
+ public:
+  MultistepStepper(const WeightFamily& family, const Problem& problem, const Grid& grid,
+                   const Options& options)
+      : NewtonStepper(problem, grid, options),
+        tables_(weight_tables(problem, family)),
+        kappa_(StepFactors(tables_).at(grid.step())),
+        correction_(tables_, starting_powers(family, problem).for_steps(grid.steps), grid.steps),
+        taylor_part_(problem),
+        known_(y_.size()),
+        convolved_(y_.size()) {
+    run_.cost().starting_weights = first_steps() + 1;
+  }
+
+  StepOutcome start() {
+    if (first_steps() == 0) return {0.0};
+    const auto first_order = [&](const Grid& steps, const Options& exact) {
+      return solve_implicit(problem_, steps, exact, integral_rule(problem_, families::grunwald_letnikov));
+    };
+    SolveStatus ending{};
+    auto equations = first_equations(problem_, grid(), kappa_, correction_, first_steps());
+    first_ = StartingProcedure(problem_, grid(), std::move(equations), first_order)
+                 .solve(run_, options_.newton_tolerance, ending);
+    return {grid().time(1), ending};
+  }
+
+  SolveStatus step() {
+    const Vec& f = rhs_before();
+    history().push(before(), f);
+    correction_.push(f);
+    if (n() <= first_steps()) {
+      y_ = first_.col(n() - 1);
+      if (n() == first_steps()) first_.resize(0, 0);
+      return SolveStatus::finished;
+    }
+    history_->convolve(t(), 0, convolved_);
+    correction_.add(n(), convolved_);
+    taylor_part_.at(t(), known_);
+    for_each_row(known_.size(), [&](Eigen::Index i) { known_[i] += kappa_[i] * convolved_[i]; });
+    return solve(kappa_, known_);
+  }
+
+  void rule_state(Archive& archive) {
+    NewtonStepper::rule_state(archive);
+    archive(history(), correction_);
+    archive.resizable(first_);
+  }
+
+ private:
+  [[nodiscard]] int first_steps() const { return static_cast<int>(correction_.count()) - 1; }
+
+  // Made after the first steps, whose work space is then free again.
+  History& history() {
+    if (!history_) {
+      history_ = make_history(options_.history, {tables_}, step_plan(grid()), options_.newton_tolerance);
+      record_history(history_->bytes() + correction_.bytes(), history_->kind());
+    }
+    return *history_;
+  }
+
+  const std::vector<WeightTable> tables_;
+  const Vec kappa_;
+  StartingCorrection correction_;
+  const TaylorPart taylor_part_;
+  std::unique_ptr<History> history_{};
+  Matrix first_{};  // the first steps that are still to come, one column each
+  Vec known_, convolved_;
+};
+
 Trajectory solve_multistep(const WeightFamily& family, const Problem& problem, const Grid& grid,
                            const Options& options) {
-  const auto powers = starting_powers(family, problem).for_steps(grid.steps);
-  const auto first_steps = static_cast<int>(powers.size()) - 1;
-  const auto of_rows = weight_tables(problem, family);
-  const Vec kappa = StepFactors(of_rows).at(grid.step());
-  StartingCorrection correction(of_rows, powers, grid.steps);
-  const TaylorPart taylor(problem);
-  NewtonSolver newton(problem, options.newton_tolerance);
-  const GridJumps jumps(problem, grid);
-  Run run(problem, options, grid.steps);
-  run.cost().starting_weights = first_steps + 1;
-
-  Matrix first;
-  Vec y = run.start(), known(y.size()), convolved(y.size());
-  double t = 0.0;
-  int n = 1;
-  // Made after the first steps, whose work space is then free again.
-  std::unique_ptr<History> history;
-  const auto begin_history = [&] {
-    history = make_history(options.history, {of_rows}, step_plan(grid), options.newton_tolerance);
-    run.cost().history_bytes = history->bytes() + correction.bytes();
-    run.cost().history = name(history->kind());
-  };
-  const StateArchiver state = [&](Archive& archive) {
-    if (!history) begin_history();
-    archive.count(n, 1, grid.steps);
-    archive(t, y, *history, correction, newton);
-    archive.resizable(first);
-  };
-  if (!run.resume_from_checkpoint(state) && first_steps > 0) {
-    SolveStatus ending{};
-    const auto first_order = [&](const Grid& steps, const Options& exact) {
-      return solve_implicit(problem, steps, exact, integral_rule(problem, families::grunwald_letnikov));
-    };
-    auto equations = first_equations(problem, grid, kappa, correction, first_steps);
-    first = StartingProcedure(problem, grid, std::move(equations), first_order)
-                .solve(run, options.newton_tolerance, ending);
-    if (ending != SolveStatus::finished) {
-      run.fail(ending, grid.time(1));
-      return run.finish();
-    }
-  }
-  if (!history) begin_history();
-  for (; n <= grid.steps; ++n) {
-    run.offer_checkpoint(state);
-    const Vec& f = newton.rhs_at_solution(run, t, y);
-    history->push(t, f);
-    correction.push(f);
-    t = grid.time(n);
-    if (n <= first_steps) {
-      y = first.col(n - 1);
-      if (n == first_steps) first.resize(0, 0);
-    } else {
-      history->convolve(t, 0, convolved);
-      correction.add(n, convolved);
-      taylor.at(t, known);
-      for_each_row(known.size(), [&](Eigen::Index i) { known[i] += kappa[i] * convolved[i]; });
-      if (const SolveStatus ending = newton.solve(run, {t, kappa, known, jumps.before(t)}, y);
-          ending != SolveStatus::finished) {
-        run.fail(ending, t);
-        break;
-      }
-    }
-    if (!run.accept(t, newton.delivered(y))) break;
-  }
-  run.cost().linear_solver = newton.linear_solver();
-  return run.finish();
+  return integrate(MultistepStepper(family, problem, grid, options));
 }
 
 RateTheory theory_of(const MultistepRule& rule) {

@@ -117,6 +117,7 @@ TEST_P(ContinuedRuns, OfTermsAndJumps) { expect_same_bits("bagley_torvik"); }
 
 TEST_P(ContinuedRuns, OfConstraintsWithMultipliers) {
   expect_same_bits("knife_edge");
+  expect_same_bits("knife_edge:formulation=multiplier");
   expect_same_bits("fractional_constraint_2d:until=2");
 }
 

@@ -48,6 +48,16 @@ TEST_P(Events, AreLocatedToRounding) {
   }
 }
 
+// y = 1 - t reaches 0.5 before it leaves the domain y > 0, in a step that may do both.
+TEST_P(Events, EndARunBeforeItLeavesItsDomain) {
+  Problem problem{.components = {{1.0, {1.0}}}, .rhs = [](double, In, Out f) { f[0] = -1.0; }, .end = 2.0};
+  problem.domain = {.edge = "y = 0", .margin = [](double, In y) { return y[0]; }};
+  const Event halved{.value = [](double, In y) { return y[0] - 0.5; }, .terminal = true};
+  const auto path = run(problem, 1e-6, {.events = {halved}});
+  EXPECT_EQ(path.status, SolveStatus::terminal_event);
+  EXPECT_NEAR(path.last_time, 0.5, 4 * ulps);
+}
+
 // E_g(-t^g) is decreasing: it takes its value at t = 0.37 there only.
 TEST_P(Events, AreLocatedAsWellAsTheSolutionIsKnown) {
   const double accuracy = GetParam()->id == "spectral_collocation" ? 1e-12 : 1e-6, at = 0.37;

@@ -41,10 +41,10 @@ inline bool needs_interpolation(double error, double left, double allowed) {
 
 // A rule for steps of any size. attempt() solves a step and estimates its error; then accept() adds the step
 // to the history, or attempt() is called again with another size. attempt() does not change the history.
-class AdaptiveStepper {
+class AdaptiveRule {
  public:
-  AdaptiveStepper& operator=(AdaptiveStepper&&) = delete;
-  virtual ~AdaptiveStepper() = default;
+  AdaptiveRule& operator=(AdaptiveRule&&) = delete;
+  virtual ~AdaptiveRule() = default;
 
   // Solves the step from the last accepted time to t. Returns its error estimate in units of the tolerance,
   // or no_solution.

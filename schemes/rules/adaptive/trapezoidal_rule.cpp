@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/schemes/rules/adaptive/trapezoidal_stepper.hpp"
+#include "fdebench/schemes/rules/adaptive/trapezoidal_rule.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,9 +89,8 @@ std::unique_ptr<TrapezoidalSolver> make_predictor_corrector(int corrections) {
   return std::make_unique<PredictionCorrector>(corrections);
 }
 
-TrapezoidalStepper::TrapezoidalStepper(const Problem& problem, const Tolerance& accuracy,
-                                       const Options& options, Run& run, double shortest,
-                                       std::unique_ptr<TrapezoidalSolver> solver)
+TrapezoidalRule::TrapezoidalRule(const Problem& problem, const Tolerance& accuracy, const Options& options,
+                                 Run& run, double shortest, std::unique_ptr<TrapezoidalSolver> solver)
     : problem_(problem),
       taylor_(problem),
       allowed_(accuracy),
@@ -111,14 +110,14 @@ TrapezoidalStepper::TrapezoidalStepper(const Problem& problem, const Tolerance& 
   history_->push(0.0, newest_.f);
 }
 
-void TrapezoidalStepper::compute_known(double t) {
+void TrapezoidalRule::compute_known(double t) {
   kappa_ = factors_.at(t - newest_.t);
   history_->convolve(t, 0, convolved_);
   taylor_.at(t, known_);
   known_ += kappa_.cwiseProduct(convolved_);
 }
 
-double TrapezoidalStepper::attempt(Run& run, double t) {
+double TrapezoidalRule::attempt(Run& run, double t) {
   compute_known(t);
   y_ = previous_;
   next_.t = t;
@@ -130,7 +129,7 @@ double TrapezoidalStepper::attempt(Run& run, double t) {
 }
 
 // max |error_i| / limit_i, where 0 / 0 counts as 0.
-double TrapezoidalStepper::weighted_max_norm(const Vec& error, const Vec& limit) {
+double TrapezoidalRule::weighted_max_norm(const Vec& error, const Vec& limit) {
   double largest = 0.0;
   for (Eigen::Index i = 0; i < error.size(); ++i) {
     if (error[i] != 0.0) largest = std::max(largest, std::abs(error[i]) / limit[i]);
@@ -139,7 +138,7 @@ double TrapezoidalStepper::weighted_max_norm(const Vec& error, const Vec& limit)
 }
 
 // The mean distance of f from its line on the step; without a previous step, half of the change of f.
-Vec TrapezoidalStepper::defect() const {
+Vec TrapezoidalRule::defect() const {
   const Vec change = next_.f - newest_.f;
   if (!older_) return change / 2.0;
   const double length = next_.t - newest_.t, length_before = newest_.t - older_->t;
@@ -149,11 +148,11 @@ Vec TrapezoidalStepper::defect() const {
 }
 
 // Contribution to y_n of an error 1 of f on the whole step: h^g / Gamma(g+1).
-Vec TrapezoidalStepper::effect_of_rhs_error() const {
+Vec TrapezoidalRule::effect_of_rhs_error() const {
   return kappa_.cwiseProduct((orders_.array() + 1.0).matrix());
 }
 
-double TrapezoidalStepper::error_of_jump() const {
+double TrapezoidalRule::error_of_jump() const {
   constexpr double jumps = 1e-6;  // relative to f, on a step of few units in the last place of the time
   const Vec change = next_.f - newest_.f;
   const bool is_one =
@@ -161,7 +160,7 @@ double TrapezoidalStepper::error_of_jump() const {
   return is_one ? weighted_max_norm(effect_of_rhs_error().cwiseProduct(change), limit_) : no_solution;
 }
 
-double TrapezoidalStepper::error(Run& run, const Vec& of_f) {
+double TrapezoidalRule::error(Run& run, const Vec& of_f) {
   const Vec unit = effect_of_rhs_error();
   const Vec largest = y_.cwiseAbs().cwiseMax(previous_.cwiseAbs()), terms = known_.cwiseAbs();
   Vec limit_of_all = allowed_.from_tolerance(largest, terms);
@@ -218,7 +217,7 @@ double TrapezoidalStepper::error(Run& run, const Vec& of_f) {
 
 // r of each component: the ratio of the root mean squares of `again` and `answered`, the larger of that over
 // all components and that over the components of the same order.
-Vec TrapezoidalStepper::undamped_fraction(const Vec& answered, const Vec& again) const {
+Vec TrapezoidalRule::undamped_fraction(const Vec& answered, const Vec& again) const {
   // Squares of errors divided by the largest error do not overflow.
   const double largest = weighted_max_norm(answered, limit_);
   if (largest == 0.0 || !std::isfinite(largest) || answered == again) return Vec::Ones(limit_.size());
@@ -249,24 +248,24 @@ Vec TrapezoidalStepper::undamped_fraction(const Vec& answered, const Vec& again)
 
 // The factors a now and at the end: the sum of equal errors on all steps since the last jump of f, in units
 // of the error of one step. The kernel t^(order-1) falls for orders below 1 and grows for orders above 1.
-std::pair<double, double> TrapezoidalStepper::accumulation(double order) const {
+std::pair<double, double> TrapezoidalRule::accumulation(double order) const {
   const double length = next_.t - newest_.t, steps = (next_.t - last_jump_time_) / length;
   const double by_now = std::pow(steps, order);
   return {by_now, order <= 1.0 ? by_now : steps * std::pow(problem_.end / length, order - 1.0)};
 }
 
 // f extrapolated by the line through its last two values.
-Vec TrapezoidalStepper::extrapolated_rhs(double t) const {
+Vec TrapezoidalRule::extrapolated_rhs(double t) const {
   if (!older_) return newest_.f;
   return newest_.f + (t - newest_.t) / (newest_.t - older_->t) * (newest_.f - older_->f);
 }
 
-Vec TrapezoidalStepper::extrapolate(double t) {
+Vec TrapezoidalRule::extrapolate(double t) {
   compute_known(t);
   return known_ + kappa_.cwiseProduct(extrapolated_rhs(t));
 }
 
-Vec TrapezoidalStepper::dense_output(double t) {
+Vec TrapezoidalRule::dense_output(double t) {
   compute_known(t);
   const double share = (t - newest_.t) / (next_.t - newest_.t);
   Vec y = known_ + kappa_.cwiseProduct(newest_.f + share * (next_.f - newest_.f));
@@ -274,33 +273,33 @@ Vec TrapezoidalStepper::dense_output(double t) {
   return y;
 }
 
-void TrapezoidalStepper::extrapolate_over_jump(Run& run, double t) {
+void TrapezoidalRule::extrapolate_over_jump(Run& run, double t) {
   y_ = extrapolate(t);
   next_ = {t, run.rhs(t, y_)};
   interpolated_.clear();
 }
 
-void TrapezoidalStepper::accept() {
+void TrapezoidalRule::accept() {
   history_->push(next_.t, next_.f);
   allowed_.accept_step(y_.cwiseAbs().cwiseMax(previous_.cwiseAbs()));
   older_ = std::exchange(newest_, next_);
   previous_ = y_;
 }
 
-void TrapezoidalStepper::restart(Run& /*run*/) {
+void TrapezoidalRule::restart(Run& /*run*/) {
   older_.reset();
   allowed_.restart();
   last_jump_time_ = newest_.t;
 }
 
-DerivativePolynomials TrapezoidalStepper::derivative_polynomials() const {
+DerivativePolynomials TrapezoidalRule::derivative_polynomials() const {
   DerivativePolynomials lines = DerivativePolynomials::Zero(previous_.size(), 3);
   lines.col(0) = older_->f;
   lines.col(1) = newest_.f - older_->f;
   return lines;
 }
 
-void TrapezoidalStepper::state(Archive& archive) {
+void TrapezoidalRule::state(Archive& archive) {
   bool has_older = older_.has_value();
   archive(allowed_, rhs_error_, history_, solver_, newest_, last_jump_time_, previous_, y_, has_older);
   if (archive.is_reading()) older_ = has_older ? std::optional(newest_) : std::nullopt;

@@ -6,7 +6,7 @@
 
 #include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/history/weights/weights.hpp"
-#include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
+#include "fdebench/schemes/rules/adaptive/adaptive_rule.hpp"
 #include "fdebench/schemes/rules/implicit/step_equations.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
 
@@ -54,11 +54,11 @@ std::unique_ptr<TrapezoidalSolver> make_predictor_corrector(int corrections);
 // twice. The first result is the error of one step. The second application leaves the part r of it: for one
 // component r = 1 / (1 - kappa df/dy), otherwise a ratio of root mean squares over all components or over
 // those of one order. The error over all steps is the first result times a / (r + a (1 - r)).
-class TrapezoidalStepper final : public AdaptiveStepper {
+class TrapezoidalRule final : public AdaptiveRule {
  public:
   // shortest: a lower bound of all step sizes. The problem must outlive this object.
-  TrapezoidalStepper(const Problem& problem, const Tolerance& accuracy, const Options& options, Run& run,
-                     double shortest, std::unique_ptr<TrapezoidalSolver> solver);
+  TrapezoidalRule(const Problem& problem, const Tolerance& accuracy, const Options& options, Run& run,
+                  double shortest, std::unique_ptr<TrapezoidalSolver> solver);
 
   double attempt(Run& run, double t) override;
   [[nodiscard]] double error_of_jump() const override;

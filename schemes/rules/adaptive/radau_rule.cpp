@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/schemes/rules/adaptive/radau_stepper.hpp"
+#include "fdebench/schemes/rules/adaptive/radau_rule.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -73,8 +73,8 @@ Square integral_weights(double order) {
 
 }  // namespace
 
-RadauStepper::RadauStepper(const Problem& problem, const Tolerance& accuracy, const Options& options,
-                           Run& run, double shortest)
+RadauRule::RadauRule(const Problem& problem, const Tolerance& accuracy, const Options& options, Run& run,
+                     double shortest)
     : problem_(problem),
       taylor_(problem),
       allowed_(accuracy),
@@ -109,13 +109,13 @@ RadauStepper::RadauStepper(const Problem& problem, const Tolerance& accuracy, co
   has_algebraic_rows_ = has_algebraic_rows(problem);
 }
 
-double RadauStepper::rate() const {
+double RadauRule::rate() const {
   double least = 1.0;
   for (const auto& kernel : kernels_) least = std::min(least, kernel.order);
   return 3.0 + least;
 }
 
-void RadauStepper::prepare(double t) {
+void RadauRule::prepare(double t) {
   next_ = t;
   length_ = t - time_;
   for (auto& kernel : kernels_) {
@@ -139,7 +139,7 @@ void RadauStepper::prepare(double t) {
 
 // Initial guess of Newton's method: the parabola of the previous step is extrapolated where the new step is
 // not much longer; otherwise f is constant.
-void RadauStepper::guess() {
+void RadauRule::guess() {
   const Vec start = derivatives_at_start_.unaryExpr([](double v) { return std::isfinite(v) ? v : 0.0; });
   derivatives_.colwise() = start;
   if (previous_length_ && length_ <= longest_continued * *previous_length_) {
@@ -153,14 +153,14 @@ void RadauStepper::guess() {
   }
 }
 
-bool RadauStepper::evaluate(Run& run) {
+bool RadauRule::evaluate(Run& run) {
   for (Eigen::Index i = 0; i < stages; ++i)
     f_.col(i) = run.rhs(time_ + points()[static_cast<std::size_t>(i)] * length_, y_.col(i));
   return f_.allFinite();
 }
 
 // The residual of the equations of the step, stage after stage.
-Vec RadauStepper::residual() const {
+Vec RadauRule::residual() const {
   Values rest(y_.rows(), stages);
   for (Eigen::Index r = 0; r < y_.rows(); ++r) {
     const auto row = static_cast<std::size_t>(r);
@@ -171,7 +171,7 @@ Vec RadauStepper::residual() const {
 }
 
 // The effects at the stages of constant defects of the rows.
-RadauStepper::Values RadauStepper::effect_of(const Vec& defects) const {
+RadauRule::Values RadauRule::effect_of(const Vec& defects) const {
   Values effect = Values::Zero(y_.rows(), stages);
   for (Eigen::Index r = 0; r < y_.rows(); ++r) {
     const auto row = static_cast<std::size_t>(r);
@@ -181,7 +181,7 @@ RadauStepper::Values RadauStepper::effect_of(const Vec& defects) const {
 }
 
 // What the equations of the step leave of these effects at its end.
-Vec RadauStepper::answer_to(const Values& effect) const {
+Vec RadauRule::answer_to(const Values& effect) const {
   Vec answered = effect.reshaped();
   matrix_->solve(answered);
   return answered.tail(y_.rows());
@@ -191,7 +191,7 @@ Vec RadauStepper::answer_to(const Values& effect) const {
 // tolerance. From the third step on this part falls with the step's part of the time: next to the start an
 // unknown may be unbounded, and only its effect is small. It falls more slowly than the effect, so that a
 // step after one with too large an error can be made short enough.
-Vec RadauStepper::limits() const {
+Vec RadauRule::limits() const {
   constexpr double on_first_step = 0.01;
   Vec limit = limits_of_rows();
   if (!has_algebraic_rows_) return limit;
@@ -210,7 +210,7 @@ Vec RadauStepper::limits() const {
   return limit;
 }
 
-Vec RadauStepper::limits_of_rows() const {
+Vec RadauRule::limits_of_rows() const {
   const Vec largest = y_.cwiseAbs().rowwise().maxCoeff().cwiseMax(previous_.cwiseAbs());
   const Vec terms = known_.cwiseAbs().rowwise().maxCoeff();
   if (!rhs_error_.is_measured()) return allowed_.on_step(largest, terms);
@@ -218,13 +218,13 @@ Vec RadauStepper::limits_of_rows() const {
       .cwiseMax(answer_to(effect_of(rhs_error_.rounding())).cwiseAbs());
 }
 
-void RadauStepper::measure_rhs_error(Run& run) {
+void RadauRule::measure_rhs_error(Run& run) {
   const Vec limit = limits();
   rhs_error_.measure([&](In y) -> const Vec& { return run.rhs(next_, y); }, y_.col(stages - 1), limit);
 }
 
 // Whether each component of the newest increment is small enough or due to rounding in f.
-bool RadauStepper::is_rounding(Run& run, const Vec& increment) {
+bool RadauRule::is_rounding(Run& run, const Vec& increment) {
   measure_rhs_error(run);
   const Vec limit = limits();
   const Values rounding = effect_of(rhs_error_.rounding()).cwiseAbs();
@@ -237,7 +237,7 @@ bool RadauStepper::is_rounding(Run& run, const Vec& increment) {
   return true;
 }
 
-bool RadauStepper::solve(Run& run) {
+bool RadauRule::solve(Run& run) {
   double last = no_solution;
   bool renewed = true;  // whether the matrix is factorised again in each iteration
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
@@ -267,7 +267,7 @@ bool RadauStepper::solve(Run& run) {
 }
 
 // Computes D^g y from the equations: where they are stiff, the error of f(t, y) is far larger than that of y.
-void RadauStepper::compute_derivatives() {
+void RadauRule::compute_derivatives() {
   for (Eigen::Index r = 0; r < y_.rows(); ++r) {
     const auto& row = rows_[static_cast<std::size_t>(r)];
     if (!row) continue;
@@ -276,7 +276,7 @@ void RadauStepper::compute_derivatives() {
   }
 }
 
-double RadauStepper::attempt(Run& run, double t) {
+double RadauRule::attempt(Run& run, double t) {
   prepare(t);
   guess();
   const bool solved = solve(run);
@@ -286,7 +286,7 @@ double RadauStepper::attempt(Run& run, double t) {
   return error(run);
 }
 
-double RadauStepper::error(Run& run) {
+double RadauRule::error(Run& run) {
   const Vec from_parabola = derivatives_ * to_powers().row(0).transpose();
   Vec defects = derivatives_at_start_ - from_parabola;
   for (Eigen::Index r = 0; r < y_.rows(); ++r)
@@ -322,13 +322,13 @@ double RadauStepper::error(Run& run) {
   return result;
 }
 
-void RadauStepper::interpolate(Eigen::Index row) {
+void RadauRule::interpolate(Eigen::Index row) {
   const Eigen::Vector4d values(previous_[row], y_(row, 0), y_(row, 1), y_(row, 2));
   interpolated_.push_back({row, to_cubic() * values});
 }
 
 // y at t where D^g y is this polynomial of (t' - time_) / (t - time_), one row a component.
-Vec RadauStepper::integrated(double t, const Values& polynomials) {
+Vec RadauRule::integrated(double t, const Values& polynomials) {
   Vec y = previous_;
   taylor_.at(t, y);
   for (auto& kernel : kernels_) kernel.integrals.prepare(t - time_, kernel.to_stage.front());
@@ -346,7 +346,7 @@ Vec RadauStepper::integrated(double t, const Values& polynomials) {
 }
 
 // The polynomials of the attempt (see DerivativePolynomials).
-RadauStepper::Values RadauStepper::parabolas() const {
+RadauRule::Values RadauRule::parabolas() const {
   Values values = derivatives_;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const auto row = static_cast<Eigen::Index>(r);
@@ -355,7 +355,7 @@ RadauStepper::Values RadauStepper::parabolas() const {
   return values * to_powers().transpose();
 }
 
-Vec RadauStepper::dense_output(double t) {
+Vec RadauRule::dense_output(double t) {
   const double share = (t - time_) / length_;
   Values polynomials = parabolas();
   polynomials.col(1) *= share;
@@ -365,7 +365,7 @@ Vec RadauStepper::dense_output(double t) {
   return y;
 }
 
-Vec RadauStepper::extrapolate(double t) {
+Vec RadauRule::extrapolate(double t) {
   Values polynomials = Values::Zero(y_.rows(), stages);
   const double ratio = previous_length_ ? (t - time_) / *previous_length_ : longest_continued + 1.0;
   if (ratio <= longest_continued) {
@@ -382,7 +382,7 @@ Vec RadauStepper::extrapolate(double t) {
   return integrated(t, polynomials);
 }
 
-void RadauStepper::extrapolate_over_jump(Run& /*run*/, double t) {
+void RadauRule::extrapolate_over_jump(Run& /*run*/, double t) {
   result_ = extrapolate(t);
   prepare(t);
   derivatives_.colwise() = derivatives_at_start_;
@@ -390,7 +390,7 @@ void RadauStepper::extrapolate_over_jump(Run& /*run*/, double t) {
   interpolated_.clear();
 }
 
-void RadauStepper::restart(Run& run) {
+void RadauRule::restart(Run& run) {
   derivatives_at_start_ = run.rhs(time_, previous_);
   previous_length_.reset();
   last_jump_time_ = time_;
@@ -398,7 +398,7 @@ void RadauStepper::restart(Run& run) {
   allowed_.restart();
 }
 
-void RadauStepper::accept() {
+void RadauRule::accept() {
   previous_parabolas_ = parabolas();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     if (!rows_[r]) continue;
@@ -415,13 +415,13 @@ void RadauStepper::accept() {
   previous_ = result_;
 }
 
-std::size_t RadauStepper::bytes() const {
+std::size_t RadauRule::bytes() const {
   std::size_t bytes = 0;
   for (const auto& kernel : kernels_) bytes += kernel.integrals.bytes();
   return bytes;
 }
 
-void RadauStepper::state(Archive& archive) {
+void RadauRule::state(Archive& archive) {
   for (auto& kernel : kernels_) archive(kernel.integrals);
   archive(allowed_, rhs_error_, last_jump_time_, steps_since_jump_, time_, previous_length_,
           previous_parabolas_, derivatives_at_start_, previous_, result_);

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "fdebench/schemes/history/kernel_integrals.hpp"
-#include "fdebench/schemes/rules/adaptive/adaptive_stepper.hpp"
+#include "fdebench/schemes/rules/adaptive/adaptive_rule.hpp"
 #include "fdebench/schemes/rules/adaptive/stage_matrix.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
 
@@ -20,11 +20,11 @@ namespace fde {
 // The error of a step is estimated from the distance of the parabola from f at the beginning of the step: a
 // constant times this defect, multiplied by the inverse of the iteration matrix. Beyond the newest steps only
 // the mean of such an error over its step matters for the memory term, and the mean is 0.
-class RadauStepper final : public AdaptiveStepper {
+class RadauRule final : public AdaptiveRule {
  public:
   // shortest: a lower bound of all step sizes. The problem must outlive this object.
-  RadauStepper(const Problem& problem, const Tolerance& accuracy, const Options& options, Run& run,
-               double shortest);
+  RadauRule(const Problem& problem, const Tolerance& accuracy, const Options& options, Run& run,
+            double shortest);
 
   double attempt(Run& run, double t) override;
   [[nodiscard]] const Vec& result() const override { return result_; }
