@@ -52,10 +52,12 @@ describe("the site", { concurrency: 2 }, () => {
         const query = view.locator("input[name=query]");
         const found = view.locator(".md-search-result__link", { hasText: "Mittag-Leffler functions" }).first();
         const isFound = () => found.waitFor({ timeout: 5000 }).then(() => true, () => false);
-        do { // what is typed before the page listens to its field is lost
+        for (let attempt = 1, is = false; !is; ++attempt) { // what is typed before the page listens to its field is lost
+          assert.ok(attempt <= 10, "the search finds nothing");
           await query.fill("");
           await query.fill("Mittag-Leffler");
-        } while (!await isFound());
+          is = await isFound();
+        }
         await view.screenshot({ path: join(SCREENSHOTS, `search_${width}.png`) });
         await found.click();
         await view.waitForURL(/special_functions/);
