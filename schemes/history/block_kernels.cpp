@@ -324,7 +324,7 @@ Kernels kernels = kernels_of(hwy::SupportedTargets());
 }  // namespace
 
 Vec padded(const Vec& values, double fill) {
-  Vec result = Vec::Constant((values.size() + lanes - 1) / lanes * lanes, fill);
+  Vec result = Vec::Constant(rounded_up(values.size()), fill);
   result.head(values.size()) = values;
   return result;
 }

@@ -18,6 +18,11 @@ namespace fde {
 
 inline constexpr Eigen::Index lanes = 8;
 
+// The smallest multiple of `of` that is not below count >= 0.
+constexpr Eigen::Index rounded_up(Eigen::Index count, Eigen::Index of = lanes) {
+  return (count + of - 1) / of * of;
+}
+
 // A view of a column-major matrix or of a part of one: the first entry and the distance between columns.
 // Whole matrices and vectors convert.
 struct Block {

@@ -15,22 +15,12 @@ namespace {
 // phi_L, ..., phi_2, with zeros in front.
 Vec reversed_tail(const std::vector<double>& filter) {
   const auto count = std::max<std::ptrdiff_t>(std::ssize(filter) - 2, 0);
-  Vec tail = Vec::Zero((count + lanes - 1) / lanes * lanes);
+  Vec tail = Vec::Zero(rounded_up(count));
   for (Eigen::Index i = 1; i <= count; ++i) tail[tail.size() - i] = filter[static_cast<std::size_t>(i) + 1];
   return tail;
 }
 
 double first_coefficient(const std::vector<double>& filter) { return filter.size() > 1 ? filter[1] : 0.0; }
-
-Eigen::Index rounded_up(double count, Eigen::Index of) {
-  return static_cast<Eigen::Index>(std::ceil(count / static_cast<double>(of))) * of;
-}
-
-// The lag at which the other singularities have decayed below rounding.
-double last_exact_lag(const MultistepRule& rule) {
-  constexpr double half_unit = 0x1p-54;
-  return rule.decay == 0.0 ? 3.0 : std::log(half_unit) / std::log(rule.decay);
-}
 
 // w(1), w(2), ..., or the differences w(k) - w(k-1) for running sums.
 Vec weights_of_lags(const WeightTable& table, Eigen::Index count) {
@@ -89,7 +79,7 @@ void FilteredMemory::state(Archive& archive) {
 WideFilteredMemory::WideFilteredMemory(const WeightTable& table, Eigen::Index components, int steps,
                                        double tolerance)
     : components_(components),
-      exact_lags_(rounded_up(std::min(last_exact_lag(*table.family->multistep), steps + 2.0), block)),
+      exact_lags_(exact_lags(*table.family->multistep, steps + 2.0)),
       near_(exact_lags_, block),
       inner_(Matrix::Zero(group, group)) {
   const Vec exact = weights_of_lags(table, exact_lags_ + block);
@@ -98,12 +88,18 @@ WideFilteredMemory::WideFilteredMemory(const WeightTable& table, Eigen::Index co
   for (Eigen::Index column = 1; column < group; ++column)
     inner_.col(column).head(column) = exact.head(column).reverse();
   if (static_cast<double>(exact_lags_) < steps + 2.0) set_exponentials(table, steps + 2.0, tolerance);
-  const Eigen::Index rows = rounded_up(static_cast<double>(components), tile), tiles = rows / tile;
+  const Eigen::Index rows = rounded_up(components, tile), tiles = rows / tile;
   samples_.setZero(tile * (exact_lags_ + block), tiles);
   states_.setZero(tile * factors_.size(), tiles);
   carries_ = states_;
   current_.setZero(rows);
   if (table.order > 1.0) totals_.emplace(components);
+}
+
+Eigen::Index WideFilteredMemory::exact_lags(const MultistepRule& rule, double longest) {
+  constexpr double half_unit = 0x1p-54;
+  const double decayed = rule.decay == 0.0 ? 3.0 : std::log(half_unit) / std::log(rule.decay);
+  return rounded_up(static_cast<Eigen::Index>(std::ceil(std::min(decayed, longest))), block);
 }
 
 void WideFilteredMemory::set_exponentials(const WeightTable& table, double longest, double tolerance) {

@@ -62,6 +62,10 @@ class WideFilteredMemory {
   // sum_{j<n} w(n-j) x_j after x_0 ... x_(n-1) have been pushed, for one component.
   [[nodiscard]] double convolved(Eigen::Index component) const { return current_[component]; }
 
+  // The lag, a multiple of block, up to which weights are exact: where the other singularities have decayed
+  // below rounding, or the first multiple that is not below `longest`.
+  static Eigen::Index exact_lags(const MultistepRule& rule, double longest);
+
   [[nodiscard]] std::size_t bytes() const;
   void state(Archive& archive);
 

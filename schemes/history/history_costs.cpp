@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fdebench/schemes/history/exponential_memory.hpp"
+#include "fdebench/schemes/history/filtered_memory.hpp"
 #include "fdebench/schemes/history/weights/exponential_sum.hpp"
 #include "fdebench/schemes/history/weights/kernel_moments.hpp"
 
@@ -76,9 +77,8 @@ double start_cost(const WeightTable& table) {
 
 // A WideFilteredMemory of a table used so often.
 double wide_filter_cost(const WeightTable& table, double uses, double steps, double tolerance) {
-  const double decay = table.family->multistep->decay, longest = steps + 2.0;
-  const double exact = std::min(decay == 0.0 ? 3.0 : std::log(0x1p-54) / std::log(decay), longest);
-  const double lags = std::ceil(exact / block) * block;
+  const double longest = steps + 2.0;
+  const auto lags = static_cast<double>(WideFilteredMemory::exact_lags(*table.family->multistep, longest));
   const double nodes = lags < longest ? exponential_count(longest / lags, tolerance) : 0.0;
   const double blocks = std::floor(steps / block), multiply_adds = lags + 2.0 * nodes + recent + block / 2;
   return first_touch(uses * (lags + block)) + 2.0 * first_touch(uses * nodes) +

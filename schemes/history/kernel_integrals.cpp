@@ -23,7 +23,7 @@ Eigen::Index ExponentialKernel::node_count(double length) const {
   // The error bound of exponential_sum allows to omit the nodes after its last one: one more than up to
   // fastest_.
   const auto slower = std::upper_bound(nodes.begin(), nodes.end(), fastest_ / length) - nodes.begin();
-  return std::min((slower + 1 + lanes - 1) / lanes * lanes, nodes.size());
+  return std::min(rounded_up(slower + 1), nodes.size());
 }
 
 std::array<double, 3> ExponentialKernel::newest_step_integrals(double power) const {

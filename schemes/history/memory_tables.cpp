@@ -24,11 +24,9 @@ Vec exact_weights(const WeightTable& table, Eigen::Index count) {
   return Vec::NullaryExpr(count, [&](Eigen::Index k) { return weight_increment(table, k + 1); });
 }
 
-Eigen::Index to_lanes(Eigen::Index count) { return (count + lanes - 1) / lanes * lanes; }
-
 // The values, padded in front with zeros to a multiple of lanes.
 Vec filled(const Vec& values) {
-  Vec result = Vec::Zero(to_lanes(values.size()));
+  Vec result = Vec::Zero(rounded_up(values.size()));
   result.tail(values.size()) = values;
   return result;
 }
@@ -36,7 +34,7 @@ Vec filled(const Vec& values) {
 // The number of nodes that are interpolated, in whole vectors. For two vectors the gain is negligible.
 Eigen::Index joined(const Vec& nodes) {
   const auto above = std::ranges::count_if(nodes, [](double node) { return node > largest_joined; });
-  const auto slow = nodes.size() - to_lanes(above);
+  const auto slow = nodes.size() - rounded_up(above);
   return slow > 2 * lanes ? slow : 0;
 }
 

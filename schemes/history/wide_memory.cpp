@@ -7,11 +7,6 @@
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 
 namespace fde {
-namespace {
-
-Eigen::Index to_multiple(Eigen::Index count, Eigen::Index of) { return (count + of - 1) / of * of; }
-
-}  // namespace
 
 WideMemory::WideMemory(const MemoryTables& tables, Eigen::Index components)
     : components_(components),
@@ -26,8 +21,8 @@ WideMemory::WideMemory(const MemoryTables& tables, Eigen::Index components)
   spread_ = tables.spread.bottomRows(slow).transpose();
   condense_ = tables.condense.rightCols(slow).transpose();
   far_ = tables.far.rightCols(together).transpose();
-  const Eigen::Index rows = to_multiple(components, lanes), tiles = to_multiple(rows, tile) / tile;
-  const Eigen::Index strips = to_multiple(rows, strip) / strip;
+  const Eigen::Index rows = rounded_up(components), tiles = rounded_up(rows, tile) / tile;
+  const Eigen::Index strips = rounded_up(rows, strip) / strip;
   pitch_ = std::min(rows, strip) + lanes;
   first_.setZero(rows);
   samples_.setZero(pitch_ * (recent + block), strips);

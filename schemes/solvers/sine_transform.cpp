@@ -14,8 +14,6 @@ namespace {
 
 constexpr Eigen::Index columns_together = 64, rows_together = 64;  // of a product, in the second cache
 
-Eigen::Index whole_vectors(Eigen::Index rows) { return (rows + lanes - 1) / lanes * lanes; }
-
 // sin(pi a / N) for an integer a, its argument reduced to [0, pi/2] in integers.
 class Sines {
  public:
@@ -56,8 +54,8 @@ SineTransform::SineTransform(Eigen::Index n)
     : n_(n),
       half_((n + 1) / 2),
       even_(n / 2),
-      odd_rows_(whole_vectors(half_)),
-      even_rows_(whole_vectors(even_)),
+      odd_rows_(rounded_up(half_)),
+      even_rows_(rounded_up(even_)),
       odd_(Matrix::Zero(odd_rows_, half_)),
       even_sines_(Matrix::Zero(even_rows_, even_)),
       twice_cosines_(odd_rows_ + even_rows_) {

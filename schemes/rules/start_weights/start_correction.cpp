@@ -11,10 +11,6 @@ namespace {
 // From this number of rows with one table on, weights are computed first and then applied to all rows.
 constexpr std::size_t many = 64;
 
-Eigen::Index to_lanes(std::size_t count) {
-  return (static_cast<Eigen::Index>(count) + lanes - 1) / lanes * lanes;
-}
-
 }  // namespace
 
 StartingCorrection::StartingCorrection(const std::vector<WeightTable>& tables,
@@ -29,7 +25,7 @@ StartingCorrection::StartingCorrection(const std::vector<WeightTable>& tables,
   }
   near_ = static_cast<int>(of_orders_.front()->tabulated.rows());
   one_column_a_row_ = tables_.size() > 1 || tables.size() < many;
-  f_.setZero(to_lanes(tables.size()), std::ssize(powers));
+  f_.setZero(rounded_up(std::ssize(tables)), std::ssize(powers));
   sums_.setZero(f_.rows(), block);
 }
 
