@@ -6,8 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "fdebench/schemes/problem/delays.hpp"
 #include "fdebench/schemes/stepping/grid_jumps.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/with_delays.hpp"
 
 namespace fde {
 namespace {
@@ -87,11 +89,15 @@ std::optional<std::string> unsupported_checkpoints_reason(const Scheme& scheme, 
 #undef FDE_SCHEME
 
 std::span<const Scheme> schemes() {
-  static const std::array all{
+  static const std::array all = [] {
+    std::array listed{
 #define FDE_SCHEME(id, mark) id(),
 #include "fdebench/schemes/list.def"
 #undef FDE_SCHEME
-  };
+    };
+    for (auto& scheme : listed) scheme.solve = with_delays(std::move(scheme.solve));
+    return listed;
+  }();
   return all;
 }
 
@@ -118,6 +124,7 @@ std::optional<std::string> unsupported_reason(const Scheme& scheme, const Proble
                            ? unsupported_reason(scheme.capabilities, problem, *grid)
                            : unsupported_reason(scheme.capabilities, std::get<Tolerance>(resolution));
   if (of_resolution) return of_resolution;
+  if (auto reason = unsupported_delays_reason(scheme, problem, resolution)) return reason;
   if (scheme.capabilities.discretises_equations && problem.equations.empty())
     return "discretises multi-term equations, and the problem is not given in multi-term form";
   if (has_sparse_jacobian(problem) && has_algebraic_rows(problem)) {
@@ -129,7 +136,9 @@ std::optional<std::string> unsupported_reason(const Scheme& scheme, const Proble
       return reason;
   }
   if (auto reason = two_sided_refusal(scheme, problem, grid)) return reason;
-  return scheme.unsupported_problem_reason ? scheme.unsupported_problem_reason(problem) : std::nullopt;
+  if (!scheme.unsupported_problem_reason) return std::nullopt;
+  if (problem.delays.lags.empty()) return scheme.unsupported_problem_reason(problem);
+  return scheme.unsupported_problem_reason(BoundProblem(problem).problem());
 }
 
 }  // namespace fde

@@ -29,6 +29,33 @@ IncrementForm increments_in_units_of(double unit, const IncrementForm& given) {
       [unit, jacobian = given.jacobian](double t, In z, OutMatrix values) { jacobian(t, unit * z, values); }};
 }
 
+Delays delays_in_units_of(double unit, const Delays& given) {
+  const auto original = [unit](const Past& past) -> Past {
+    return [unit, &past](double t, Out u) {
+      past(t, u);
+      u *= unit;
+    };
+  };
+  Delays other{.lags = given.lags,
+               .before =
+                   [unit, before = given.before](double t, Out u) {
+                     before(t, u);
+                     u /= unit;
+                   },
+               .rhs =
+                   [unit, original, rhs = given.rhs](double t, In u, const Past& past, Out f) {
+                     rhs(t, unit * u, original(past), f);
+                     f /= unit;
+                   }};
+  if (given.jacobian) {
+    other.jacobian = [unit, original, jacobian = given.jacobian](double t, In u, const Past& past,
+                                                                 OutMatrix values) {
+      jacobian(t, unit * u, original(past), values);
+    };
+  }
+  return other;
+}
+
 Equation equation_in_units_of(double unit, Equation equation) {
   equation.force = [unit, force = equation.force](double t, In u) { return force(t, unit * u) / unit; };
   equation.force_text = {};
@@ -52,6 +79,8 @@ Problem rescaled_problem(double unit, const Problem& problem) {
                                  problem.derivatives);
   other.increments = increments_in_units_of(unit, problem.increments);
   for (auto& equation : other.equations) equation = equation_in_units_of(unit, equation);
+  if (const Delays& given = problem.delays; !given.lags.empty())
+    other.delays = delays_in_units_of(unit, given);
   if (problem.conditions) {
     other.conditions = [unit, conditions = problem.conditions](In start, In end, Out residual) {
       conditions(unit * start, unit * end, residual);

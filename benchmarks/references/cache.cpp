@@ -15,6 +15,7 @@
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/reference/nonlinear/collocation.hpp"
 #include "fdebench/reference/two_sided/solution.hpp"
+#include "fdebench/schemes/problem/delays.hpp"
 #include "fdebench/schemes/stepping/setup_time.hpp"
 
 namespace fde::bench {
@@ -183,14 +184,23 @@ std::string reference_key(const std::string& name, const Problem& problem) {
   for (const auto& [order, initial, side] : problem.components)
     key += fmt::format("order {} initial {}\n", order, fmt::join(initial, " "));
   if (!problem.jump_times.empty()) key += fmt::format("jumps {}\n", fmt::join(problem.jump_times, " "));
+  const auto& lags = problem.delays.lags;
+  if (!lags.empty()) key += fmt::format("lags {}\n", fmt::join(lags, " "));
+  BoundProblem bound(problem);
+  bound.set_solution([](double t, Out y) {
+    for (Eigen::Index i = 0; i < y.size(); ++i) y[i] = std::sin(2.0 * t + static_cast<double>(i));
+  });
   constexpr int points = 7;
   Vec f(problem.size());
   for (int k = 0; k < points; ++k) {
     const double t = problem.end * k / points;
     Vec y = taylor_part(problem, 0.0);
     for (Eigen::Index i = 0; i < y.size(); ++i) y[i] += 0.25 * std::sin(3.0 * k + static_cast<double>(i));
-    problem.rhs(t, y, f);
+    bound.problem().rhs(t, y, f);
     key += fmt::format("f {}\n", fmt::join(f, " "));
+    if (lags.empty()) continue;
+    problem.delays.before(-lags.back() * (k + 1) / points, y);
+    key += fmt::format("before {}\n", fmt::join(y, " "));
   }
   return key;
 }

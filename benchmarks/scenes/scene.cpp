@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "fdebench/schemes/problem/delays.hpp"
+
 namespace fde::bench {
 
 Outputs select_components(std::vector<std::string> names, std::vector<Eigen::Index> components) {
@@ -36,11 +38,13 @@ double Constraint::terms(double t, In columns) const {
 
 void set_end(Scene& scene, double end) {
   scene.problem.end = end;
-  if (!scene.load_times) return;
-  auto times = scene.load_times(end);
-  scene.problem.jump_times = std::move(times.jumps);
-  scene.problem.kink_times = std::move(times.kinks);
-  scene.problem.step_limits = std::move(times.limits);
+  if (scene.load_times) {
+    auto times = scene.load_times(end);
+    scene.problem.jump_times = std::move(times.jumps);
+    scene.problem.kink_times = std::move(times.kinks);
+    scene.problem.step_limits = std::move(times.limits);
+  }
+  add_jumps_of_start(scene.problem);
 }
 
 Vec columns_at(const Outputs& outputs, double t, In y) {

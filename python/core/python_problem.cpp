@@ -160,6 +160,8 @@ void define_posed_problem(py::module_& module) {
   const auto rhs = [](const Problem& problem, double t, const Numbers& y) {
     if (y.size() != problem.size())
       throw_value_error(fmt::format("y: has {} entries, must have {}", y.size(), problem.size()));
+    if (!problem.delays.lags.empty())
+      throw_value_error("rhs: the problem has delays, its right-hand side is no function of t and y");
     Numbers f(problem.size());
     problem.rhs(t, Eigen::Map<const Vec>(y.data(), y.size()), Eigen::Map<Vec>(f.mutable_data(), f.size()));
     return f;

@@ -25,7 +25,9 @@ using Spectrum = std::vector<ComplexValue>;
 
 constexpr Eigen::Index largest_dense = 64;  // eigenvalues of larger matrices would take longer than the run
 
-bool has_modes(const Problem& problem) { return !is_two_sided(problem) && !has_algebraic_rows(problem); }
+bool has_modes(const Problem& problem) {
+  return !is_two_sided(problem) && !has_algebraic_rows(problem) && problem.delays.lags.empty();
+}
 
 // The order of all rows; nullopt: they differ.
 std::optional<double> common_order(const Problem& problem) {
@@ -263,7 +265,7 @@ bool may_damp_oscillation(const SolvedRun& run) {
       return mode.real() > slowest && damping(run.grid, mode) > slightly;
     });
   }
-  if (run.problem.size() > largest_dense) return true;
+  if (run.problem.size() > largest_dense || !run.problem.delays.lags.empty()) return true;
   const double least = std::sqrt(slightly / damping(run.grid, {0.0, 1.0}));
   for (const double t : spread_times(run.grid)) {
     const Matrix jacobian = jacobian_at(run.problem, t, stored_at(run.path, t));

@@ -9,8 +9,8 @@
 namespace fde {
 
 // What the linear part of a problem, its Jacobian frozen at a few states of a run, says of that run. Except
-// by may_damp_oscillation nothing is said of problems with algebraic rows, and nothing of problems at both
-// ends.
+// by may_damp_oscillation nothing is said of problems with algebraic rows or delays, and nothing of problems
+// at both ends.
 
 // Whether the scheme has modes with this length of a step that grow where those of the equation do not, as
 // half a sentence. Where all orders are equal the eigenvalues are looked at, the largest of them; otherwise

@@ -111,6 +111,19 @@ struct StepLimit {
   double from, to, longest;
 };
 
+// A solution at earlier times: writes y(t) to y.
+using Past = std::function<void(double t, Out y)>;
+
+// Constant delays: f depends on y(t - lags[k]) too, and a problem with delays has this rhs in place of its
+// own.
+struct Delays {
+  std::vector<double> lags{};  // increasing, above 0; empty: no delays
+  Past before{};               // y(t) for t < 0
+  // f(t, y) and, where `derivatives` of the problem do not hold, df/dy. `past` gives y at t - lags[k].
+  std::function<void(double t, In y, const Past& past, Out f)> rhs{};
+  std::function<void(double t, In y, const Past& past, OutMatrix jacobian)> jacobian{};
+};
+
 // Intervals that contain f_i(t, y) for all t and y of the given intervals.
 using RangeOfRhs = std::function<void(const Interval& t, std::span<const Interval> y, std::span<Interval> f)>;
 
@@ -121,6 +134,7 @@ using RangeOfRhs = std::function<void(const Interval& t, std::span<const Interva
 // mechanics with a multiplier lambda (index 2):
 //   q' = v, v' = a(t, q, v) + R(q, v)^T lambda, 0 = g(t, q, v).
 // With conditions the last entries of an `initial` may be missing: they are unknown initial values.
+// With delays f depends on earlier values of y too, and the history of y begins with delays.before.
 //
 // y and f have size() entries. A Jacobian is size() x size(); its row i is the gradient of f_i.
 struct Problem {
@@ -144,6 +158,7 @@ struct Problem {
   std::vector<StepLimit> step_limits{};
   std::vector<SwitchingFunction> switching_functions{};
   RangeOfRhs range{};  // empty: f is known at points only
+  Delays delays{};
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
   [[nodiscard]] const Component& component(Eigen::Index i) const {

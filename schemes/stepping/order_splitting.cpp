@@ -134,6 +134,14 @@ Trajectory solve_split(const Problem& problem, const Resolution& resolution, con
   for (auto& event : inner.events) {
     event.value = of_original(event.value, position);
   }
+  if (options.wants_past) {
+    inner.wants_past = [&](const Past& solution) {
+      options.wants_past([&position, solution, all = Vec(size_of(links, position))](double t, Out y) mutable {
+        solution(t, all);
+        y = all(position);
+      });
+    };
+  }
   Trajectory path = solve(split_orders(problem, links), resolution, inner);
   path.y = Rows(path.y(position, Eigen::all));
   for (auto& occurrence : path.events) occurrence.y = Vec(occurrence.y(position));

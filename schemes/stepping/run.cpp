@@ -31,6 +31,7 @@ Run::Run(const Problem& problem, const Options& options, int steps)
     : problem_(problem), options_(options), start_(taylor_part(problem, 0.0)), f_(problem.size()) {
   if (!options.events.empty()) events_.emplace(options.events, start_);
   if (problem.domain.constraints) rank_.emplace(problem, start_);
+  if (options.wants_past) results_.emplace(start_, breaking_points(problem));
   path_.cost = {.rhs_calls = 0,
                 .newton_iterations = 0,
                 .history_bytes = 0,
@@ -48,15 +49,11 @@ const Vec& Run::rhs_of_increments(double t, In z) {
   return f_;
 }
 
-bool Run::accept(double t, const Vec& y, const StepInterpolant* within) {
-  if (events_ && within == nullptr)
+bool Run::accept_located(double t, const Vec& y, const StepInterpolant* within) {
+  if (within == nullptr)
     throw std::invalid_argument("events: are located by schemes that take an accuracy, not over a grid");
   const double before = path_.last_time;
   if (!check_step(t, y)) return false;
-  if (within == nullptr) {
-    record(t, y);
-    return true;
-  }
   if (events_ && ends_at_event(before, t, y, *within)) return false;
   record_step(before, t, y, *within);
   return true;
@@ -138,7 +135,7 @@ void Run::state(Archive& archive) {
   archive.resizable(path_.times);
   archive.first_columns(path_.y, std::ssize(path_.times));
   archive.resizable(path_.events);
-  archive(events_, rank_);
+  archive(events_, rank_, results_);
 }
 
 void Run::fail(SolveStatus ending, double t) {

@@ -12,6 +12,7 @@
 #include "fdebench/schemes/stepping/checkpoints.hpp"
 #include "fdebench/schemes/stepping/event_locator.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/stored_results.hpp"
 
 namespace fde {
 
@@ -73,10 +74,19 @@ class Run {
   // the run has ended, when y is not finite or outside the domain, the budget is spent, or an event ends the
   // run; the result is then valid up to the event. Throws std::invalid_argument where Options::events is not
   // empty and there is no interpolant.
-  bool accept(double t, const Vec& y, const StepInterpolant* within = nullptr);
+  bool accept(double t, const Vec& y, const StepInterpolant* within = nullptr) {
+    if (within != nullptr || events_) return accept_located(t, y, within);
+    if (!check_step(t, y)) return false;
+    if (results_) results_->add(t, y);
+    record(t, y);
+    return true;
+  }
 
   // Whether an event has ended the run, within the last step.
   [[nodiscard]] bool ended_by_event() const { return path_.status == SolveStatus::terminal_event; }
+
+  // y at a time from 0 to the last, interpolated between the results. Precondition: Options::wants_past.
+  [[nodiscard]] Vec interpolated(double t) const { return results_->at(t); }
 
   // Between two steps, with Options::checkpoints. resume_from_checkpoint() restores a stored state and
   // returns whether there is one; offer_checkpoint() lets the checkpoints store the present one. `state`
@@ -100,6 +110,7 @@ class Run {
   Trajectory finish();
 
  private:
+  bool accept_located(double t, const Vec& y, const StepInterpolant* within);
   bool check_step(double t, const Vec& y);
   // out_of_budget(), which is evaluated about every 0.1 ms.
   bool is_out_of_budget_at(std::int64_t step);
@@ -120,6 +131,7 @@ class Run {
   double next_output_from_ = 0.0;  // is_output_time() is false before this time
   std::int64_t next_look_ = 0, steps_between_looks_ = 1;  // at the clock
   std::chrono::steady_clock::time_point last_look_ = begin_;
+  std::optional<StoredResults> results_{};  // where the past is wanted
   std::optional<EventLocator> events_{};
   std::optional<ConstraintRank> rank_{};
   Trajectory path_;

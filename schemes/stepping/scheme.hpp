@@ -34,6 +34,9 @@ struct Options {
   std::vector<Event> events{};  // only for schemes with an adaptive step size; the others throw
   // Called after every step and at t = 0, whatever `output_times` is.
   std::function<void(double t, In y)> observer{};
+  // Called once, before the first step, with y at any time from 0 to the end of the last step, which is valid
+  // during the run. A run over a grid interpolates its results and stores them for that. Empty: not wanted.
+  std::function<void(const Past& solution)> wants_past{};
   // Where the run stores and resumes its state, for schemes with Capabilities::checkpoints; nullptr: none.
   // The state of the observer is not part of a checkpoint.
   CheckpointStore* checkpoints = nullptr;

@@ -35,6 +35,9 @@ class Stepper {
   // the run.
   static void accept(double /*t*/) {}
 
+  // y at a time from 0 to the end of the last step, with Options::wants_past.
+  void at(double t, Out y) const { y = run_.interpolated(t); }
+
   // Completes the cost of the run and, with dense output, its trajectory.
   static void finish(Trajectory& /*path*/) {}
 
@@ -67,6 +70,7 @@ Trajectory integrate(Scheme&& scheme) {
     if (continues || run.ended_by_event()) scheme.accept(t);
     return continues;
   };
+  if (scheme.options_.wants_past) scheme.options_.wants_past([&](double t, Out y) { scheme.at(t, y); });
   run.start_clock();
   bool continues = run.resume_from_checkpoint(state) || has_result(scheme.start());
   while (continues && !scheme.is_at_end()) {

@@ -51,6 +51,17 @@ PanelPoints points_for(const Problem& problem) {
   return has_algebraic_rows(problem) ? PanelPoints::radau : PanelPoints::legendre;
 }
 
+// The panel that ends at or after t, or the last one.
+std::size_t panel_at(double t, const std::vector<Panel>& panels) {
+  const auto panel = std::ranges::lower_bound(panels, t, {}, &Panel::to);
+  return std::min(static_cast<std::size_t>(panel - panels.begin()), panels.size() - 1);
+}
+
+Vec value_at(double t, const std::vector<Panel>& panels, const PanelBasis& basis) {
+  const Panel& panel = panels[panel_at(t, panels)];
+  return basis.interpolate(panel.values, std::min((t - panel.from) / panel.length(), 1.0));
+}
+
 class CollocationSolver {
  public:
   CollocationSolver(const Problem& problem, const PanelOptions& options, const PanelBasis& basis)
@@ -62,6 +73,10 @@ class CollocationSolver {
         noise_(problem, basis, options.tolerance) {}
 
   std::vector<Panel> run() {
+    if (options_.looking_back != nullptr) {
+      options_.looking_back->set_solution(
+          [this](double t, Out y) { y = panels_.empty() ? last_value_ : value_at(t, panels_, basis_); });
+    }
     // After each jump they double from 1e-11 of the time on.
     const std::size_t most_panels = 2000 + 50 * problem_.jump_times.size();
     while (time() < problem_.end) {
@@ -189,6 +204,8 @@ PiecewiseSolution::PiecewiseSolution(const Problem& problem, const PanelOptions&
       panels_(CollocationSolver(problem, options, basis_).run()) {
   const auto inner = static_cast<int>(basis_.dense_nodes.size()) - 2;
   kept_ = PanelBasis(inner, PanelPoints::legendre).dense_nodes;
+  if (options.looking_back != nullptr)
+    options.looking_back->set_solution([this](double t, Out y) { y = at(t); });
 }
 
 Matrix PiecewiseSolution::legendre_values(const Panel& panel) const {
@@ -203,14 +220,8 @@ bool PiecewiseSolution::is_resolved(const Panel& panel) const {
   return panel.to > negligible_before_ && !just_after_jump(problem_, panel.from, panel.to);
 }
 
-std::size_t PiecewiseSolution::panel_of(double t) const {
-  const auto panel = std::ranges::lower_bound(panels_, t, {}, &Panel::to);
-  return static_cast<std::size_t>(panel - panels_.begin());
-}
+std::size_t PiecewiseSolution::panel_of(double t) const { return panel_at(t, panels_); }
 
-Vec PiecewiseSolution::at(double t) const {
-  const Panel& panel = panels_[panel_of(t)];
-  return basis_.interpolate(panel.values, (t - panel.from) / panel.length());
-}
+Vec PiecewiseSolution::at(double t) const { return value_at(t, panels_, basis_); }
 
 }  // namespace fde::reference

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fdebench/reference/nonlinear/collocation/panels.hpp"
+#include "fdebench/schemes/problem/delays.hpp"
 
 namespace fde::reference {
 
@@ -14,6 +15,8 @@ struct PanelOptions {
   double tolerance;  // of the last Legendre coefficients of f and y on a panel, relative to their sizes
   // Relative to the end: errors of f before this time are below rounding later.
   double negligible_before = 1e-18;
+  // The problem, which looks back at this solution; nullptr: it has no delays.
+  BoundProblem* looking_back = nullptr;
 };
 
 // The collocation solution of a problem: y is a polynomial on each panel. The length of the panels adapts to
@@ -21,8 +24,10 @@ struct PanelOptions {
 // where no panel converges or too many are needed, Singularity where y leaves problem.domain.
 class PiecewiseSolution {
  public:
-  // The problem must outlive this object.
+  // The problem and options.looking_back, which then looks back at this object, must outlive it.
   PiecewiseSolution(const Problem& problem, const PanelOptions& options);
+
+  PiecewiseSolution& operator=(PiecewiseSolution&&) = delete;
 
   [[nodiscard]] Vec at(double t) const;                // 0 <= t <= end
   [[nodiscard]] std::size_t panel_of(double t) const;  // the panel that ends at or after t

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "fdebench/reference/nonlinear/diffusive/memory.hpp"
 #include "fdebench/reference/nonlinear/diffusive/stages.hpp"
@@ -35,7 +36,10 @@ class DiffusiveIntegrator {
         rule_(options.stages),
         memory_(problem, rule_, options.first_step),
         equations_(problem, rule_.nodes.cast<double>()),
-        noise_(problem, rule_) {}
+        noise_(problem, rule_) {
+    if (options.looking_back != nullptr)
+      options.looking_back->set_solution([this](double t, Out y) { y = value_at(t); });
+  }
 
   void run_to(double stop, DiffusiveSolution& solution) {
     // A pendulum on a stiff spring, K/m = 1e6, takes 25000 steps up to t = 5.
@@ -84,6 +88,21 @@ class DiffusiveIntegrator {
     }
   }
 
+  // y at a time up to this one, from the steps that are stored where the problem looks back.
+  [[nodiscard]] Vec value_at(double t) const {
+    const auto step = std::ranges::lower_bound(past_, t, {}, &Step::to);
+    if (step == past_.end()) return value_;
+    const double x = 2.0 * (t - step->from) / (step->to - step->from) - 1.0;
+    Vec sum = Vec::Zero(value_.size());
+    double polynomial = 1.0, before = 0.0;  // P_k(x)
+    for (Eigen::Index k = 0; k < step->coefficients.rows(); ++k) {
+      sum += polynomial * step->coefficients.row(k).transpose();
+      const auto n = static_cast<double>(k);
+      before = std::exchange(polynomial, ((2.0 * n + 1.0) * x * polynomial - n * before) / (n + 1.0));
+    }
+    return sum;
+  }
+
   std::optional<StageSolution> solve(double length) {
     std::vector<Matrix> weights;
     for (Eigen::Index i = 0; i < problem_.size(); ++i) {
@@ -121,10 +140,8 @@ class DiffusiveIntegrator {
         just_after_jump(problem_, time_, time_ + length)) {
       return 0.0;
     }
-    Matrix y(stages.y.rows() + 1, stages.y.cols());
-    y << value_.transpose(), stages.y;
     const Vec of_y =
-        StageNoise::above_noise(largest(rule_.with_start.bottomRows(2) * y), stages.noise.values);
+        StageNoise::above_noise(largest(coefficients_of(stages).bottomRows(2)), stages.noise.values);
     const Vec of_rhs =
         StageNoise::above_noise(largest(rule_.at_nodes.bottomRows(2) * stages.rhs), stages.noise.rhs);
     const Vec excess = of_y.cwiseMax(unit_increment(problem_, length).cwiseProduct(of_rhs));
@@ -138,7 +155,15 @@ class DiffusiveIntegrator {
     return unresolved;
   }
 
+  // Legendre coefficients of y on the step, one row a degree.
+  [[nodiscard]] Matrix coefficients_of(const StageSolution& stages) const {
+    Matrix y(stages.y.rows() + 1, stages.y.cols());
+    y << value_.transpose(), stages.y;
+    return rule_.with_start * y;
+  }
+
   void accept(const StageSolution& stages, double length, double end, double unresolved) {
+    if (options_.looking_back != nullptr) past_.push_back({time_, end, coefficients_of(stages)});
     memory_.advance(length, stages.rhs);
     time_ = end;
     value_ = stages.y.bottomRows<1>().transpose();
@@ -156,6 +181,11 @@ class DiffusiveIntegrator {
     }
   }
 
+  struct Step {
+    double from, to;
+    Matrix coefficients;
+  };
+
   const Problem& problem_;
   DiffusiveOptions options_;
   RadauRule rule_;
@@ -165,6 +195,7 @@ class DiffusiveIntegrator {
   double time_ = 0.0;
   double length_ = options_.first_step * problem_.end;  // of the next step; end * 2^k
   int steps_to_growth_ = 0;
+  std::vector<Step> past_{};  // where the problem looks back
   Vec value_ = taylor_part(problem_, 0.0);
   Vec size_ = value_.cwiseAbs();
   Vec last_rhs_ = rhs_at(problem_, 0.0, value_);

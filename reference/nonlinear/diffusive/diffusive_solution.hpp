@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "fdebench/schemes/problem/delays.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde::reference {
@@ -15,6 +16,8 @@ struct DiffusiveOptions {
   double first_step = 1e-20;  // relative to the end
   // Relative to the end: errors of f before this time are below rounding later.
   double negligible_before = 1e-18;
+  // The problem, which looks back at this solution; nullptr: it has no delays.
+  BoundProblem* looking_back = nullptr;
 };
 
 // A solution at the ends of the steps.

@@ -54,7 +54,7 @@ class ControlledStepper final : public Stepper {
     rule_ = make(run_, shortest_);
     control_ = PiController(rule_->rate(), std::min(first, interval_ends_.front()));
     sides_ = switch_signs(problem, 0.0, run_.start());
-    if (options.output_times.empty()) dense_ = std::make_shared<DenseOutput>(problem);
+    if (options.output_times.empty() || options.wants_past) dense_ = std::make_shared<DenseOutput>(problem);
   }
 
   [[nodiscard]] bool is_at_end() const { return time_ >= problem_.end; }
@@ -68,6 +68,14 @@ class ControlledStepper final : public Stepper {
 
   [[nodiscard]] const Vec& result() const { return rule_->result(); }
   [[nodiscard]] const StepInterpolant* interpolant() const { return &within_; }
+  // Newton's method asks for the values of the same times again and again.
+  void at(double t, Out y) {
+    const auto found = std::ranges::find(looked_up_, t, &LookedUp::t);
+    auto& [time, value] =
+        found == looked_up_.end() ? looked_up_[next_looked_up_++ % looked_up_.size()] : *found;
+    if (std::exchange(time, t) != t) value = dense_->at(t);
+    y = value;
+  }
 
   void accept(double t) {
     rule_->accept();
@@ -251,6 +259,11 @@ class ControlledStepper final : public Stepper {
     return finite && run_.rhs(t, y).allFinite() ? SolveStatus::not_converged : SolveStatus::non_finite;
   }
 
+  struct LookedUp {
+    double t = -1.0;
+    Vec value{};
+  };
+
   const Tolerance accuracy_;
   const bool has_algebraic_rows_;
   const std::vector<double> interval_ends_;
@@ -261,7 +274,9 @@ class ControlledStepper final : public Stepper {
   bool crosses_jump_ = false;               // the step to be accepted steps over a jump
   std::optional<double> left_domain_at_{};  // just outside the domain; its edge has been reached
   std::unique_ptr<AdaptiveRule> rule_;
-  std::shared_ptr<DenseOutput> dense_;  // if all times are requested
+  std::shared_ptr<DenseOutput> dense_;                          // if all times are requested, or the past
+  std::vector<LookedUp> looked_up_ = std::vector<LookedUp>(8);  // the last values of the past
+  std::size_t next_looked_up_ = 0;
   PiController control_{1.0, 1.0};
   std::int64_t rejected_steps_ = 0;
   std::vector<bool> sides_{};       // the side of each switch on which the solution is

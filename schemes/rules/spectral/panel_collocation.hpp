@@ -27,6 +27,7 @@ class PanelCollocation final : public Stepper {
   StepOutcome advance();
   [[nodiscard]] const Vec& result() const { return result_; }
   [[nodiscard]] const StepInterpolant* interpolant() const { return &within_; }
+  void at(double t, Out y) const { y = solution_->panels.empty() ? run_.start() : solution_->at(t); }
   void accept(double t);
   static void state(Archive& archive);  // throws std::logic_error: Capabilities::checkpoints is false
   void finish(Trajectory& path);

@@ -121,6 +121,20 @@ TEST_P(ContinuedRuns, OfConstraintsWithMultipliers) {
   expect_same_bits("fractional_constraint_2d:until=2");
 }
 
+// The results before the checkpoint are the past after it.
+TEST_P(ContinuedRuns, OfDelays) {
+  const auto rhs = [](double t, In y, const Past& past, Out f) {
+    past(t - 0.07, f);
+    f[0] = y[0] * (1.0 - f[0]);
+  };
+  for (const double order : {0.9, 1.3}) {
+    std::vector<double> initial(initial_count(order), 0.1);
+    expect_same_bits({.components = {{order, initial}},
+                      .delays = {.lags = {0.07}, .before = [](double, Out y) { y[0] = 0.1; }, .rhs = rhs}},
+                     fmt::format("a delay, order {}", order));
+  }
+}
+
 TEST_P(ContinuedRuns, OfManyUnknowns) {
   expect_same_bits("fractional_diffusion:components=70,diffusivity=1e-4");
   expect_same_bits("fractional_diffusion_2d:n=9,diffusivity=1e-3");
