@@ -16,6 +16,7 @@ draw zener --kind solution --columns x,r
 draw falling --kind solution
 draw subdiffusion --kind solution --columns u6,u5,u4,u2
 draw epidemic --kind solution --columns S,I,R
+draw delayed_growth --kind solution
 draw roessler --kind phase --columns x,y
 draw multi_order --kind solution
 draw sleigh --kind motion

@@ -15,16 +15,12 @@
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/expressions/time_terms.hpp"
 #include "fdebench/benchmarks/expressions/values_at_start.hpp"
+#include "fdebench/schemes/problem/delays.hpp"
 #include "fdebench/schemes/problem/multipliers.hpp"
 
 namespace fde::bench {
 
 namespace {
-
-std::size_t unknown_of_row(const EquationSystem& system, Eigen::Index row) {
-  const auto after = std::ranges::upper_bound(system.unknowns, row, {}, &EquationSystem::Unknown::first);
-  return static_cast<std::size_t>(after - system.unknowns.begin()) - 1;
-}
 
 // t, or D^order of an unknown.
 std::string name_of(int variable, const EquationSystem& system) {
@@ -34,8 +30,10 @@ std::string name_of(int variable, const EquationSystem& system) {
 }
 
 // A violated constraint would require a jump of the unknowns at t = 0.
-void require_start_on_constraints(const EquationSystem& system, const Problem& problem,
+void require_start_on_constraints(const EquationSystem& system, const Problem& given,
                                   const FileFormulas& formulas) {
+  const BoundProblem bound(given);
+  const Problem& problem = bound.problem();
   const auto row = inconsistent_initial_row(problem);
   if (!row) return;
   Vec f(problem.size());
@@ -49,7 +47,7 @@ void require_start_on_constraints(const EquationSystem& system, const Problem& p
 void require_numbers_at_start(const EquationSystem& system, const Problem& problem, FileFormulas& formulas) {
   constexpr double next_to_start = 1e-9;
   const auto& pool = formulas.pool();
-  const auto rows = with_limits_at_start(system.rows, formulas.pool());
+  const auto rows = with_limits_at_start(at_start(system, formulas.pool()).rows, formulas.pool());
   const Vec start = taylor_part(problem, 0.0);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto part = not_a_number(rows[i], 0.0, start, pool);
@@ -136,13 +134,14 @@ Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
   auto& pool = formulas.pool();
   Problem problem = [&] {
     try {
-      return expression_problem(system.components, system.rows, system.end, pool);
+      return expression_problem(system.components, system.rows, system.end, pool, system.earlier);
     } catch (const DerivativeError& none) {
       formulas.reject(formulas.text().unknowns[unknown_of_row(system, none.row)].rhs, none.what());
     }
   }();
   require_numbers_at_start(system, problem, formulas);
   require_start_on_constraints(system, problem, formulas);
+  if (!system.earlier.values.empty()) return problem;  // a force of t and y could not look back
   for (const auto& unknown : system.unknowns) {
     if (!unknown.chain || unknown.chain->size() == 1) continue;
     const auto& chain = *unknown.chain;
@@ -160,6 +159,7 @@ Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
 std::optional<PosedProblem> without_singular_loads(const EquationSystem& system, const Problem& problem,
                                                    const std::vector<SystemColumn>& columns,
                                                    ExpressionPool& pool) {
+  if (!system.earlier.values.empty()) return std::nullopt;
   std::vector<Expression> rests, state;
   bool any = false;
   for (std::size_t i = 0; i < system.rows.size(); ++i) {

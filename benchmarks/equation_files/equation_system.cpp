@@ -19,7 +19,8 @@
 namespace fde::bench {
 namespace {
 
-constexpr Range any_order{.low = 0.0, .high = 2.0};
+constexpr Range any_order{.low = 0.0, .high = 10.0};
+constexpr double largest_single_order = 2.0;  // of a row
 
 // Whether the text contains a name.
 bool has_name(const FormulaText& formula) {
@@ -39,21 +40,17 @@ void require_constant(const FormulaText& formula, std::string_view allowed, File
   formulas.read(formula, {.time = false, .resolve_other = refuse});
 }
 
-// The order of a term; outside of [0, 2] the message says which unknowns of their own express it.
+// The order of a term; below 0 the message says which unknown of its own expresses it.
 double order_of(const TermText& term, std::string_view unknown, FileFormulas& formulas) {
   const double order = formulas.constant(term.order, "order", any_number);
   if (any_order.contains(order)) return order;
-  formulas.reject(
-      term.order,
-      order < 0.0
-          ? fmt::format(
-                "order = {0}: must be {1}; the integral of order {2} of {3} is an unknown z of its own: "
-                "D^{2} z = {3}, z(0) = 0",
-                order, any_order.text(), -order, unknown)
-          : fmt::format(
-                "order = {0}: must be {1}; D^{0} {2} is D^{3:.6g} v of an unknown v of its own: D^2 {2} = v, "
-                "v(0) = {2}''(0)",
-                order, any_order.text(), unknown, order - any_order.high));
+  const std::string hint =
+      order < 0.0 ? fmt::format(
+                        "; the integral of order {0} of {1} is an unknown z of its own: D^{0} z = {1}, "
+                        "z(0) = 0",
+                        -order, unknown)
+                  : "";
+  formulas.reject(term.order, fmt::format("order = {}: must be {}{}", order, any_order.text(), hint));
 }
 
 // x'(0) may be listed where the order depends on parameters and is at most 1; there it must be 0.
@@ -132,6 +129,10 @@ EquationSystem::Unknown unknown_of(const UnknownText& text, Eigen::Index first, 
   }
   std::erase_if(terms, [&](const Term& term) { return term.order == top.order; });
   auto initial = initial_values(text, leading->order, top.order, formulas);
+  if (!text.is_chain && top.order > largest_single_order) {
+    formulas.reject(leading->order, fmt::format("order = {}: must be at most {} where chain is false",
+                                                top.order, largest_single_order));
+  }
   if (text.is_chain) {
     unknown.chain.emplace(sum, terms, std::move(initial), first);
   } else {
@@ -186,7 +187,54 @@ void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& pool, std:
   rows.push_back(((Operand{&pool, *unknown.rhs} - sum) / number(chain.leading().coefficient)).value);
 }
 
+// A jump at an unknown time, which only a run of its own could locate.
+void require_no_earlier_switch(const EquationSystem& system, std::size_t u, FileFormulas& formulas) {
+  const auto& pool = formulas.pool();
+  const auto row = system.rows[system.unknowns[u].last_row()];
+  for (const auto argument : pool.arguments({row}, {Operation::sign, Operation::step})) {
+    const auto variables = pool.variables_in(argument);
+    if (!variables.empty() && *variables.rbegin() > system.size())
+      formulas.reject(formulas.text().unknowns[u].rhs, "sign and step of an earlier value are not supported");
+  }
+}
+
+// The value of each row for t < 0 as a function of t; of rows that nothing looks back at the initial value.
+std::vector<Expression> values_before(const EquationSystem& system, FileFormulas& formulas) {
+  auto& pool = formulas.pool();
+  std::vector<Expression> values;
+  for (const auto& row : system.components) values.push_back(pool.number(row.initial.front()));
+  for (const auto& [row, lag] : system.earlier.values) {
+    const auto u = unknown_of_row(system, row);
+    const auto& unknown = system.unknowns[u];
+    const auto& text = formulas.text().unknowns[u];
+    if (!text.before) {
+      reject_at(formulas.text().file, text.position,
+                fmt::format("unknown {0}: must have the key before, its value for t < 0, as {0}(t - {1}) is "
+                            "needed from there on",
+                            text.name, lag));
+    }
+    const double order =
+        unknown.chain ? unknown.chain->nodes()[static_cast<std::size_t>(row - unknown.first)] : 0.0;
+    if (!is_integer_order(order)) {
+      formulas.reject(text.rhs, fmt::format("D({0}, {1})(t - {2}): must be of order 0 or 1, others are not "
+                                            "known before t = 0",
+                                            text.name, order, lag));
+    }
+    auto value = formulas.read(*text.before, {});
+    if (order == 1.0) value = pool.derivative(value, 0);
+    if (!pool.arguments({value}, {Operation::sign, Operation::step}).empty())
+      formulas.reject(*text.before, "before: must not jump; sign and step are not supported in it");
+    values[static_cast<std::size_t>(row)] = value;
+  }
+  return values;
+}
+
 }  // namespace
+
+std::size_t unknown_of_row(const EquationSystem& system, Eigen::Index row) {
+  const auto after = std::ranges::upper_bound(system.unknowns, row, {}, &EquationSystem::Unknown::first);
+  return static_cast<std::size_t>(after - system.unknowns.begin()) - 1;
+}
 
 FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool) {
   const auto node = [&](std::size_t of, double order) {
@@ -218,7 +266,14 @@ EquationSystem read_system(FileFormulas& formulas) {
     system.unknowns.push_back(unknown_of(unknown, first, formulas));
     first += system.unknowns.back().size();
   }
-  const auto variables = variables_of(system, formulas.pool());
+  auto variables = variables_of(system, formulas.pool());
+  variables.earlier = [&, first](Expression of, double lag) {
+    const EarlierValue asked{formulas.pool()[of].variable - 1, lag};
+    auto& known = system.earlier.values;
+    auto found = std::ranges::find(known, asked);
+    if (found == known.end()) found = known.insert(known.end(), asked);
+    return formulas.pool().variable(static_cast<int>(first + (found - known.begin())) + 1);
+  };
   for (std::size_t u = 0; u < text.unknowns.size(); ++u) {
     auto& unknown = system.unknowns[u];
     add_scaled(text.unknowns[u], unknown, variables, formulas);
@@ -230,6 +285,32 @@ EquationSystem read_system(FileFormulas& formulas) {
     }
     add_rows(unknown, formulas.pool(), system.rows);
   }
+  for (const auto& unknown : text.unknowns)
+    if (unknown.before) formulas.read(*unknown.before, {});
+  if (system.earlier.values.empty()) return system;
+  for (std::size_t u = 0; u < system.unknowns.size(); ++u) require_no_earlier_switch(system, u, formulas);
+  system.earlier.before = values_before(system, formulas);
+  return system;
+}
+
+EquationSystem at_start(EquationSystem system, ExpressionPool& pool) {
+  const auto size = system.size();
+  std::vector<Expression> values;
+  for (const auto& [row, lag] : system.earlier.values) {
+    const Operand time = Operand{&pool, pool.variable(0)} - Operand{&pool, pool.number(lag)};
+    values.push_back(pool.substituted({system.earlier.before[static_cast<std::size_t>(row)]},
+                                      [&](int /*t*/) { return time.value; })[0]);
+  }
+  const auto known = [&](int variable) {
+    return variable <= size ? pool.variable(variable) : values[static_cast<std::size_t>(variable - size - 1)];
+  };
+  if (values.empty()) return system;
+  system.rows = pool.substituted(system.rows, known);
+  for (auto& unknown : system.unknowns) {
+    if (unknown.rhs) unknown.rhs = pool.substituted({*unknown.rhs}, known)[0];
+    if (unknown.factor) unknown.factor = pool.substituted({*unknown.factor}, known)[0];
+  }
+  system.earlier = {};
   return system;
 }
 

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "fdebench/benchmarks/equation_files/file_formulas.hpp"
+#include "fdebench/benchmarks/expressions/expression_problem.hpp"
 #include "fdebench/schemes/problem/chain.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
 namespace fde::bench {
 
 // The equations of a file for given values of its parameters: the rows of a problem, with right-hand sides as
-// expressions of t (variable 0) and y_i (variable i + 1).
+// expressions of t (variable 0), y_i (variable i + 1) and, with delays, earlier values.
 struct EquationSystem {
   struct Unknown {
     std::string name;
@@ -30,6 +31,7 @@ struct EquationSystem {
   std::vector<Expression> rows{};  // f_i
   double end = 1.0;
   std::vector<double> jumps{};
+  EarlierValues earlier{};
 
   [[nodiscard]] Eigen::Index size() const { return std::ssize(components); }
 };
@@ -37,8 +39,14 @@ struct EquationSystem {
 // Throws std::invalid_argument naming file, line and column if an equation is not of this kind.
 EquationSystem read_system(FileFormulas& formulas);
 
+// The index of the unknown to which this row belongs.
+std::size_t unknown_of_row(const EquationSystem& system, Eigen::Index row);
+
 // Variables for formulas in the rows: row i is variable i + 1, D^order of an unknown that node of its chain.
 FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool);
+
+// The system up to the shortest lag, with the given values before t = 0 in place of earlier values.
+EquationSystem at_start(EquationSystem system, ExpressionPool& pool);
 
 // The times of [[jump]], in increasing order.
 std::vector<double> declared_jumps(FileFormulas& formulas);

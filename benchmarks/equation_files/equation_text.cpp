@@ -112,13 +112,16 @@ EquationText with_implied_terms(EquationText text, const Parameters& parameters)
   if (std::ranges::none_of(text.unknowns, names_derivative)) return text;
   FileFormulas formulas(text, parameters, NumberStorage::values);
   std::vector<Derivative> derivatives;  // number i is variable i + 1
-  const FormulaVariables variables{.time = true, .resolve_unknown = [&](std::size_t unknown, double order) {
-                                     const Derivative one{unknown, order};
-                                     const auto known = std::ranges::find(derivatives, one);
-                                     const auto number = static_cast<int>(known - derivatives.begin());
-                                     if (known == derivatives.end()) derivatives.push_back(one);
-                                     return formulas.pool().variable(number + 1);
-                                   }};
+  const FormulaVariables variables{.time = true,
+                                   .resolve_unknown =
+                                       [&](std::size_t unknown, double order) {
+                                         const Derivative one{unknown, order};
+                                         const auto known = std::ranges::find(derivatives, one);
+                                         const auto number = static_cast<int>(known - derivatives.begin());
+                                         if (known == derivatives.end()) derivatives.push_back(one);
+                                         return formulas.pool().variable(number + 1);
+                                       },
+                                   .earlier = [](Expression of, double /*lag*/) { return of; }};
   std::vector<Expression> sides;
   for (const auto& unknown : text.unknowns) sides.push_back(formulas.read(unknown.rhs, variables));
   EquationText complete = text;

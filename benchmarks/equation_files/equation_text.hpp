@@ -45,7 +45,8 @@ struct UnknownText {
   std::optional<FormulaText> factor{};
   FormulaText rhs{};
   std::vector<FormulaText> initial{};
-  std::vector<FormulaText> final{};  // of a coordinate: its value at the end
+  std::optional<FormulaText> before{};  // its value for t < 0
+  std::vector<FormulaText> final{};     // of a coordinate: its value at the end
   ParameterValues unless{};
 };
 

@@ -50,6 +50,9 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
       return derivative(unknown, order, is_decimal, variables, absent);
     };
   }
+  if (variables.earlier) {
+    names.earlier = [&](Expression of, Expression time) { return earlier(of, time, variables); };
+  }
   names.resolve = [&, absent](std::string_view name) -> std::optional<Expression> {
     if (name == "t" && variables.time) return pool_.variable(0);
     for (const auto& known : text_.parameters)
@@ -121,6 +124,17 @@ Expression FileFormulas::derivative(std::string_view unknown, Expression order, 
     if (!may_be_absent) throw;
     return pool_.variable(absent_variable);
   }
+}
+
+Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVariables& variables) {
+  const auto rate = pool_.depends_on_unknowns(time) ? std::nullopt : value(pool_.derivative(time, 0));
+  const auto at_start = value(pool_.without_variables(time, 0));
+  // sign and step have the derivative 0.
+  const bool jumps = !pool_.arguments({time}, {Operation::sign, Operation::step}).empty();
+  if (rate != 1.0L || jumps || !at_start || !(*at_start < 0.0L))
+    throw std::invalid_argument("its time must be t - tau, tau a formula of the parameters above 0");
+  if (of == pool_.variable(absent_variable)) return of;
+  return variables.earlier(of, static_cast<double>(-*at_start));
 }
 
 std::optional<long double> FileFormulas::value(Expression of) {

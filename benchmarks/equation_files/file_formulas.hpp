@@ -21,6 +21,9 @@ struct FormulaVariables {
   std::function<Expression(std::size_t unknown, double order)> resolve_unknown{};
   // D^order of an unknown whose order is a formula rather than a number; empty: as resolve_unknown.
   std::function<Expression(std::size_t unknown, double order)> resolve_formula_order{};
+  // The variable of an unknown or derivative at the time t - lag, lag > 0; throws std::invalid_argument if
+  // there is none. Empty: earlier values are not allowed.
+  std::function<Expression(Expression of, double lag)> earlier{};
   // The value of a further name; nullopt if there is none.
   std::function<std::optional<Expression>(std::string_view name)> resolve_other{};
 };
@@ -71,6 +74,7 @@ class FileFormulas {
   double with_exact(Expression exact, double value);
   // The value of an expression without variables other than parameters.
   std::optional<long double> value(Expression of);
+  Expression earlier(Expression of, Expression time, const FormulaVariables& variables);
   Expression derivative(std::string_view unknown, Expression order, bool is_decimal,
                         const FormulaVariables& variables, Absent absent);
 

@@ -82,6 +82,7 @@ reference::Reference known_derivatives(const EquationSystem& system, const Probl
     require_exact_start(text, columns, problem, known);
     return known;
   }
+  if (!system.earlier.values.empty()) return {};
   if (auto known = linear_file_reference(text, formulas.parameters(), problem, columns)) return *known;
   return free_pendulum(system, columns, formulas.pool());
 }

@@ -13,6 +13,7 @@
 
 #include "fdebench/benchmarks/equation_files/start_powers.hpp"
 #include "fdebench/benchmarks/expressions/time_terms.hpp"
+#include "fdebench/schemes/problem/delays.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/problem/smoothness.hpp"
 
@@ -23,7 +24,7 @@ namespace {
 using Unknown = EquationSystem::Unknown;
 
 bool has_finite_derivatives_at_start(const Problem& problem) {
-  return jacobian_at(problem, 0.0, taylor_part(problem, 0.0)).allFinite();
+  return jacobian_at(BoundProblem(problem).problem(), 0.0, taylor_part(problem, 0.0)).allFinite();
 }
 
 // The powers of t in [exact] above 0, one list an unknown; nullopt if one is no sum of
@@ -120,11 +121,12 @@ std::optional<OrderedLimit> limit_of(const EquationSystem::Unknown& unknown, Exp
 
 Smoothness file_smoothness(const EquationSystem& system, const Problem& problem, FileFormulas& formulas) {
   auto& pool = formulas.pool();
-  if (std::ranges::any_of(system.unknowns, [](const Unknown& one) { return !one.chain; })) return {};
-  auto smoothness = exact_smoothness(system, problem, formulas);
-  if (!smoothness) smoothness = series_smoothness(system, problem, pool);
-  if (!smoothness) smoothness = starting_powers(system, pool);
-  if (!smoothness->powers.empty()) smoothness->jumps = jumping_rows(system, pool);
+  const EquationSystem start = at_start(system, pool);
+  if (std::ranges::any_of(start.unknowns, [](const Unknown& one) { return !one.chain; })) return {};
+  auto smoothness = exact_smoothness(start, problem, formulas);
+  if (!smoothness) smoothness = series_smoothness(start, problem, pool);
+  if (!smoothness) smoothness = starting_powers(start, pool);
+  if (!smoothness->powers.empty()) smoothness->jumps = jumping_rows(start, pool);
   return *smoothness;
 }
 

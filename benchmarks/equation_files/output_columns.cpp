@@ -36,7 +36,11 @@ class ColumnFormulas {
     const auto rows = variables_of(system_, formulas_.pool());
     const auto derivative = [this, rows](std::size_t unknown, double order) {
       const auto& of = system_.unknowns[unknown];
-      if (of.chain && same_order(of.chain->leading().order, order)) return system_.rows[of.last_row()];
+      if (of.chain && same_order(of.chain->leading().order, order)) {
+        if (!system_.earlier.values.empty())
+          throw std::invalid_argument("D of the leading order: must not be a column of a file with delays");
+        return system_.rows[of.last_row()];
+      }
       return rows.resolve_unknown(unknown, order);
     };
     const auto other = [this](std::string_view name) -> std::optional<Expression> {

@@ -124,7 +124,7 @@ class EquationReader : DeclarationReader {
                                        const std::vector<ParameterText>& parameters) const {
     const auto name = fmt::format("unknown {}", entry.name);
     const auto& of = table(*entry.node, name);
-    require_keys(of, name, {"terms", "order", "chain", "factor", "rhs", "initial", "unless"});
+    require_keys(of, name, {"terms", "order", "chain", "factor", "rhs", "initial", "before", "unless"});
     UnknownText unknown{.name = entry.name, .position = entry.position};
     const auto *order = of.get("order"), *terms = of.get("terms");
     if ((order == nullptr) == (terms == nullptr))
@@ -144,6 +144,7 @@ class EquationReader : DeclarationReader {
     unknown.rhs = formula(required(of, entry.position, name, "rhs"), "rhs");
     unknown.unless = unless_of(of, parameters);
     unknown.initial = formulas(required(of, entry.position, name, "initial"), "initial", numbers);
+    if (const auto* before = of.get("before")) unknown.before = formula(*before, "before");
     return unknown;
   }
 

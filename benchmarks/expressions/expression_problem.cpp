@@ -65,14 +65,14 @@ bool piecewise(const std::vector<Expression>& rows, const ExpressionPool& pool) 
 
 // The value of an expression if it is constant, either as written or because its derivatives vanish: (y +
 // 1)^2 - y^2 has a constant derivative.
-std::optional<double> constant_of(Expression value, Eigen::Index size, ExpressionPool& pool) {
+std::optional<double> constant_of(Expression value, Eigen::Index variables, ExpressionPool& pool) {
   constexpr Eigen::Index few = 12;
   if (const auto known = pool.value(value)) return static_cast<double>(*known);
   const auto zero = pool.number(0);
   // sign and step have derivative 0 but are not constant
   const bool jumps = !pool.arguments({value}, {Operation::sign, Operation::step}).empty();
-  if (size > few || jumps) return std::nullopt;
-  for (int variable = 0; variable <= size; ++variable) {
+  if (variables > few || jumps) return std::nullopt;
+  for (int variable = 0; variable <= variables; ++variable) {
     const auto slope = pool.derivative(value, variable);
     if (slope != zero && pool.value(slope) != 0.0L) return std::nullopt;
   }
@@ -81,10 +81,12 @@ std::optional<double> constant_of(Expression value, Eigen::Index size, Expressio
   return static_cast<double>(*at_zero);
 }
 
-std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index size, ExpressionPool& pool) {
+// variables: the number of those beside t.
+std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index size, Eigen::Index variables,
+                                ExpressionPool& pool) {
   Matrix matrix = Matrix::Zero(size, size);
   for (const auto& [row, column, value] : entries) {
-    const auto known = constant_of(value, size, pool);
+    const auto known = constant_of(value, variables, pool);
     if (!known || !std::isfinite(*known)) return std::nullopt;
     matrix(row, column) = *known;
   }
@@ -153,12 +155,69 @@ IncrementForm increments_of(const Problem& problem, const std::vector<Expression
           jacobian_of(entries, size, entries_program(entries, size, pool)).at};
 }
 
+// The state and the earlier values, the variables of right-hand sides with delays.
+class VariablesOfDelays {
+ public:
+  VariablesOfDelays(const EarlierValues& earlier, Eigen::Index size)
+      : lags_(lags_of(earlier.values)), values_(earlier.values), size_(size) {}
+
+  [[nodiscard]] const std::vector<double>& lags() const { return lags_; }
+
+  [[nodiscard]] Vec at(double t, In y, const Past& past) const {
+    Vec all(size_ + std::ssize(values_)), earlier(size_);
+    all.head(size_) = y;
+    for (const double lag : lags_) {
+      past(t - lag, earlier);
+      for (std::size_t k = 0; k < values_.size(); ++k)
+        if (values_[k].lag == lag) all[size_ + static_cast<Eigen::Index>(k)] = earlier[values_[k].row];
+    }
+    return all;
+  }
+
+ private:
+  static std::vector<double> lags_of(const std::vector<EarlierValue>& values) {
+    std::vector<double> lags;
+    for (const auto& value : values) lags.push_back(value.lag);
+    return increasing(std::move(lags));
+  }
+
+  std::vector<double> lags_;
+  std::vector<EarlierValue> values_;
+  Eigen::Index size_;
+};
+
+Problem delayed_problem(std::vector<Component> components, const std::vector<Expression>& rows, double end,
+                        ExpressionPool& pool, const EarlierValues& earlier) {
+  const auto size = std::ssize(rows), variables = size + std::ssize(earlier.values);
+  Problem problem{.components = std::move(components), .end = end};
+  for (const auto value : switches_of(rows, pool))
+    problem.switching_functions.emplace_back(Program(pool, {value}, size));
+  const VariablesOfDelays all(earlier, size);
+  problem.delays = {
+      .lags = all.lags(),
+      .before = [program = Program(pool, earlier.before, 0)](double t, Out y) { program(t, Vec(), y); },
+      .rhs = [all, program = Program(pool, rows, variables)](double t, In y, const Past& past,
+                                                             Out f) { program(t, all.at(t, y, past), f); }};
+  const auto entries = derivatives_of(rows, pool);
+  auto matrix = piecewise(rows, pool) ? std::nullopt : matrix_of(entries, size, variables, pool);
+  if (matrix) {
+    problem.derivatives = DenseLinearPart{std::move(*matrix)};
+  } else {
+    problem.delays.jacobian = [all, of = jacobian_of(entries, size, entries_program(entries, size, pool))](
+                                  double t, In y, const Past& past, OutMatrix jacobian) {
+      of.at(t, all.at(t, y, past), jacobian);
+    };
+  }
+  return problem;
+}
+
 }  // namespace
 
 Problem expression_problem(std::vector<Component> components, const std::vector<Expression>& as_given,
-                           double end, ExpressionPool& pool) {
+                           double end, ExpressionPool& pool, const EarlierValues& earlier) {
   const auto rows = with_limits_at_start(as_given, pool);
   const auto size = std::ssize(rows);
+  if (!earlier.values.empty()) return delayed_problem(std::move(components), rows, end, pool, earlier);
   Problem problem{.components = std::move(components), .end = end};
   const Program rhs(pool, rows, size);
   problem.rhs = rhs;
@@ -168,7 +227,7 @@ Problem expression_problem(std::vector<Component> components, const std::vector<
   for (const auto value : switches_of(rows, pool))
     problem.switching_functions.emplace_back(Program(pool, {value}, size));
   const auto entries = derivatives_of(rows, pool);
-  auto matrix = piecewise(rows, pool) ? std::nullopt : matrix_of(entries, size, pool);
+  auto matrix = piecewise(rows, pool) ? std::nullopt : matrix_of(entries, size, size, pool);
   if (matrix) {
     problem.text = [rhs, matrix = *matrix] { return text_of(rhs, matrix); };
     problem.derivatives = DenseLinearPart{std::move(*matrix)};

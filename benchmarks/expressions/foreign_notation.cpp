@@ -89,9 +89,7 @@ constexpr std::array foreign_functions{
     ForeignNotation{" if iff iif ifelse where piecewise select switch cond which boole ", conditions_here},
     ForeignNotation{" diff dt ddt deriv derivative dot gradient caputo fderiv ", derivative_here},
     ForeignNotation{" int integral integrate quad quadgk trapz cumtrapz cumsum ", unknown_of_integral_here},
-    ForeignNotation{
-        " delay lag history ",
-        "delays are not supported; an unknown z with order = 1 and rhs = (x - z)/tau lags behind x by tau"},
+    ForeignNotation{" delay lag history ", "x at the time t - tau is x(t - tau)"},
     ForeignNotation{
         " rand randn random normal uniform ",
         "there are no random numbers; a value v that holds from a to b is v*(step(t - a) - step(t - b))"},
@@ -150,10 +148,8 @@ std::string hint_of(std::span<const ForeignNotation> table, std::string_view not
 
 // Keys of equation files.
 constexpr std::array foreign_keys{
-    ForeignNotation{
-        " before history past delay delays lag tau ",
-        "delays are not supported, the nearest is an unknown z that lags behind x by tau: order = 1, "
-        "rhs = \"(x - z)/tau\", initial = [0]"},
+    ForeignNotation{" history past delay delays lag tau ",
+                    "a delay is x(t - tau) in rhs, and the key before of x has x(t) for t < 0"},
     ForeignNotation{
         " final boundary bc at_end terminal ",
         "values at the end are not supported of an unknown; make the missing initial value a parameter, "

@@ -72,10 +72,7 @@ class FormulaParser {
     const auto second = next_token(text_, first.byte_offset + first.text.size());
     if (first.text == "t" && second.text == ")") return fmt::format("; {0}(t) is {0}", name);
     if (first.text == "t" && second.text == "-") {
-      return fmt::format(
-          "; delays are not supported, the nearest is an unknown z that lags behind {0} by tau: order = 1, "
-          "rhs = ({0} - z)/tau",
-          name);
+      return "; earlier values are those of unknowns, in the rhs of equations other than mechanics";
     }
     if (first.text == "0" && second.text == ")")
       return fmt::format("; {}(0) is the number of its key initial: write that, or a parameter", name);
@@ -168,7 +165,7 @@ class FormulaParser {
     if (function && !named_alike) return call(*function);
     if (token.text == "pi") return into_.pi();
     if (names_.resolve) {
-      if (const auto known = names_.resolve(token.text)) return *known;
+      if (const auto known = names_.resolve(token.text)) return at_time(*known, token);
     }
     unknown_name(token);
   }
@@ -224,6 +221,25 @@ class FormulaParser {
     return made(operation, arguments[0], arguments[1], arguments[2]);
   }
 
+  // The value, or, with a time in brackets behind it, the value at that time. x(t) and x(0) are refused with
+  // the hint of what to write.
+  Expression at_time(Expression value, const FormulaToken& token) {
+    const auto& node = into_[value];
+    const bool is_unknown = node.operation == Operation::variable && node.variable > 0;
+    const auto first = next_token(text_, token_.byte_offset + token_.text.size());
+    const auto second = next_token(text_, first.byte_offset + first.text.size());
+    const bool is_now_or_start = (first.text == "t" || first.text == "0") && second.text == ")";
+    if (token_.text != "(" || !is_unknown || !names_.earlier || is_now_or_start) return value;
+    advance();
+    const auto time = sum();
+    if (!take(")")) expected("')', as in x(t - 1)");
+    try {
+      return names_.earlier(value, time);
+    } catch (const std::invalid_argument& none) {
+      fault(fmt::format("{}(...): {}", token.text, none.what()), token.byte_offset);
+    }
+  }
+
   Expression derivative(const FormulaToken& token) {
     if (!names_.derivative) fault("D: a derivative is not allowed here", token.byte_offset);
     if (token_.text != "(") expected("'(', as in D(x, 0.5)");
@@ -242,7 +258,7 @@ class FormulaParser {
     const bool is_decimal = second.byte_offset == token_.byte_offset && !is_letter(first.text.front());
     if (!take(")")) expected("')', as in D(x, 0.5)");
     try {
-      return names_.derivative(unknown.text, order, is_decimal);
+      return at_time(names_.derivative(unknown.text, order, is_decimal), token);
     } catch (const std::invalid_argument& none) {
       fault(none.what(), token.byte_offset);
     }

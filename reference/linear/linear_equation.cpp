@@ -20,7 +20,7 @@ void require_equation(bool holds, const char* message) {
 void require_finite(const LinearEquation& equation) {
   for (const auto& [coefficient, order, time_scale] : equation.terms) {
     require_equation(std::isfinite(coefficient), "coefficients have to be finite");
-    require_equation(order >= 0.0 && order <= 2.0, "orders have to be in [0, 2]");
+    require_equation(order >= 0.0 && order <= 10.0, "orders have to be in [0, 10]");
     require_equation(time_scale > 0.0 && std::isfinite(time_scale), "time scales have to be positive");
   }
   require_equation(std::ranges::all_of(equation.initial, [](double value) { return std::isfinite(value); }),
@@ -35,7 +35,7 @@ LinearEquationOf<Rational> checked(LinearEquationOf<Rational> equation, const st
   Rational top(0);
   for (const auto& term : equation.terms) top = std::max(top, term.order);
   require_equation(top > 0, "a derivative with a coefficient other than zero is needed");
-  require_equation(top <= 2, "orders have to be in [0, 2]");
+  require_equation(top <= 10, "orders have to be in [0, 10]");
   const auto needed = static_cast<std::size_t>(ceiling(top));
   require_equation(equation.initial.size() >= needed, "an initial value is missing");
   equation.initial.resize(needed);

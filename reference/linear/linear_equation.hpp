@@ -44,7 +44,7 @@ struct LinearTermOf {
   Number time_scale{1};
 };
 
-// sum_i c_i D^(order_i) u = sum_k load_k(t): Caputo derivatives from 0, orders in [0, 2],
+// sum_i c_i D^(order_i) u = sum_k load_k(t): Caputo derivatives from 0, orders in [0, 10],
 // u^(k)(0) = initial[k]. Terms with coefficient 0 are ignored; ceil(highest order) initial values are needed.
 template <class Number>
 struct LinearEquationOf {

@@ -35,7 +35,8 @@ class Formulas(unittest.TestCase):
     def setUpClass(cls):
         listed = subprocess.run([PROGRAM, "scenes", "--json"], capture_output=True, text=True, check=True).stdout
         ids = [scene["id"] for scene in json.loads(listed)]
-        files = sorted(str(path) for path in (ROOT / "docs" / "examples").glob("*.toml"))
+        # With delays a right-hand side is no function of t and y, and a task has no formulas.
+        files = sorted(str(path) for path in (ROOT / "docs" / "examples").glob("*.toml") if "\nbefore" not in path.read_text())
         forms = [f"{scene}:formulation={form}" for scene in ("knife_edge", "fractional_knife_edge") for form in ("acceleration", "multiplier")]
         shown = subprocess.run([VALUES, *ids, *files, *forms], capture_output=True, text=True)
         assert shown.returncode == 0, shown.stderr

@@ -115,6 +115,22 @@ class Examples(unittest.TestCase):
         for column, value in zip("xyz", wanted):
             self.assert_near(classical[column][0], value, 1e-9)
 
+    def test_delayed_growth_at_order_one_is_hutchinsons_equation(self):
+        # By the classical Runge-Kutta method with steps of 2 h; x[k] is x(k h - 1), so that a delay is 1/h places.
+        back = 400
+        h, x = 1 / back, [0.1] * (back + 1)
+        growth = lambda value, earlier: 1.5 * value * (1 - earlier)  # noqa: E731
+        for k in range(0, 6 * back, 2):
+            now, (first, middle, last) = x[-1], x[k : k + 3]
+            a = growth(now, first)
+            b = growth(now + h * a, middle)
+            c = growth(now + h * b, middle)
+            d = growth(now + 2 * h * c, last)
+            after = now + h / 3 * (a + 2 * b + 2 * c + d)
+            # The middle by Hermite's polynomial, of the same order as the method.
+            x += [(now + after) / 2 + h / 4 * (a - growth(after, last)), after]
+        self.assert_near(exact("delayed_growth.toml:g=1", 6)["x"][0], x[-1], 1e-8)
+
     def test_multi_order_is_its_formula(self):
         known = exact("multi_order.toml", 0.25, 1)
         for t, *found in zip(*(known[name] for name in ("t", "y1", "y2", "y3"))):

@@ -18,7 +18,12 @@ def order(random: Random) -> float:
     return random.choice([round(random.uniform(0.1, 2), 2), random.choice([0.5, 1, 1.5, 2, 0.8]), near if 0 < near <= 2 else 0.5])
 
 
-def unknown(random: Random, name: str, names: list[str], parameters: list[str], several: bool) -> list[str]:
+def earlier(random: Random, names: list[str], parameters: list[str]) -> list[str]:
+    """Earlier values of unknowns."""
+    return [f"{random.choice(names)}(t - {random.choice([number(random), number(random), *parameters])})" for _ in range(random.randint(1, 2))]
+
+
+def unknown(random: Random, name: str, names: list[str], parameters: list[str], several: bool, delays: bool) -> list[str]:
     leading, lines, nodes = order(random), [f"[unknown.{name}]"], []
     terms = [[number(random) if several else "1", typed(leading)]]
     if several:
@@ -26,8 +31,12 @@ def unknown(random: Random, name: str, names: list[str], parameters: list[str], 
         terms += [[number(random), q] for q in sorted(lower, reverse=True)]
         nodes = [f"D({name}, {q})" for q in lower]
     lines.append(f"terms = [{', '.join(f'[{c}, {q}]' for c, q in terms)}]" if several or random.random() < 0.3 else f"order = {typed(leading)}")
-    lines.append(f'rhs = "{right_side(random, name, names + nodes, parameters)}"')
-    lines.append(f"initial = [{', '.join(random.choice(['0', '1', signed(random)]) for _ in range(2 if leading > 1 else 1))}]")
+    known = names + nodes + (earlier(random, names, parameters) if delays else [])
+    lines.append(f'rhs = "{right_side(random, name, known, parameters)}"')
+    initial = [random.choice(["0", "1", signed(random)]) for _ in range(2 if leading > 1 else 1)]
+    lines.append(f"initial = [{', '.join(initial)}]")
+    if delays:
+        lines.append(f'before = "{random.choice([initial[0], initial[0], f"{initial[0]}*cos(t)", "0", f"{initial[0]} + t"])}"')
     return lines
 
 
@@ -75,9 +84,9 @@ def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str,
     lines = [f"end = {typed(spread(random, 0.3, 12), 3)}"]
     if parameters:
         lines += ["[parameters]", *(f"{name} = {number(random)}" for name in parameters)]
-    several = random.random() < 0.25
+    several, delays = random.random() < 0.25, random.random() < 0.2
     for name in names:
-        lines += unknown(random, name, names, parameters, several)
+        lines += unknown(random, name, names, parameters, several, delays)
     if len(names) > 1 and random.random() < 0.2:
         lines += ["[unknown.w]", "order = 0", f'rhs = "{typed(random.uniform(0.5, 2), 2)}*w - {random.choice(names)} - {random.choice(["0", "t", "sin(t)"])}"', "initial = [0]"]
     if random.random() < 0.15:

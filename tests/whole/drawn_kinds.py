@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Random problems of four kinds on which every method that samples can be wrong: narrow loads, small orders with several equilibria,
-algebraic unknowns, constraints with memory. Parameters place1, width1, omega1 say where a load is steep (oracle_problems.py)."""
+"""Random problems of five kinds on which every method that samples can be wrong: narrow loads, small orders with several equilibria,
+algebraic unknowns, delays, constraints with memory. Parameters place1, width1, omega1 say where a load is steep (oracle_problems.py)."""
 
 from dataclasses import replace
 from math import gamma, pi
@@ -131,6 +131,28 @@ def drawn_algebraic(random: Random, lists: Lists) -> Case:
             u0 = -(0.5 + float(c) * 0.25)
         lines += row("u", "0", relation, [repr(u0)])
     return made(random, "algebraic_unknowns_are_controlled", lines, end, [end * spread(random, 0.02, 0.9) for _ in range(2)], ADAPTIVE[2:])
+
+
+def drawn_delays(random: Random, lists: Lists) -> Case:
+    """One or two unknowns that look back, with values before that may end elsewhere than at the start."""
+    end, order = float(typed(spread(random, 1, 10), 2)), random.choice([1.0, *[round(random.uniform(0.3, 1.95), 2)] * 3])
+    tau, k = typed(end * random.uniform(0.2, 0.9), 3), typed(spread(random, 0.3, 2), 2)
+    other = random.random() < 0.3
+    past = "y(t - tau)" if other else "x(t - tau)"
+    right = random.choice([f"-{k}*{past}", f"{k}*x*(1 - {past})", f"-x + {k}*tanh({past})", f"-x + 2*{past}/(1 + {past}^4)", f"-{k}*x + sin({past})",
+                           f"-{k}*{past} + 0.3*x(t - {typed(float(tau) * random.uniform(0.6, 1.4), 3)})"])
+    if random.random() < 0.3:
+        right += f" + {typed(spread(random, 0.3, 2), 2)}*sin({typed(spread(random, 0.5, 4), 2)}*t)"
+
+    def looking_back(name: str, order: float, right: str) -> list[str]:
+        initial = start(random, order, False)
+        before = random.choice([initial[0], initial[0], f"{initial[0]}*cos(t)", f"{initial[0]} + 0.5*t", "0"])
+        return [*row(name, typed(order), right, initial), f'before = "{before}"']
+
+    lines = ["[parameters]", f"tau = {tau}", *looking_back("x", order, right)]
+    if other:
+        lines += looking_back("y", round(random.uniform(0.3, 1.5), 2), "x - y")
+    return made(random, "delays_are_looked_up", lines, end, [end * random.uniform(0.05, 0.95) for _ in range(2)])
 
 
 def drawn_constrained(random: Random, lists: Lists) -> Case:

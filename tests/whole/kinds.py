@@ -8,7 +8,7 @@ from math import inf
 
 import oracle_problems
 from case import Case
-from drawn_kinds import drawn_algebraic, drawn_constrained, drawn_equilibria, drawn_load_case
+from drawn_kinds import drawn_algebraic, drawn_constrained, drawn_delays, drawn_equilibria, drawn_load_case
 from drawn_scenes import Lists
 from errors import ESTIMATED, FACTOR, MISSED
 from oracle import solution
@@ -130,6 +130,12 @@ def equilibria_are_those_of_the_start(program: Program, case: Case, lists: Lists
 @must_hold(drawn_algebraic, 1, kind=True)
 def algebraic_unknowns_are_controlled(program: Program, case: Case, lists: Lists) -> None:
     """Algebraic unknowns are as accurate as the others."""
+    check(program, case, lists)
+
+
+@must_hold(drawn_delays, 1, kind=True)
+def delays_are_looked_up(program: Program, case: Case, lists: Lists) -> None:
+    """Earlier values are as accurate as the others, also within long steps and where y jumps at the start."""
     check(program, case, lists)
 
 

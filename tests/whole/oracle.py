@@ -4,9 +4,10 @@
 The unknowns u_i(t) satisfy g(t, u, J^p u) = 0 at every t, with fractional integrals J^p u_i of orders p > 0. On each panel u is a
 polynomial through the Radau points, in log(t - a) next to a time a where the problem jumps, in t elsewhere. The integrals of
 polynomial times kernel are computed by Gauss rules on pieces no longer than their distance from t, and with the kernel as weight on
-the last piece. The error is the difference of two resolutions.
+the last piece. The error is the difference of two resolutions. Earlier values are those of the polynomials through the nodes.
 """
 
+from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -136,6 +137,32 @@ class History:
 Residual = Callable[[Array, float, list, list], list]
 
 
+class Past:
+    """The columns at the nodes of the panels solved so far, and the values before t = 0."""
+
+    def __init__(self, before: Callable[[str, float], float]) -> None:
+        self.before = before
+        self.solved: list[tuple[Panel, dict[str, Array]]] = []
+        self.ends: list[float] = []
+
+    def push(self, panel: Panel, columns: dict[str, Array]) -> None:
+        self.solved.append((panel, columns))
+        self.ends.append(panel.anchor + float(panel.offsets[-1]))
+
+    def value(self, name: str, times: Array) -> Array:
+        return np.array([self.at(name, float(t)) for t in np.atleast_1d(times)])
+
+    def at(self, name: str, t: float) -> float:
+        if t < 0:
+            return float(self.before(name, t))
+        panel, columns = self.solved[min(bisect_left(self.ends, t), len(self.ends) - 1)]
+        if panel.kind == "point" or t <= panel.anchor:
+            return float(columns[name][0])
+        z = t - panel.anchor if panel.kind == "linear" else np.log(t - panel.anchor)
+        x = np.clip(2 * (z - panel.low) / (panel.high - panel.low) - 1, -1, 1)
+        return float((lagrange(len(panel.z), np.array([x])) @ columns[name])[0])
+
+
 @dataclass(frozen=True)
 class Equations:
     """g(t, middle, u, integrals) = 0, for arrays of times; `middle` is a time within the panel, by which steps are decided."""
@@ -145,6 +172,7 @@ class Equations:
     residual: Residual
     start: Sequence[float]  # near the values of u at 0
     columns: Callable[[float, list, list], dict[str, float]]
+    past: Past | None = None  # where the residual looks back
 
 
 def advance(equations: Equations, panel: Panel, past: dict[float, Array], own: dict[float, Array], values: list[Array],
@@ -192,6 +220,8 @@ def advance(equations: Equations, panel: Panel, past: dict[float, Array], own: d
 def trajectory(equations: Equations, shape: Shape, outputs: Sequence[float], nodes: int, scale: float) -> list[dict[str, float]]:
     orders = sorted({p for _, p in equations.integrals})
     history = History(orders)
+    if equations.past:
+        equations.past.__init__(equations.past.before)
     values = [np.zeros(0) for _ in range(equations.count)]
     guess, found = np.array(equations.start, dtype=float), []
     mesh, halvings = panels(shape, outputs, scale), 0
@@ -217,6 +247,8 @@ def trajectory(equations: Equations, shape: Shape, outputs: Sequence[float], nod
         history.push(panel)
         values = [np.concatenate([one, more]) for one, more in zip(values, u)]
         guess = u[:, -1]
+        if equations.past:
+            equations.past.push(panel, equations.columns(panel.anchor + panel.offsets, list(u), integrals))
         level = {i: (p, integrals[equations.integrals.index((i, p))][-1]) for i, p in lowest.items()}
         time = panel.anchor + panel.offsets[-1]
         if left and abs(time - left[0]) <= 4e-16 * time:

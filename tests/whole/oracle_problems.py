@@ -7,18 +7,20 @@ The oracle is told where a load is steep: the parameters place1, width1, omega1,
 import re
 import tomllib
 from collections.abc import Callable
+from dataclasses import replace
 from math import gamma, pi
 
 import numpy as np
 
 from case import Case
-from oracle import Equations
+from oracle import Equations, Past
 from oracle_panels import Array, Shape, Uncertain
 
 FUNCTIONS = {name: getattr(np, name) for name in ("sin", "cos", "tanh", "sinh", "cosh", "exp", "log", "sqrt", "abs")}
 FUNCTIONS |= {"atan": np.arctan, "min": np.minimum, "max": np.maximum, "gamma": gamma, "pi": pi, "step": lambda x: np.where(x > 0, 1.0, 0.0)}
 STEP = re.compile(r"step\(([^()]*)\)")
 SWITCH = re.compile(r"\b(?:step|max|min|abs)\((?:0, |1, |max\(0, )*\(?(?:t - ([^(),]+?)|([^(),]+?) - t)\)?[,)/]")
+EARLIER = re.compile(r"\b([a-z])\((?=t - ([^()]+)\))")
 NUMBER = re.compile(r"(?<![\w.])\d+\.?\d*(?:e[+-]?\d+)?(?![\w.])")
 
 
@@ -53,6 +55,14 @@ def steep(texts: list[str], names: dict[str, float], end: float, least: float) -
     return Shape(end, tuple(jumps), tuple(pulses), min(end / 10, 1.5 / fast), least, rate)
 
 
+def sums(lags: set[float], end: float) -> set[float]:
+    """The times that sums of lags reach."""
+    found, newest = set(), {0.0}
+    while newest := {round(a + lag, 12) for a in newest for lag in lags if a + lag < end} - found:
+        found |= newest
+    return found
+
+
 def power(t: Array, q: float) -> Array:
     """D^q of t."""
     return t ** (1 - q) / gamma(2 - q) if q < 1 else (1.0 if q == 1 else 0.0)
@@ -66,10 +76,14 @@ def file_problem(case: Case, end: float) -> tuple[Equations, Shape]:
         return float(compiled(value)(names)) if isinstance(value, str) else float(value)  # type: ignore[arg-type]
 
     rows, integrals = [], []
+    texts = [row["rhs"] for row in document["unknown"].values()]
+    lags = {float(compiled(found[2])(names)) for text in texts for found in EARLIER.finditer(text) if found[1] in document["unknown"]}
+    before = {name: compiled(row.get("before", "0")) for name, row in document["unknown"].items()}
+    past = Past(lambda name, t: before[name](names | {"t": t})) if lags else None
     for name, row in document["unknown"].items():
         terms = [(number(c), number(q)) for c, q in row.get("terms", [[1, row.get("order", 0)]])]
         leading, initial = max(q for _, q in terms), [number(one) for one in row["initial"]] + [0.0]
-        rows.append((name, leading, terms, initial, compiled(row["rhs"])))
+        rows.append((name, leading, terms, initial, compiled(EARLIER.sub(r"earlier_\1(", row["rhs"]))))
         integrals += [(len(rows) - 1, leading - q) for q in {0.0, *(q for _, q in terms)} if q < leading]
 
     def derivative(index: int, q: float, t: Array, u: list, values: list) -> Array:
@@ -83,12 +97,16 @@ def file_problem(case: Case, end: float) -> tuple[Equations, Shape]:
 
     def residual(t: Array, middle: float, u: list, values: list) -> list:
         known = {**names, "t": t, "middle": middle, **unknowns(t, u, values)}
+        if past:
+            known |= {f"earlier_{row[0]}": lambda times, name=row[0]: past.value(name, times) for row in rows}
         return [right(known) if leading == 0 else sum(c * derivative(k, q, t, u, values) for c, q in terms) - right(known)
                 for k, (_, leading, terms, _, right) in enumerate(rows)]
 
-    shape = steep([row["rhs"] for row in document["unknown"].values()], names, end, min((p for _, p in integrals), default=1.0))
+    shape = steep(texts, names, end, min((p for _, p in integrals), default=1.0))
+    if lags:
+        shape = replace(shape, jumps=(*shape.jumps, *sums(lags, end)), longest=min(shape.longest, min(lags) / 1.4))
     start = [initial[0] if leading == 0 else 0.0 for _, leading, _, initial, _ in rows]
-    return Equations(len(rows), integrals, residual, start, unknowns), shape
+    return Equations(len(rows), integrals, residual, start, unknowns, past), shape
 
 
 def mechanics_problem(names: dict[str, float], columns: tuple[str, ...], end: float) -> tuple[Equations, Shape]:

@@ -22,7 +22,13 @@ def pulses(t: float) -> float:
     return sum(sign * (1 - erfcx(sqrt(t - a))) for sign, a in ((1, 0.5), (-1, 0.6), (2, 1.1), (-2, 1.101)) if t > a)
 
 
+def delayed(t: float) -> float:
+    """D^0.6 x = -x(t - 0.7), x = 1 before: a power more after each delay."""
+    return sum((-1) ** k * (t - (k - 1) * 0.7) ** (0.6 * k) / gamma(0.6 * k + 1) for k in range(5) if t > (k - 1) * 0.7)
+
+
 CLOSED = {
+    "delay": ((*file("0.6", "-x(t - 0.7)", "1"), 'before = "1"'), delayed),
     "relaxation": (file("0.5", "-x", "1"), lambda t: erfcx(sqrt(t))),
     "boxes": (file("0.5", "step(t - 0.5) - step(t - 0.6) + 2*(step(t - 1.1) - step(t - 1.101)) - x", "0"), pulses),
     "oscillator": (file("2", "-9*x", "0, 3"), lambda t: sin(3 * t)),

@@ -97,22 +97,23 @@ TEST_P(ForeignNotation, IsSaidHowToWriteHere) {
 
 INSTANTIATE_TEST_SUITE_P(
     Formulas, ForeignNotation,
-    testing::Values(
-        ForeignFormula{"ln(x)", "ln: no such function here; here it is log(x)"},
-        ForeignFormula{"np.sin(t)", "names have no prefix"}, ForeignFormula{"PI*x", "here it is pi"},
-        ForeignFormula{"Sin(t)", "did you mean 'sin'?"}, ForeignFormula{"x.^2", "without a point"},
-        ForeignFormula{"t > 1", "step(a - b)"}, ForeignFormula{"x == 1", "step(a - b)"},
-        ForeignFormula{"x = 1", "is the formula a - b"}, ForeignFormula{"vx^2", "the derivative of x is"},
-        ForeignFormula{"x && y", "step(a - b)"}, ForeignFormula{"if(t, 1, 0)", "step(a - b)"},
-        ForeignFormula{"2x", "needs its '*'"}, ForeignFormula{"2(x + y)", "needs its '*'"},
-        ForeignFormula{"x(t)", "x(t) is x"}, ForeignFormula{"x(t - 4)", "delays are not supported"},
-        ForeignFormula{"x'", "is D(x, q)"}, ForeignFormula{"dx + y", "the derivative of x is D(x, 1)"},
-        ForeignFormula{"xdot", "the derivative of x is D(x, 1)"}, ForeignFormula{"1,5*x", "as 1.5"},
-        ForeignFormula{"1d-3", "follows e"}, ForeignFormula{"|x|", "|x| is abs(x)"},
-        ForeignFormula{"3!", "gamma(n + 1)"}, ForeignFormula{"2i*x", "two unknowns"},
-        ForeignFormula{"x \u2212 y", "here it is -"}, ForeignFormula{"2\u00b7x", "here it is *"},
-        ForeignFormula{"max(x, y, 1)", "max(a, max(b, c))"},
-        ForeignFormula{"interp1(t)", "there are no tables"}));
+    testing::Values(ForeignFormula{"ln(x)", "ln: no such function here; here it is log(x)"},
+                    ForeignFormula{"np.sin(t)", "names have no prefix"},
+                    ForeignFormula{"PI*x", "here it is pi"}, ForeignFormula{"Sin(t)", "did you mean 'sin'?"},
+                    ForeignFormula{"x.^2", "without a point"}, ForeignFormula{"t > 1", "step(a - b)"},
+                    ForeignFormula{"x == 1", "step(a - b)"}, ForeignFormula{"x = 1", "is the formula a - b"},
+                    ForeignFormula{"vx^2", "the derivative of x is"}, ForeignFormula{"x && y", "step(a - b)"},
+                    ForeignFormula{"if(t, 1, 0)", "step(a - b)"}, ForeignFormula{"2x", "needs its '*'"},
+                    ForeignFormula{"2(x + y)", "needs its '*'"}, ForeignFormula{"x(t)", "x(t) is x"},
+                    ForeignFormula{"delay(x, 4)", "x(t - tau)"}, ForeignFormula{"x'", "is D(x, q)"},
+                    ForeignFormula{"dx + y", "the derivative of x is D(x, 1)"},
+                    ForeignFormula{"xdot", "the derivative of x is D(x, 1)"},
+                    ForeignFormula{"1,5*x", "as 1.5"}, ForeignFormula{"1d-3", "follows e"},
+                    ForeignFormula{"|x|", "|x| is abs(x)"}, ForeignFormula{"3!", "gamma(n + 1)"},
+                    ForeignFormula{"2i*x", "two unknowns"}, ForeignFormula{"x \u2212 y", "here it is -"},
+                    ForeignFormula{"2\u00b7x", "here it is *"},
+                    ForeignFormula{"max(x, y, 1)", "max(a, max(b, c))"},
+                    ForeignFormula{"interp1(t)", "there are no tables"}));
 
 // A name at a distance is no slip of the pen.
 TEST(ForeignNotation, IsNotTakenForAnotherNameThatLooksAlike) {
