@@ -216,12 +216,12 @@ std::vector<Expression> values_before(const EquationSystem& system, FileFormulas
     const double order =
         unknown.chain ? unknown.chain->nodes()[static_cast<std::size_t>(row - unknown.first)] : 0.0;
     if (!is_integer_order(order)) {
-      formulas.reject(text.rhs, fmt::format("D({0}, {1})(t - {2}): must be of order 0 or 1, others are not "
+      formulas.reject(text.rhs, fmt::format("D({0}, {1})(t - {2}): must be of a whole order, others are not "
                                             "known before t = 0",
                                             text.name, order, lag));
     }
     auto value = formulas.read(*text.before, {});
-    if (order == 1.0) value = pool.derivative(value, 0);
+    for (double k = 0.0; k < order; ++k) value = pool.derivative(value, 0);
     if (!pool.arguments({value}, {Operation::sign, Operation::step}).empty())
       formulas.reject(*text.before, "before: must not jump; sign and step are not supported in it");
     values[static_cast<std::size_t>(row)] = value;

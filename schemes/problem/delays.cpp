@@ -79,7 +79,7 @@ void BoundProblem::at(double t, Out y) const {
   }
 }
 
-// The functions of the problem that do not know the past are left out.
+// The functions of the problem that do not know earlier values are left out.
 void BoundProblem::bind() {
   const Past past = [this](double t, Out y) { at(t, y); };
   bound_.delays = {};

@@ -274,8 +274,8 @@ class ControlledStepper final : public Stepper {
   bool crosses_jump_ = false;               // the step to be accepted steps over a jump
   std::optional<double> left_domain_at_{};  // just outside the domain; its edge has been reached
   std::unique_ptr<AdaptiveRule> rule_;
-  std::shared_ptr<DenseOutput> dense_;                          // if all times are requested, or the past
-  std::vector<LookedUp> looked_up_ = std::vector<LookedUp>(8);  // the last values of the past
+  std::shared_ptr<DenseOutput> dense_;  // if all times are requested, or earlier values
+  std::vector<LookedUp> looked_up_ = std::vector<LookedUp>(8);  // the last earlier values
   std::size_t next_looked_up_ = 0;
   PiController control_{1.0, 1.0};
   std::int64_t rejected_steps_ = 0;

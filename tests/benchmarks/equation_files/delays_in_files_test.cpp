@@ -79,6 +79,14 @@ before = "1 + t"
   EXPECT_EQ(scene.problem.delays.lags, (std::vector{0.5, 0.7, 1.1}));
 }
 
+// x = t^3 solves x''' = 6 + x''(t - 1) - 6 (t - 1) + x'(t - 1) - 3 (t - 1)^2.
+TEST(DelaysInFiles, MayBeOfAnyWholeDerivative) {
+  const Scene scene = scene_of_text(
+      "end = 2\n[unknown.x]\norder = 3\ninitial = [0, 0, 0]\nbefore = \"t^3\"\n"
+      "rhs = \"6 + D(x, 2)(t - 1) - 6*(t - 1) + D(x, 1)(t - 1) - 3*(t - 1)^2\"\n");
+  EXPECT_NEAR(at_end(scene.problem)[0], 8.0, 1e-8);
+}
+
 // 0 = y - x(t - 1): an unknown of an algebraic row, and with it x' = -x(t - 1) as before.
 TEST(DelaysInFiles, MayBeInAlgebraicRows) {
   const Scene scene = scene_of_text(
@@ -160,7 +168,7 @@ TEST(DelaysInFiles, AreRefusedInOneLine) {
   EXPECT_THAT(message_about(file_of("-x(t - 1)", "before = \"step(t + 0.5)\"\n")),
               HasSubstr("before: must not jump"));
   EXPECT_THAT(message_about(file_of("-x", "before = \"yy\"\n")), HasSubstr("yy: no such name here"));
-  EXPECT_THAT(message_about(file_of("-D(x, 0.25)(t - 1)")), HasSubstr("must be of order 0 or 1"));
+  EXPECT_THAT(message_about(file_of("-D(x, 0.25)(t - 1)")), HasSubstr("must be of a whole order"));
   EXPECT_THAT(message_about(file_of("-x(t - 1)") + "[energy]\nvalue = \"x(t - 1)\"\n"),
               HasSubstr("earlier values are those of unknowns, in the rhs"));
   EXPECT_THAT(message_about(file_of("-x(t - 1)") + "[columns]\nf = \"D(x, 0.5)\"\n"),
