@@ -43,9 +43,7 @@ class StepsSearch {
       return is_least ? std::nullopt : NextRun(multiple(0.5 * fewest_));
     }
     const auto& [below, outside] = *std::prev(next);
-    // Fewer steps of one scheme take no longer: a greater time is that of a disturbed run.
-    const double seconds = std::min(least_seconds(*outside), least_seconds(*next->second));
-    if (seconds > near_quickest * quickest_) return std::nullopt;
+    if (least_seconds(*outside) > near_quickest * quickest_) return std::nullopt;
     if (fewest_ - below > grain(below) && fewest_ > goal_.closeness * below) return between(below);
     if (const auto crossing = sign_change(below)) return crossing;
     return may_be_irregular() ? scanned() : std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -17,10 +18,12 @@ std::map<int, const RefinementRun*> by_steps(const Refinement& of) {
   return runs;
 }
 
+bool is_finite(const RunError& error) { return std::isfinite(error.value); }
+
 // Errors that are all 0, as of a constant solution, or infinite do not show which algorithm has them.
 bool is_telling(const RefinementRun& run) {
-  return std::ranges::any_of(
-      run.errors, [](const RunError& error) { return error.value > 0.0 && std::isfinite(error.value); });
+  return std::ranges::any_of(run.errors,
+                             [](const RunError& error) { return error.value > 0.0 && is_finite(error); });
 }
 
 bool are_equal(const RefinementRun& a, const RefinementRun& b) {
@@ -28,6 +31,17 @@ bool are_equal(const RefinementRun& a, const RefinementRun& b) {
 }
 
 }  // namespace
+
+void Refinement::add(RefinementRun run) {
+  runs.push_back(std::move(run));
+  if (is_adaptive) return;
+  std::vector<RefinementRun*> ended;
+  for (RefinementRun& made : runs)
+    if (made.seconds && std::ranges::any_of(made.errors, is_finite)) ended.push_back(&made);
+  std::ranges::sort(ended, std::greater{}, &RefinementRun::steps);
+  double least = std::numeric_limits<double>::infinity();
+  for (RefinementRun* made : ended) made->seconds = least = std::min(least, *made->seconds);
+}
 
 const RefinementRun* Refinement::finest() const {
   const auto fineness = [](const RefinementRun& run) {
@@ -50,7 +64,8 @@ bool is_within(const RefinementRun& run, const ErrorTarget& target) {
 const RefinementRun* quickest_within(const Refinement& of, const ErrorTarget& target) {
   const RefinementRun* best = nullptr;
   for (const RefinementRun& run : of.runs) {
-    if (run.seconds && is_within(run, target) && (best == nullptr || *run.seconds < *best->seconds))
+    if (!run.seconds || !is_within(run, target)) continue;
+    if (best == nullptr || std::pair(*run.seconds, run.steps) < std::pair(*best->seconds, best->steps))
       best = &run;
   }
   return best;

@@ -52,6 +52,10 @@ struct Refinement {
   int unit = 1;            // numbers of steps are multiples of it
   std::vector<RefinementRun> runs{};  // in the order in which they were made
 
+  // Appends a run. Fewer steps of one scheme take no longer: a longer time is that of a disturbed run, so a
+  // run over a grid that ended takes at most the time of each such run with more steps.
+  void add(RefinementRun run);
+
   // The run over the grid with the most steps, or with the smallest tolerance; nullptr: no run.
   [[nodiscard]] const RefinementRun* finest() const;
 };
@@ -69,7 +73,8 @@ struct ErrorTarget {
 // Whether the run is within the target and better than a constant.
 bool is_within(const RefinementRun& run, const ErrorTarget& target);
 
-// The quickest timed run within the target; nullptr if there is none.
+// The quickest timed run within the target, of equally quick ones that with the fewest steps; nullptr if
+// there is none.
 const RefinementRun* quickest_within(const Refinement& of, const ErrorTarget& target);
 
 // The finite errors over grids with at most `most` steps, from coarse to fine, at numbers of steps that

@@ -131,7 +131,7 @@ class Search {
     if (made.ending.kind != SolveStatus::out_of_budget &&
         (*made.seconds < short_run || made.setup_seconds > 0.0))
       evaluator_.time_again(of.configuration, made);
-    refinements_[i].runs.push_back(std::move(made));
+    refinements_[i].add(std::move(made));
   }
 
   RefinementRun evaluated(const SearchCandidate& of, const StepsOrTolerance& resolution, int compared) {
@@ -232,8 +232,7 @@ class Search {
     candidates_[i].time = time;
     // What made this run slower or quicker than it was before makes the others of the configuration so too.
     const double factor = time.median / *best->seconds;
-    for (RefinementRun& run : refinements_[i].runs)
-      run.seconds = &run == best ? time.median : factor * *run.seconds;
+    for (RefinementRun& run : refinements_[i].runs) *run.seconds *= factor;
   }
 
   // Compares the best run with the reference at more times; returns whether it is within the accuracy there.

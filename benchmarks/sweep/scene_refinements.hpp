@@ -33,7 +33,7 @@ class SceneRefinements {
   bool choose_next(const SweepPlan& plan);
 
   // Adds the current run of a series, measured or forecast.
-  void add(std::size_t i, RefinementRun run) { refinements_[i].runs.push_back(std::move(run)); }
+  void add(std::size_t i, RefinementRun run) { refinements_[i].add(std::move(run)); }
 
   [[nodiscard]] bool has_runs(std::size_t i) const { return !refinements_[i].runs.empty(); }
 
