@@ -48,6 +48,13 @@ std::vector<std::string> split_names(std::string_view text) {
   return names;
 }
 
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const char c : name)
+    if (c != '(' && c != ')') plain += c == ',' ? '_' : c;
+  return plain;
+}
+
 std::string shell_word(std::string_view text) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789@%+=:,./_-";

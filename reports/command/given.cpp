@@ -104,6 +104,10 @@ ArgumentText evaluation_budget_argument() {
   return {"[--budget SECONDS]", "time after which the evaluation ends", positive, "none"};
 }
 
+ArgumentText plain_names_argument() {
+  return {"[--plain-names]", "name columns without commas and parentheses, Dx_0.6 in place of D(x,0.6)"};
+}
+
 ArgumentText runs_argument() {
   return {"[--runs RUNS]", "rank by the time of the first run of a process (1) or of a later one",
           Words{"1", "many"}, "many"};

@@ -67,6 +67,7 @@ ArgumentText set_argument();
 ArgumentText digits_argument();
 ArgumentText evaluation_budget_argument();
 ArgumentText runs_argument();
+ArgumentText plain_names_argument();
 ArgumentText until_argument();
 // Lists of declarations in one.
 std::vector<ArgumentText> joined(std::initializer_list<std::vector<ArgumentText>> lists);

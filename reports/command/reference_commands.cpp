@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
@@ -14,13 +15,19 @@
 namespace fde::bench {
 namespace {
 
-// "t,x,y,bound", with ",bound_x,bound_y" if `bounds`; `bounded` are the columns with a bound.
+// What a table of exact values has besides the values at its times.
+struct TableForm {
+  bool each_bound, plain_names;
+};
+
+// "t,x,y,bound", with ",bound_x,bound_y" if each bound is printed; `bounded` are the columns with a bound.
 std::string header(const std::vector<std::string>& names, const std::vector<std::string>& bounded,
-                   bool bounds) {
+                   const TableForm& form) {
   std::vector<std::string> all = names;
   all.emplace_back("bound");
-  if (bounds)
+  if (form.each_bound)
     for (const auto& name : bounded) all.push_back("bound_" + name);
+  if (form.plain_names) std::ranges::transform(all, all.begin(), plain_name);
   return fmt::format("t,{}\n", csv_names(all));
 }
 
@@ -31,23 +38,23 @@ std::string bounds_text(const std::vector<std::string>& all, bool each) {
   return each ? fmt::format("{},{}", largest, fmt::join(all, ",")) : largest;
 }
 
-std::string rows_in_double(const ExactTable& table, const std::vector<double>& times, bool each_bound) {
+std::string rows_in_double(const ExactTable& table, const std::vector<double>& times, const TableForm& form) {
   const auto bounded = table.bounds.rows();
-  std::string rows = header(table.names, {table.names.begin(), table.names.begin() + bounded}, each_bound);
+  std::string rows = header(table.names, {table.names.begin(), table.names.begin() + bounded}, form);
   for (Eigen::Index i = 0; const double t : times) {
     std::vector<std::string> bounds;
     for (Eigen::Index c = 0; c < bounded; ++c)
       bounds.push_back(bound_text(bound_of_decimal(table.values(c, i), table.bounds(c, i))));
     rows += fmt::format("{:.17g},{:.17g},{}\n", t, fmt::join(Vec(table.values.col(i++)), ","),
-                        bounds_text(bounds, each_bound));
+                        bounds_text(bounds, form.each_bound));
   }
   return rows;
 }
 
 std::string rows_in_digits(const std::vector<std::vector<reference::Decimal>>& table,
                            const std::vector<std::string>& names, const std::vector<double>& times,
-                           bool each_bound) {
-  std::string rows = header(names, names, each_bound);
+                           const TableForm& form) {
+  std::string rows = header(names, names, form);
   for (std::size_t i = 0; i < times.size(); ++i) {
     rows += fmt::format("{}", times[i]);
     std::vector<std::string> bounds;
@@ -55,7 +62,7 @@ std::string rows_in_digits(const std::vector<std::vector<reference::Decimal>>& t
       rows += "," + value;
       bounds.push_back(bound);
     }
-    rows += fmt::format(",{}\n", bounds_text(bounds, each_bound));
+    rows += fmt::format(",{}\n", bounds_text(bounds, form.each_bound));
   }
   return rows;
 }
@@ -65,12 +72,12 @@ std::string exact_rows(const SceneVariant& variant, const Given& given, Referenc
   const Scene scene = make_scene_unchecked(variant);
   const auto times = increasing(given.numbers("--at"));
   const auto before = [&](double t) { work.set_place(fmt::format("t = {}", t)); };
-  const bool each_bound = given.has("--bounds");
+  const TableForm form{given.has("--bounds"), given.has("--plain-names")};
   try {
     const auto digits = given.find_count("--digits");
-    if (!digits) return rows_in_double(exact(scene, times, before), times, each_bound);
+    if (!digits) return rows_in_double(exact(scene, times, before), times, form);
     return rows_in_digits(exact_in_digits(scene, variant.factory->id, times, *digits, before),
-                          scene.outputs.names, times, each_bound);
+                          scene.outputs.names, times, form);
   } catch (const Refusal& refusal) {
     given.refuse(refusal, {{"times", "--at"}});
   }
@@ -98,6 +105,7 @@ Command exact_command() {
         {"--at T1,T2,...", "times to print", not_negative},
         digits_argument(),
         {"[--bounds]", "print a bound of each column, after the largest"},
+        plain_names_argument(),
         evaluation_budget_argument()},
        {{"fdebench exact pendulum --at 1,20", "prints the solution at two times and the largest bound."},
         {"fdebench exact relaxation:gamma=0.3 --at 1 --digits 40", "prints forty digits of a linear scene."}},

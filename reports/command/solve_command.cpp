@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -19,9 +20,11 @@
 namespace fde::bench {
 namespace {
 
-void print_rows(const SolvedTable& table, std::ostream& out) {
+void print_rows(const SolvedTable& table, bool plain_names, std::ostream& out) {
+  auto names = table.names;
+  if (plain_names) std::ranges::transform(names, names.begin(), plain_name);
   out << fmt::format("{}{}t,{}\n", table.events ? "event," : "", table.solutions ? "solution," : "",
-                     csv_names(table.names));
+                     csv_names(names));
   for (std::size_t c = 0; c < table.times.size(); ++c) {
     if (table.events) out << (*table.events)[c] << ',';
     if (table.solutions) out << (*table.solutions)[c] << ',';
@@ -99,7 +102,7 @@ void print_solution(const Given& given, const Streams& streams, const SceneRegis
   const bool fails = given.has("--strict") && !warning.empty();
   const auto field = given.find("--field");
   if (!fails && field) write_field(table, *field);
-  if (!fails) print_rows(table, streams.out);
+  if (!fails) print_rows(table, given.has("--plain-names"), streams.out);
   std::error_code ignored;
   if (!table.checkpoint.empty() && streams.out.flush()) std::filesystem::remove(table.checkpoint, ignored);
   if (fails) throw NumericalFailure("warning: " + warning);
@@ -140,6 +143,7 @@ Command solve_command() {
                 {"[--checkpoint-every SECONDS]", "time between two states kept", not_negative, "300"},
                 {"[--check]", "also warn where half the steps give another result"},
                 {"[--strict]", "a warning is a failure: exit code 3, only its line is printed"},
+                plain_names_argument(),
                 {"[--cost]", "write a JSON line on standard error: time, calls, memory, rate"}}}),
        {{"fdebench solve pendulum --scheme bdf5 --steps 302",
          "prints the solution at all 303 times, from 0 to 20."},

@@ -13,12 +13,11 @@
 #include "fdebench/benchmarks/files/unfinished.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
+#include "fdebench/reports/export/csv_cell.hpp"
 #include "fdebench/reports/export/tables.hpp"
 
 namespace fde::bench {
 namespace {
-
-constexpr auto line_end = "\r\n";
 
 void append(std::string& line, std::string_view text) {
   if (text.find_first_of("\",\r\n") == std::string_view::npos) {
@@ -28,16 +27,6 @@ void append(std::string& line, std::string_view text) {
   line += '"';
   for (const char c : text) line.append(c == '"' ? 2 : 1, c);
   line += '"';
-}
-
-void append(std::string& line, const Cell& cell) {
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) {
-    fmt::format_to(std::back_inserter(line), "{}", *whole);
-  } else if (const auto* number = std::get_if<double>(&cell)) {
-    fmt::format_to(std::back_inserter(line), "{}", *number);
-  } else if (const auto* text = std::get_if<std::string_view>(&cell)) {
-    append(line, *text);
-  }
 }
 
 class CsvTables : public TableWriter {
@@ -53,7 +42,7 @@ class CsvTables : public TableWriter {
         const auto declared = trimmed(column);
         file << std::exchange(separator, ",") << declared.substr(0, declared.find(' '));
       }
-      file << line_end;
+      file << csv_line_end;
       check(file);
     }
   }
@@ -62,9 +51,9 @@ class CsvTables : public TableWriter {
     line_.clear();
     for (const Cell& cell : row) {
       if (&cell != row.data()) line_ += ',';
-      append(line_, cell);
+      append_csv(line_, cell);
     }
-    line_ += line_end;
+    line_ += csv_line_end;
     auto& file = files_[static_cast<std::size_t>(table)];
     file.write(line_.data(), static_cast<std::streamsize>(line_.size()));
     check(file);
@@ -88,6 +77,16 @@ class CsvTables : public TableWriter {
 };
 
 }  // namespace
+
+void append_csv(std::string& line, const Cell& cell) {
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) {
+    fmt::format_to(std::back_inserter(line), "{}", *whole);
+  } else if (const auto* number = std::get_if<double>(&cell)) {
+    fmt::format_to(std::back_inserter(line), "{}", *number);
+  } else if (const auto* text = std::get_if<std::string_view>(&cell)) {
+    append(line, *text);
+  }
+}
 
 std::unique_ptr<TableWriter> csv_tables(const std::filesystem::path& folder,
                                         const std::filesystem::path& name) {

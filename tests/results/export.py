@@ -84,6 +84,23 @@ class Export(unittest.TestCase):
         cls.database.close()
         cls.temporary.cleanup()
 
+    def test_flat_table_has_a_row_a_run(self):
+        out = self.folder / "flat.csv"
+        made = fdebench("export", self.file, "--to", "flat", "--out", out)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        with out.open(newline="") as text:
+            rows = list(csv.DictReader(text))
+        query = "SELECT scheme, steps, ended_at IS NOT NULL, value FROM runs LEFT JOIN results USING (run_id) WHERE latest AND quantity = 'error_end'"
+        self.assertEqual(sorted((row["scheme"], int(row["steps"]), 1, float(row["error_end"])) for row in rows if row["error_end"]),
+                         sorted(self.database.execute(query)))
+        self.assertEqual(len(rows), self.database.execute("SELECT count(*) FROM runs WHERE latest").fetchone()[0])
+        gammas = {row["gamma"] for row in rows if row["scene"] == "relaxation"}
+        self.assertEqual(gammas, {"0.5", "0.3"})  # a default, and one that is set
+        # With steps it refuses.
+        self.assertEqual({row["accuracy"] for row in rows if row["scheme"] == "spectral_collocation"}, {"", "0.001"})
+        self.assertEqual(fdebench("export", self.file, "--to", "flat", "--out", out).returncode, 2)
+        out.unlink()
+
     def left(self):
         return sorted(path.name for path in self.folder.iterdir())
 
@@ -211,7 +228,7 @@ class Export(unittest.TestCase):
         for kind in ("sqlite", "csv"):
             self.refused(f"{self.folder / kind}: exists, it must be a new file or folder", self.file, "--to", kind, "--out", self.folder / kind)
             self.refused(f"{self.folder}/no/new: cannot be written: No such file or directory", self.file, "--to", kind, "--out", self.folder / "no" / "new")
-        self.refused("--to = xml: must be sqlite or csv", self.file, "--to", "xml", "--out", new)
+        self.refused("--to = xml: must be sqlite, csv or flat", self.file, "--to", "xml", "--out", new)
         broken.unlink()
 
     def test_full_disk_leaves_nothing(self):
