@@ -40,6 +40,7 @@ BEGIN(charts)
 END(charts)
 
 BEGIN(plot)
+  TEXT(plot/residual_chart.js)
   TEXT(plot/plot.js)
 END(plot)
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -53,36 +54,59 @@ std::vector<std::string> names_in(std::string_view header, const Scene& scene) {
   return names;
 }
 
-// For each cell after t, the column of the scene; nullopt: ignored.
-using ColumnIndices = std::vector<std::optional<Eigen::Index>>;
+// What a cell after t has: a value or a standard deviation of a column of the scene; nullopt: it is ignored.
+struct CellMeaning {
+  Eigen::Index column;
+  bool is_deviation;
+  bool operator==(const CellMeaning&) const = default;
+};
+using CellMeanings = std::vector<std::optional<CellMeaning>>;
 
-ColumnIndices column_indices_of(const std::vector<std::string>& names, const Scene& scene) {
+constexpr std::string_view deviation_prefix = "sd_";
+
+std::optional<CellMeaning> meaning_of(const std::string& name, const Scene& scene) {
+  const auto& own = scene.outputs.names;
+  const auto index_of = [&](std::string_view wanted) {
+    const auto found = std::ranges::find(own, wanted);
+    return found != own.end() ? found : std::ranges::find(own, wanted, plain_name);
+  };
+  if (const auto found = index_of(name); found != own.end()) return CellMeaning{found - own.begin(), false};
+  const auto of = name.starts_with(deviation_prefix)
+                      ? index_of(std::string_view(name).substr(deviation_prefix.size()))
+                      : own.end();
+  if (of != own.end()) return CellMeaning{of - own.begin(), true};
   auto printed = printed_names(scene);
   std::ranges::copy(reaction_names(scene), std::back_inserter(printed));
-  const auto own = std::ssize(scene.outputs.names);
-  ColumnIndices places;
+  if (std::ranges::find(printed, name) == printed.end())
+    throw_unknown_id("column", name, {own.begin(), own.end()});
+  return std::nullopt;
+}
+
+CellMeanings meanings_of(const std::vector<std::string>& names, const Scene& scene) {
+  CellMeanings meanings;
   for (auto name = names.begin(); name != names.end(); ++name) {
-    if (std::find(names.begin(), name, *name) != name)
+    const auto meaning = meaning_of(*name, scene);
+    const bool is_known = meaning && std::ranges::find(meanings, meaning) != meanings.end();
+    if (is_known || std::find(names.begin(), name, *name) != name)
       throw std::invalid_argument(fmt::format("column {} occurs twice", *name));
-    const auto found = std::ranges::find(printed, *name);
-    if (found == printed.end()) throw_unknown_id("column", *name, {printed.begin(), printed.begin() + own});
-    const auto place = found - printed.begin();
-    places.push_back(place < own ? std::optional<Eigen::Index>(place) : std::nullopt);
+    meanings.push_back(meaning);
   }
-  return places;
+  return meanings;
 }
 
 class TrajectoryReader {
  public:
-  TrajectoryReader(const std::string& header, const Scene& scene)
-      : names_(names_in(header, scene)), places_(column_indices_of(names_, scene)), end_(scene.problem.end) {
-    for (const auto& place : places_) {
-      if (place) path_.columns.push_back(*place);
-    }
+  TrajectoryReader(std::vector<std::string> names, const Scene& scene, TrajectorySource source)
+      : names_(std::move(names)),
+        meanings_(meanings_of(names_, scene)),
+        end_(scene.problem.end),
+        is_measured_(source == TrajectorySource::measured) {
+    path_.columns = columns_with(false);
     if (path_.columns.empty()) {
       throw std::invalid_argument(
           fmt::format("has no column of the scene; they are {}", fmt::join(scene.outputs.names, ", ")));
     }
+    require_all_or_no_deviations(scene);
   }
 
   void take(std::string_view line) {
@@ -91,12 +115,27 @@ class TrajectoryReader {
       throw std::invalid_argument(
           fmt::format("must have {} cells, as the header, not {}", names_.size() + 1, cells.size()));
     }
-    take_time(trimmed(cells.front()));
+    row_.assign(1, parse_number("t", trimmed(cells.front()), not_negative));
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const auto cell = trimmed(cells[i + 1]);
-      const auto value = try_parse_number(cell);
+      const auto value = cell.empty() && is_measured_ ? missing : try_parse_number(cell);
       if (!value) reject_text(names_[i], cell, "a number");
-      if (places_[i]) values_.push_back(*value);
+      row_.push_back(*value);
+    }
+    take(row_);
+  }
+
+  // A time, and a number for each name.
+  void take(const std::vector<double>& row) {
+    take_time(row.front());
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (!meanings_[i]) continue;
+      const double value = row[i + 1];
+      if (meanings_[i]->is_deviation && !(value > 0.0 && std::isfinite(value)) && !has_no_value(row, i))
+        reject_text(names_[i], fmt::format("{}", value), positive.text());
+      if (is_measured_ && !meanings_[i]->is_deviation && std::isinf(value))
+        reject_text(names_[i], fmt::format("{}", value), "a finite number, or empty where it is missing");
+      (meanings_[i]->is_deviation ? deviations_ : values_).push_back(value);
     }
     if (values_.size() > most_values)
       throw std::invalid_argument(fmt::format("there are more than {} values", most_values));
@@ -105,28 +144,72 @@ class TrajectoryReader {
   ExternalTrajectory path() && {
     if (path_.times.empty() || path_.times.back() == 0.0)
       throw std::invalid_argument("there is no row behind t = 0");
-    path_.values =
-        Eigen::Map<const Matrix>(values_.data(), std::ssize(path_.columns), std::ssize(path_.times));
+    const auto times = std::ssize(path_.times), columns = std::ssize(path_.columns);
+    path_.values = Eigen::Map<const Matrix>(values_.data(), columns, times);
+    if (deviations_.empty()) return std::move(path_);
+    // The deviations of a file may be in another order than the values.
+    const Eigen::Map<const Matrix> given(deviations_.data(), columns, times);
+    path_.deviations.resize(columns, times);
+    const auto of = columns_with(true);
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      path_.deviations.row(std::ranges::find(path_.columns, of[i]) - path_.columns.begin()) =
+          given.row(static_cast<Eigen::Index>(i));
+    }
     return std::move(path_);
   }
 
  private:
+  static constexpr std::optional<double> missing = std::numeric_limits<double>::quiet_NaN();
+
+  // The columns of the scene whose values, or deviations, the cells have, in their order.
+  [[nodiscard]] std::vector<Eigen::Index> columns_with(bool deviations) const {
+    std::vector<Eigen::Index> columns;
+    for (const auto& meaning : meanings_)
+      if (meaning && meaning->is_deviation == deviations) columns.push_back(meaning->column);
+    return columns;
+  }
+
+  void require_all_or_no_deviations(const Scene& scene) const {
+    const auto with = columns_with(true);
+    const auto require = [&](std::string_view prefix, Eigen::Index column, const auto& among) {
+      if (std::ranges::find(among, column) != among.end()) return;
+      throw std::invalid_argument(
+          fmt::format("column {}{} is missing: all columns have standard deviations or none", prefix,
+                      scene.outputs.names[static_cast<std::size_t>(column)]));
+    };
+    for (const Eigen::Index column : with) require("", column, path_.columns);
+    if (with.empty()) return;
+    for (const Eigen::Index column : path_.columns) require(deviation_prefix, column, with);
+  }
+
+  // Whether cell i is the deviation of a value that is missing.
+  [[nodiscard]] bool has_no_value(const std::vector<double>& row, std::size_t i) const {
+    const auto of = std::ranges::find(meanings_, std::optional(CellMeaning{meanings_[i]->column, false}));
+    return is_measured_ && std::isnan(row[static_cast<std::size_t>(of - meanings_.begin()) + 1]);
+  }
+
   // A time within rounding of the end is set to the end.
-  void take_time(std::string_view cell) {
+  void take_time(double t) {
     constexpr double rounding = 1e-12;
-    double t = parse_number("t", cell, not_negative);
-    if (t > end_ * (1.0 + rounding)) reject_text("t", cell, fmt::format("in [0, {}], as in the scene", end_));
+    const auto text = [&] { return fmt::format("{}", t); };
+    if (!(t >= 0.0) || std::isinf(t)) reject_text("t", text(), not_negative.text());
+    if (t > end_ * (1.0 + rounding))
+      reject_text("t", text(), fmt::format("in [0, {}], as in the scene", end_));
     if (std::abs(t - end_) <= rounding * end_) t = end_;
-    if (!path_.times.empty() && t <= path_.times.back())
-      reject_text("t", cell, fmt::format("above {}, the time before", path_.times.back()));
+    if (!path_.times.empty() && (is_measured_ ? t < path_.times.back() : t <= path_.times.back())) {
+      reject_text(
+          "t", text(),
+          fmt::format("{} {}, the time before", is_measured_ ? "at least" : "above", path_.times.back()));
+    }
     path_.times.push_back(t);
   }
 
   std::vector<std::string> names_;
-  ColumnIndices places_;
+  CellMeanings meanings_;
   double end_;
+  bool is_measured_;
   ExternalTrajectory path_{};
-  std::vector<double> values_{};
+  std::vector<double> values_{}, deviations_{}, row_{};  // row_: the cells of the present line
 };
 
 std::vector<double> numbers_in(std::string_view key, std::string_view text) {
@@ -192,13 +275,13 @@ void require_text(const std::string& line) {
   if (line.find('\0') != std::string::npos) throw std::invalid_argument("has a NUL byte, which no CSV has");
 }
 
-ExternalTrajectory read_lines(LineReader& line, const Scene& scene) {
+ExternalTrajectory read_lines(LineReader& line, const Scene& scene, TrajectorySource source) {
   ReportReader comments;
   bool has_header = line.next();
   while (has_header && comments.take(line.text())) has_header = line.next();
   if (!has_header) throw std::invalid_argument("there is no header");
   require_text(line.text());
-  TrajectoryReader reader(line.text(), scene);
+  TrajectoryReader reader(names_in(line.text(), scene), scene, source);
   bool is_over = false;  // only empty lines may follow
   while (line.next()) {
     require_text(line.text());
@@ -238,16 +321,29 @@ Assessment judge_values(const Scene& scene, const ExternalTrajectory& path, Memo
 }  // namespace
 
 ExternalTrajectory read_trajectory(const std::filesystem::path& file, const Scene& scene,
-                                   const std::string& name) {
+                                   const std::string& name, TrajectorySource source) {
   const std::string called = name.empty() ? file.string() : name;
   LineReader line(file, called);
   try {
-    return read_lines(line, scene);
+    return read_lines(line, scene, source);
   } catch (const std::invalid_argument& error) {
     const std::string_view what = error.what();
     if (what.starts_with(called + ":")) throw;  // already names the line
     throw std::invalid_argument(fmt::format("{}: line {}: {}", called, line.number(), what));
   }
+}
+
+ExternalTrajectory measured_trajectory(const Scene& scene, const std::vector<std::string>& names,
+                                       const std::vector<std::vector<double>>& rows) {
+  TrajectoryReader reader(names, scene, TrajectorySource::measured);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    try {
+      reader.take(rows[i]);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("row {}: {}", i + 1, error.what()));
+    }
+  }
+  return std::move(reader).path();
 }
 
 ProgramReport read_report(const std::filesystem::path& file) {
@@ -267,6 +363,7 @@ ExternalTrajectory at_comparison_times(const ExternalTrajectory& path) {
   const auto rows = comparison_steps(static_cast<int>(path.times.size()) - 1);
   for (const int row : rows) some.times.push_back(path.times[static_cast<std::size_t>(row)]);
   some.values = path.values(Eigen::all, rows);
+  if (path.deviations.size() > 0) some.deviations = path.deviations(Eigen::all, rows);
   return some;
 }
 

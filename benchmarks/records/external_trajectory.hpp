@@ -22,22 +22,34 @@ struct ProgramReport {
   bool chooses_times = false;     // "times: own": the rows are at the times of the program
 };
 
-// A trajectory written by another program.
+// A trajectory written by another program, or measured.
 struct ExternalTrajectory {
   std::vector<Eigen::Index> columns{};  // indices of its columns among those of the scene
-  std::vector<double> times{};          // increasing, the last above 0
-  Rows values{};                        // one row a column, one column a time
+  std::vector<double> times{};          // increasing, the last above 0; of measurements also equal ones
+  Rows values{};                        // one row a column, one column a time; NaN: not measured
+  Rows deviations{};                    // standard deviations of the values; empty: not known
   ProgramReport report{};
 };
 
+// Computed values are one at each time. Measurements may be repeated at a time, and missing.
+enum class TrajectorySource { computed, measured };
+
 // Reads CSV with the header t,COLUMN,... and one row a time, in [0, end] of the scene. The columns are
 // columns of the scene, in any order; other columns that `solve` prints are ignored. A value may be infinite
-// or NaN, a time may not. Accepted are quoted names, a # before the header, spaces around cells, \r\n, empty
+// or NaN, a time may not. `sd_COLUMN` has the standard deviations of COLUMN, above 0; either all columns have
+// them or none. In measurements times may be equal, and a cell may be empty or nan, which is a missing value.
+// Accepted are quoted names, a # before the header, spaces around cells, \r\n, empty
 // lines at the end, and the comments of a ProgramReport. Throws std::invalid_argument naming file and
 // line for anything else, and for more than 10 million values. `name` is the name in messages, by default the
 // path.
 ExternalTrajectory read_trajectory(const std::filesystem::path& file, const Scene& scene,
-                                   const std::string& name = "");
+                                   const std::string& name = "",
+                                   TrajectorySource source = TrajectorySource::computed);
+
+// The same from numbers: the names after t, and rows of a time and a number for each name. Throws
+// std::invalid_argument naming the row, counted from 1.
+ExternalTrajectory measured_trajectory(const Scene& scene, const std::vector<std::string>& names,
+                                       const std::vector<std::vector<double>>& rows);
 
 // The comments at the beginning of the file of a program that failed; none after the first that is wrong.
 ProgramReport read_report(const std::filesystem::path& file);

@@ -63,6 +63,45 @@ Json json_of(const SceneFactory& factory) {
           {"has", defined_by(scene)}, {"reference", evidence_of(scene)}};
 }
 
+Json json_of(const FittedScene& fitted) {
+  Json parameters = Json::array(), correlation = Json::array(), columns = Json::array();
+  for (const FittedParameter& one : fitted.parameters) {
+    const auto unless_at_limit = [&](double value) { return one.is_at_limit ? Json() : Json(value); };
+    parameters.push_back({{"name", one.name},
+                          {"value", one.value},
+                          {"standard_error", unless_at_limit(one.standard_error)},
+                          {"low", unless_at_limit(one.low)},
+                          {"high", unless_at_limit(one.high)},
+                          {"solver_error", unless_at_limit(one.solver_error)},
+                          {"at_limit", one.is_at_limit}});
+  }
+  for (const auto& row : fitted.correlation.rowwise())
+    correlation.push_back(std::vector<double>(row.begin(), row.end()));
+  const bool estimated = fitted.measured.deviations.size() == 0;
+  for (std::size_t c = 0; c < fitted.names.size(); ++c) {
+    columns.push_back(
+        {{"name", fitted.names[c]},
+         {"measurements", fitted.misfits[c].count},
+         {"rms", fitted.misfits[c].rms()},
+         {"deviation", estimated ? Json(fitted.deviations(static_cast<Eigen::Index>(c), 0)) : Json()}});
+  }
+  Json made{{"scene", fitted.variant.label()},
+            {"parameters", parameters},
+            {"correlation", correlation},
+            {"columns", columns}};
+  if (!estimated) {
+    made["chi_squared"] = fitted.chi_squared.value;
+    made["degrees_of_freedom"] = fitted.chi_squared.degrees;
+    made["probability"] = fitted.chi_squared.probability() ? Json(*fitted.chi_squared.probability()) : Json();
+  }
+  made.update({{"scheme", fitted.scheme},
+               {"accuracy", fitted.accuracy},
+               {"solver_error_by", fitted.by_reference ? "reference" : "accuracy"},
+               {"solves", fitted.solves},
+               {"iterations", fitted.iterations}});
+  return made;
+}
+
 Json needs_of(const Scheme& scheme) {
   return {{"implicit", scheme.capabilities.implicit},
           {"algebraic_rows", scheme.capabilities.algebraic_rows},

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/requests/fit.hpp"
 #include "fdebench/benchmarks/requests/recommendation.hpp"
 #include "fdebench/benchmarks/requests/solve_cost.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
@@ -20,6 +21,9 @@ nlohmann::ordered_json json_of(const SolveCost& cost);
 
 // Precondition: there is an option.
 nlohmann::json json_of(const Recommendation& made);
+
+// Names by their meaning, as of the fields of FittedScene.
+nlohmann::ordered_json json_of(const FittedScene& fitted);
 
 // What a scene with its default parameters is: id, title, source, parameters with what is allowed, end,
 // columns, what it defines, its reference. Many columns u1, u2, ... are a pattern with a range.

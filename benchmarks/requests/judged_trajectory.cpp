@@ -48,11 +48,15 @@ JudgedTrajectory judge(const JudgeRequest& request) {
   const auto path = request.trajectory(*scene);
   end_with(path, variant, *scene);
   const auto reference = std::make_shared<MemoizedReference>(*scene);
-  const auto judgement = judge_trajectory(*scene, at_comparison_times(path), *reference);
+  const auto compared = at_comparison_times(path);
+  const auto judgement = judge_trajectory(*scene, compared, *reference);
   Record run = assessed(run_of(variant, request.name.value_or(""), path), judgement);
   const auto& seconds = request.seconds.empty() ? path.report.seconds : request.seconds;
   if (!seconds.empty() && is_compared(run.ending.kind)) run.timing = timing_of({.seconds = seconds});
-  return {std::move(run), [=] { return describe(variant, *scene, *reference); }};
+  std::optional<ChiSquared> fits;
+  if (path.deviations.size() > 0 && path.values.allFinite())
+    fits = chi_squared(compared, reference->at(compared.times)(compared.columns, Eigen::all), 0);
+  return {std::move(run), [=] { return describe(variant, *scene, *reference); }, fits};
 }
 
 }  // namespace fde::bench

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/fit/goodness.hpp"
 #include "fdebench/benchmarks/records/external_trajectory.hpp"
 #include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
@@ -24,6 +25,8 @@ struct JudgeRequest {
 struct JudgedTrajectory {
   Record run{};                                     // its scene ends with the trajectory
   std::function<SceneDescription()> description{};  // of that scene, computed at each call
+  // Of measurements with standard deviations, where all values are finite.
+  std::optional<ChiSquared> chi_squared{};
 };
 
 // Throws Refusal naming the field: a name that no other program may have, seconds that are not above 0, a

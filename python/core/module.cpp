@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@
 #include "fdebench/benchmarks/requests/answers_json.hpp"
 #include "fdebench/benchmarks/requests/choice.hpp"
 #include "fdebench/benchmarks/requests/exact.hpp"
+#include "fdebench/benchmarks/requests/fit.hpp"
 #include "fdebench/benchmarks/requests/own_problem.hpp"
 #include "fdebench/benchmarks/requests/recorded_sweep.hpp"
 #include "fdebench/benchmarks/requests/solve.hpp"
@@ -234,6 +236,27 @@ py::object choose_for(const std::string& name, const std::vector<std::string>& s
   return object_of(facts);
 }
 
+// Dictionary of what is fitted. `rows`: a time, and a number for each name after it. `vary`: names with
+// limits.
+py::object fit_for(
+    const std::string& name, const std::vector<std::string>& settings, const std::vector<std::string>& names,
+    const std::vector<std::vector<double>>& rows,
+    const std::vector<std::tuple<std::string, std::optional<double>, std::optional<double>>>& vary,
+    const std::optional<std::string>& scheme, double confidence, double budget) {
+  const auto facts = without_gil([&] {
+    const SceneRegistry all = named_scenes();
+    FitRequest request{.variant = read_variant(name, settings, all),
+                       .vary = {},
+                       .data = [&](const Scene& scene) { return measured_trajectory(scene, names, rows); },
+                       .scheme = scheme,
+                       .confidence = confidence,
+                       .budget = budget};
+    for (const auto& [parameter, low, high] : vary) request.vary.push_back({parameter, low, high});
+    return json_of(fit(request, [](int solves) { report_progress(static_cast<std::size_t>(solves)); }));
+  });
+  return object_of(facts);
+}
+
 // E_{alpha,beta}(z) and error bounds, elementwise. Precondition: the arrays have equal lengths.
 using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Complexes = py::array_t<std::complex<double>, py::array::c_style | py::array::forcecast>;
@@ -302,6 +325,7 @@ PYBIND11_MODULE(_core, module) {
   module.def("facts", facts);
   module.def("solve", solve_for);
   module.def("choose", choose_for);
+  module.def("fit", fit_for);
   module.def("sweep", sweep_for);
   module.def("exact", exact_of);
   module.def("exact_in_digits", exact_decimals);

@@ -21,6 +21,7 @@ except ModuleNotFoundError as missing:
 from . import _core
 from ._exact import Digits, Exact, exact, mittag_leffler, mittag_leffler_digits
 from ._failure import DoubtfulResult, NumericalFailure
+from ._fit import fit
 from ._scene import Problem, Scene, Scheme, scene_facts, scenes, schemes
 from ._solve import Solution, choose, solve, sweep
 
@@ -38,6 +39,7 @@ __all__ = [
     "__version__",
     "choose",
     "exact",
+    "fit",
     "mittag_leffler",
     "mittag_leffler_digits",
     "scene_facts",

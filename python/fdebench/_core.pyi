@@ -43,6 +43,10 @@ def choose(
     name: str, settings: Sequence[str], problem: Problem | None, error: float, norm: str, scale: str, columns: str | None, seconds: float, runs: str,
     schemes: dict[str, States], measures: dict[str, Value],
 ) -> dict[str, Any]: ...
+def fit(
+    name: str, settings: Sequence[str], names: Sequence[str], rows: Sequence[Sequence[float]],
+    vary: Sequence[tuple[str, float | None, float | None]], scheme: str | None, confidence: float, budget: float
+) -> dict[str, Any]: ...
 def sweep(
     scenes: Sequence[tuple[str, Sequence[str]]], schemes: dict[str, States | None], measures: dict[str, Value], steps: Sequence[int],
     accuracies: Sequence[float], given: dict[str, Any], results: str | None

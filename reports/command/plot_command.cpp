@@ -23,6 +23,8 @@
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/analysis/compared_columns.hpp"
 #include "fdebench/reports/command/command.hpp"
+#include "fdebench/reports/command/data_file.hpp"
+#include "fdebench/reports/command/orders_table.hpp"
 #include "fdebench/reports/command/plot_data.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
 #include "fdebench/reports/command/recorded_scene.hpp"
@@ -32,7 +34,7 @@ namespace fde::bench {
 namespace {
 
 // The source of a figure's data.
-enum class FigureData { runs, drifts, solution, regions };
+enum class FigureData { runs, drifts, orders, solution, measurements, regions };
 struct FigureKind {
   std::string_view name, chart,
       family;  // the charts of the page that it draws: for one scene; for several values of a parameter
@@ -46,9 +48,11 @@ constexpr std::array kinds{FigureKind{"work-precision", "error-against-time", ""
                            FigureKind{"energy", "energy-against-step", "", FigureData::runs},
                            FigureKind{"drift", "drift-against-step", "", FigureData::drifts},
                            FigureKind{"drift-over-time", "drift-over-time", "", FigureData::drifts},
+                           FigureKind{"orders", "", "", FigureData::orders},
                            FigureKind{"solution", "solution", "family", FigureData::solution, true},
                            FigureKind{"phase", "phase-portrait", "family-phase", FigureData::solution, true},
                            FigureKind{"motion", "motion", "", FigureData::solution},
+                           FigureKind{"residuals", "residuals", "", FigureData::measurements},
                            FigureKind{"stability", "stability-regions", "", FigureData::regions}};
 constexpr double most_seconds = 120.0;
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20;
@@ -63,22 +67,37 @@ const FigureKind& kind_named(const std::string& name) {
   return *std::ranges::find(kinds, name, &FigureKind::name);
 }
 
+ErrorKind error_kind(const Given& given) {
+  return {.norm = parse_norm(given.word("--norm")), .scale = parse_scale(given.word("--scale"))};
+}
+
 void check(const Given& given, const FigureKind& kind) {
+  error_kind(given);
   const auto out = given.text("--out");
-  if (!out.ends_with(".svg") && !out.ends_with(".pdf") && !out.ends_with(".vl.json"))
-    throw std::invalid_argument(fmt::format("--out = {}: must end in .svg, .pdf or .vl.json", out));
-  parse_scale(given.word("--scale"));
-  const bool measured = kind.of == FigureData::runs || kind.of == FigureData::drifts;
+  const auto ends = [&](std::string_view end) { return out.ends_with(end); };
+  const bool is_table = kind.of == FigureData::orders;
+  if (is_table ? !ends(".tex") && !ends(".csv") : !ends(".svg") && !ends(".pdf") && !ends(".vl.json")) {
+    throw std::invalid_argument(fmt::format(
+        "--out = {}: must end in {}", out, is_table ? ".tex or .csv, as a table" : ".svg, .pdf or .vl.json"));
+  }
+  const bool measured = is_table || kind.of == FigureData::runs || kind.of == FigureData::drifts;
   if (measured && !given.has("--results")) {
     throw std::invalid_argument(
         fmt::format("--results: --kind {} draws runs, and needs a results file", kind.name));
+  }
+  if (kind.of == FigureData::measurements && !given.has("--data")) {
+    throw std::invalid_argument(
+        fmt::format("--data: --kind {} draws measurements, and needs a file of them", kind.name));
   }
   const auto refuse = [&](const char* option, const char* what) {
     throw std::invalid_argument(fmt::format("{} = {}: --kind {} draws no {}: must not be given", option,
                                             given.all(option).front(), kind.name, what));
   };
-  if (given.has("--scheme") && kind.of == FigureData::solution) refuse("--scheme", "schemes");
-  if (given.has("--scale") && kind.of != FigureData::runs) refuse("--scale", "errors");
+  if (given.has("--data") && kind.of != FigureData::measurements) refuse("--data", "measurements");
+  if (given.has("--scheme") && (kind.of == FigureData::solution || kind.of == FigureData::measurements))
+    refuse("--scheme", "schemes");
+  for (const auto* option : {"--scale", "--norm"})
+    if (given.has(option) && kind.of != FigureData::runs && !is_table) refuse(option, "errors");
   if (given.has("--columns") && !kind.depends_on_columns_only) {
     throw std::invalid_argument(fmt::format(
         "--columns = {}: must be given with --kind solution or phase only", given.text("--columns")));
@@ -104,9 +123,16 @@ nlohmann::json data_of(const Given& given, const FigureKind& kind, const Streams
     case FigureData::runs:
     case FigureData::drifts:
       return data_of_results(given, kind, streams, known);
+    case FigureData::orders:  // a table, of no data for a chart
+      break;
     case FigureData::solution:
       return data_of_solutions(read_variants(given.text("scene"), given.all("--set"), known),
                                given.has("--columns"));
+    case FigureData::measurements: {
+      const auto variant = read_variant(given, known);
+      return data_of_measurements(
+          variant, read_data(given.text("--data"), make_scene(variant), TrajectorySource::measured));
+    }
     case FigureData::regions:
       return data_of_regions(read_variant(given, known));
   }
@@ -207,7 +233,7 @@ std::filesystem::path figure(const Given& given, const FigureKind& kind,
   request.write(nlohmann::json{{"data", data},
                                {"charts", assets::charts()},
                                {"chart", several ? kind.family : kind.chart},
-                               {"kind", error_measure({.scale = parse_scale(given.word("--scale"))})},
+                               {"kind", error_measure(error_kind(given))},
                                {"columns", columns},
                                {"schemes", given.all("--scheme")},
                                {"vega", assets::vega()},
@@ -220,9 +246,33 @@ std::filesystem::path figure(const Given& given, const FigureKind& kind,
   return out;
 }
 
+void write_orders(const Given& given, const Streams& streams, const SceneRegistry& known) {
+  const auto results = given.text("--results"), out = given.text("--out");
+  const ReadRuns read = read_runs(results);
+  warn(streams, read.warning);
+  const auto scene = recorded_scene(read.runs, results, given.text("scene"), given.all("--set"), known, "");
+  warn(streams, not_compared_text(read.runs, scene));
+  std::set<std::string> measured;
+  for (const Record& run : of_scene(read.runs.finished, scene)) measured.insert(run.key.scheme);
+  require_schemes(given.all("--scheme"), measured);
+  const ErrorKind kind = error_kind(given);
+  const auto orders = observed_orders(read.runs, scene, error_measure(kind),
+                                      kind.norm == Norm::end ? "expected_rate_end" : "expected_rate_maximum",
+                                      given.all("--scheme"));
+  if (orders.lines.empty()) {
+    throw std::invalid_argument(
+        fmt::format("--results: has no run of {} over a grid with an error", label_of(scene)));
+  }
+  AtomicFile file(out);
+  file.write(out.ends_with(".csv") ? csv_of(orders) : latex_of(orders));
+  file.commit();
+  streams.out << std::filesystem::absolute(out).string() << '\n';
+}
+
 void plot(const Given& given, const Streams& streams, const SceneRegistry& known) {
   const FigureKind& kind = kind_named(given.word("--kind"));
   check(given, kind);
+  if (kind.of == FigureData::orders) return write_orders(given, streams, known);
   const auto columns = columns_in(given, kind);
   const auto path = [&] {
     ProgressLine line(streams, fmt::format("draws {}", given.text("--out")));
@@ -239,20 +289,28 @@ Command plot_command() {
            "Draw a figure of a scene for a paper of two columns",
            {scene_argument(),
             set_argument(),
-            {"--kind KIND", "what is drawn; all but the last four draw runs of --results", kind_names()},
+            {"--kind KIND", "what is drawn; all but the last five draw runs of --results", kind_names()},
             {"[--results FILE]", "results file; kinds that draw no runs do not read it", Completion::results},
+            {"[--data FILE]", "measurements of the kind residuals, as `fit` takes them", Completion::file},
             {"[--scale SCALE]", "what an error is divided by: 1, |y|, 1 + |y| or the largest |y|",
              scale_names(), "mixed"},
+            {"[--norm NORM]", "the error that is drawn: the largest over all steps, or that at the end",
+             Words{"maximum", "end"}, "maximum"},
             {"[--scheme ID]...", "id of a scheme to draw", Completion::scheme, "all"},
             {"[--columns A,B,...]",
              "of the kinds solution and phase: columns, energy, multipliers and coordinates of the motion"},
             {"--out FILE",
-             "the figure, whose name ends in .svg, .pdf, or .vl.json for its Vega-Lite specification",
+             "the figure, whose name ends in .svg, .pdf, or .vl.json for its Vega-Lite specification; a "
+             "table of orders ends in .tex or .csv",
              Completion::file}},
            {{"fdebench plot pendulum --kind solution --columns phi --set beta=0:1:0.25 --out family.svg",
              "draws one curve for each of five values of a parameter."},
             {"fdebench plot pendulum --results results.jsonl --kind work-precision --scheme l1 --out l1.pdf",
-             "draws the error of l1 against its run time."}},
+             "draws the error of l1 against its run time."},
+            {"fdebench plot relaxation --results results.jsonl --kind orders --norm end --out orders.tex",
+             "writes errors and observed orders as a table for LaTeX."},
+            {"fdebench plot relaxation --kind residuals --data data.csv --set gamma=0.7 --out fit.svg",
+             "draws measurements over the solution, and below what it leaves of them."}},
            {"run", "report", "output"}},
           plot};
 }

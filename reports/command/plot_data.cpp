@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
 #include "fdebench/benchmarks/records/description_text.hpp"
+#include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/sweep/sampled_solution.hpp"
 #include "fdebench/reports/page/page_data.hpp"
@@ -104,6 +106,30 @@ json data_of_solutions(const std::vector<SceneVariant>& scenes, bool with_all_co
   json members = json::array();
   for (const auto& scene : scenes) members.push_back(member(scene, parameter, with_all_columns));
   section["family"] = {{"parameter", parameter}, {"members", std::move(members)}};
+  return page_of(std::move(section));
+}
+
+json data_of_measurements(SceneVariant scene, const ExternalTrajectory& measured) {
+  if (!is_two_sided(make_scene_unchecked(scene).problem)) scene.until = measured.times.back();
+  const Scene posed = make_scene_unchecked(scene);
+  json section{{"id", section_of(scene.key())},
+               {"title", scene.factory->title},
+               {"solution", solution(scene, true)},
+               {"measured", json::array()}};
+  MemoizedReference reference(posed, measured.columns);
+  const Rows model = reference.at(measured.times);
+  for (Eigen::Index i = 0; i < measured.values.cols(); ++i) {
+    for (Eigen::Index c = 0; c < measured.values.rows(); ++c) {
+      if (std::isnan(measured.values(c, i))) continue;
+      const auto column = static_cast<std::size_t>(measured.columns[static_cast<std::size_t>(c)]);
+      json& point = section["measured"].emplace_back();
+      point = {{"t", measured.times[static_cast<std::size_t>(i)]},
+               {"column", posed.outputs.names[column]},
+               {"value", measured.values(c, i)},
+               {"residual", measured.values(c, i) - model(c, i)}};
+      if (measured.deviations.size() > 0) point["deviation"] = measured.deviations(c, i);
+    }
+  }
   return page_of(std::move(section));
 }
 

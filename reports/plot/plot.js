@@ -33,7 +33,7 @@ function specification() {
   const charts = vm.runInThisContext("(section, lines, kind, kinds, wants, columns) => chartsOfSection(section, lines, kind, kinds, wants, columns)");
   const made = charts(section, data.lines, data.kinds.find(({ id }) => id === kind), data.kinds,
     (line) => schemes.length === 0 || schemes.includes(line.split(",")[0]), columns.length > 0 ? columns : undefined);
-  const found = made.find(({ id }) => id === chart);
+  const found = [...made, ...chartsOfMeasurements(section)].find(({ id }) => id === chart);
   if (!found) throw new Error(`there is no ${chart.replaceAll("-", " ")} of this scene`);
   const { params, ...spec } = sized(found.spec);
   const layers = spec.layer?.map(({ params: _, ...layer }) => layer);

@@ -2,7 +2,7 @@
 // Figures for papers: drawn without a browser, by the charts of the page.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { promisify } from "node:util";
@@ -12,6 +12,8 @@ import { drawn, finished, runsOf } from "./records.js";
 const { PROGRAM } = process.env;
 const ofPendulum = finished(runsOf(RESULTS)).filter(({ scene }) => scene === "pendulum");
 const figure = (name) => join(dirname(PAGE), name);
+const MEASURED = figure("measured.csv");
+writeFileSync(MEASURED, "t,y,sd_y\n0.25,0.6,0.02\n0.5,0.53,0.02\n1,0.42,0.02\n");
 const plot = (kind, out) => ["plot", "pendulum", "--results", RESULTS, "--kind", kind, "--out", out];
 const fdebench = (words) => promisify(execFile)(PROGRAM, words);
 const draw = async (out, scene, kind, ...more) => {
@@ -45,7 +47,7 @@ test("a figure has a mark for each record", async () => {
 
 test("every kind of figure is as wide as a column, its letters have 8 points", async () => {
   for (const [scene, kind, ...more] of [["pendulum", "solution"], ["pendulum", "phase"], ["loxodrome", "motion"], ["rolling_disc", "motion"], ["relaxation", "stability"],
-    ["relaxation", "solution", "--set", "lambda=-3:-1:1"], ["pendulum", "work-precision", "--results", RESULTS, "--scheme", "l1"]]) {
+    ["relaxation", "solution", "--set", "lambda=-3:-1:1"], ["relaxation", "residuals", "--data", MEASURED], ["pendulum", "work-precision", "--results", RESULTS, "--scheme", "l1"]]) {
     checkPaper((await draw("paper.svg", scene, kind, ...more)).toString(), `${scene} ${kind}`);
   }
 });

@@ -81,7 +81,7 @@ bool bound(Words& words) {
   clamp(words, "--digits", 40);
   clamp(words, "--repeat", 2);
   clamp(words, "--derivative", 8);
-  if (command == "exact" || command == "run" || command == "judge") {
+  if (command == "exact" || command == "run" || command == "judge" || command == "fit") {
     if (!is_quick(words)) return false;
   }
   if (command == "run" && (!names(words, "--scene") || !names(words, "--scheme") || !names(words, "--steps")))

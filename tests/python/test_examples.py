@@ -9,7 +9,7 @@ import pytest
 import fdebench
 
 OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-MODULES = ["fdebench", "fdebench._exact", "fdebench._failure", "fdebench._scene", "fdebench._solve"]
+MODULES = ["fdebench", "fdebench._exact", "fdebench._failure", "fdebench._fit", "fdebench._scene", "fdebench._solve"]
 
 
 @pytest.mark.parametrize("module", MODULES)

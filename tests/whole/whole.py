@@ -26,6 +26,7 @@ from random import Random
 
 import errors  # noqa: F401  (each of these modules registers properties)
 import events  # noqa: F401
+import fitting  # noqa: F401
 import functions  # noqa: F401
 import help_options  # noqa: F401
 import mechanics  # noqa: F401

@@ -18,14 +18,14 @@ namespace fde::bench {
 namespace {
 
 // E_{1/2}(-t^{1/2}) = e^t erfc(t^{1/2}), which solves the relaxation.
-Rows closed_form(const Problem& /*problem*/, const std::vector<double>& times) {
+Rows exact_values(const Problem& /*problem*/, const std::vector<double>& times) {
   Rows y(1, std::ssize(times));
   for (Eigen::Index c = 0; const double t : times) y(0, c++) = std::exp(t) * std::erfc(std::sqrt(t));
   return y;
 }
 
 const OwnScheme& mine() {
-  static const OwnScheme scheme("mine", closed_form);
+  static const OwnScheme scheme("mine", exact_values);
   return scheme;
 }
 
@@ -117,7 +117,7 @@ TEST(SweepRequests, NameTheFieldThatIsRefused) {
 }
 
 TEST(SweepRequests, GiveSchemesAndMeasuresOfTheCallerIdsOfTheirOwn) {
-  const OwnScheme taken("l1", closed_form);
+  const OwnScheme taken("l1", exact_values);
   EXPECT_EQ(refused([&](auto& of) { of.schemes.push_back(&taken.scheme()); }),
             "<schemes> = l1: must be an id that prints and that no other scheme has");
   for (const std::string id : {"error_end", "time_median", "", "two words", "distance"}) {

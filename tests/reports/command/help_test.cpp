@@ -38,17 +38,16 @@ std::string command_with(const std::string& subcommand, const std::string& argum
       {"stability", "stability"},
       {"geometry", "geometry loxodrome"},
       {"judge", "judge relaxation /dev/null"},
+      {"fit", "fit relaxation /dev/null"},
       {"compare", "compare /dev/null /dev/null"},
       {"export", "export /dev/null --out /nonexistent"},
       {"reference", "reference --check /nonexistent"},
       {"report", "report /dev/null --out /nonexistent"},
       {"study", "study plan /nonexistent.toml"},
       {"plot", "plot relaxation --out /nonexistent.svg"}};
-  static const std::map<std::string, std::string> needed{{"solve", "--steps 8"},
-                                                         {"exact", "--at 1"},
-                                                         {"choose", "--error 1e-3"},
-                                                         {"stability", "--gamma 0.5"},
-                                                         {"plot", "--kind rate"}};
+  static const std::map<std::string, std::string> needed{
+      {"solve", "--steps 8"},       {"exact", "--at 1"},     {"choose", "--error 1e-3"},
+      {"stability", "--gamma 0.5"}, {"fit", "--vary gamma"}, {"plot", "--kind rate"}};
   auto text = starts.at(subcommand);
   const auto more = needed.find(subcommand);
   const bool replaces =

@@ -75,6 +75,36 @@ TEST_F(Judging, TakesTheFilesThatOtherProgramsWrite) {
   }
 }
 
+// Errors of 1, 2 and 0 standard deviations: chi^2 is 5 with as many degrees as there are rows.
+TEST_F(Judging, ComparesWithStandardDeviations) {
+  const auto answer = judge("t,sd_y,y\n0.5,0.1,0.35\n0.8,0.01,0.66\n1,1,1\n");
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_NEAR(number(answer, "chi_squared"), 5.0, 1e-5);
+  EXPECT_EQ(number(answer, "degrees_of_freedom"), 3.0);
+  EXPECT_NEAR(number(answer, "probability"), 0.1718, 5e-4);  // three digits
+  EXPECT_THAT(judge("t,y\n0,0\n1,1.5\n").out, Not(HasSubstr("chi_squared")));
+  EXPECT_EQ(refusal("t,y,sd_y\n0,0,1\n1,1,0\n"), ": line 3: sd_y = 0: must be a finite number above 0\n");
+  EXPECT_EQ(refusal("t,sd_y\n0,1\n"), ": line 1: has no column of the scene; they are y\n");
+  EXPECT_EQ(refusal("t,phi,dphi,sd_phi\n0,1,0,1\n", "pendulum"),
+            ": line 1: column sd_dphi is missing: all columns have standard deviations or none\n");
+}
+
+// D(x,0.5) of duffing.toml is Dx_0.5, in what solve and exact print and in what judge takes.
+TEST_F(Judging, TakesPlainNames) {
+  const std::string duffing = FDE_SOURCE_DIR "/docs/examples/duffing.toml";
+  for (const std::string command : {"solve", "exact"}) {
+    const auto printed = command == "solve" ? fdebench({command, duffing, "--scheme", "bdf2", "--steps",
+                                                        "512", "--points", "3", "--plain-names"})
+                                            : fdebench({command, duffing, "--at", "10,20", "--plain-names"});
+    EXPECT_THAT(printed.out, testing::StartsWith("t,x,Dx_0.5,Dx_1")) << printed.err;
+    if (command == "solve") {
+      EXPECT_EQ(judge(printed.out, {}, duffing).code, 0);
+      EXPECT_EQ(refusal("t,x,Dx_0.5,\"D(x,0.5)\"\n0,0,0,0\n", duffing),
+                ": line 1: column D(x,0.5) occurs twice\n");
+    }
+  }
+}
+
 // A message that contained the NUL would end there.
 TEST_F(Judging, NamesANul) {
   const std::string csv{"t,y\n0,0\n1,\0", 11};

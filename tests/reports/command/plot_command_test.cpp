@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "support/command_line_result.hpp"
@@ -44,6 +45,51 @@ TEST_F(Plots, TakeAScaleWhereErrorsAreDrawn) {
   EXPECT_THAT(drawn_text(), HasSubstr("peak maximum error"));
   EXPECT_THAT(fdebench("plot relaxation --kind solution --scale peak" + out).err,
               HasSubstr("--scale = peak: --kind solution draws no errors"));
+}
+
+// The error of l1 for t^2 at the end is exact for no step; its order is 2 - gamma.
+TEST_F(Plots, OfOrdersAreTables) {
+  ASSERT_EQ(fdebench("run --scene power --scheme l1 --scheme spectral_collocation --steps 64,128,256 "
+                     "--accuracy 1e-3 --out " +
+                     folder_.file("few.jsonl"))
+                .code,
+            0);
+  const auto table = [&](const std::string& name, const std::string& more = "") {
+    expect_success(fdebench("plot power --kind orders --results " + folder_.file("few.jsonl") + " --out " +
+                            folder_.file(name) + more));
+    return content_of(folder_.file(name));
+  };
+  const auto csv = table("orders.csv", " --norm end");
+  EXPECT_THAT(csv, testing::StartsWith("scheme,steps,h,error,order,expected\nl1,64,0.015625,"));
+  EXPECT_THAT(csv, testing::ContainsRegex("\nl1,256,0.00390625,[0-9.e-]+,1\\.[45][0-9]*,1\\.5\n$"));
+  const auto tex = table("orders.tex");
+  EXPECT_THAT(
+      tex, testing::StartsWith("\\begin{tabular}{r*{1}{lr}}\n\\hline\n$N$ & \\multicolumn{2}{c}{l1} \\\\\n"));
+  EXPECT_THAT(tex, testing::ContainsRegex("\n128 & \\$[0-9.]+\\\\cdot10\\^\\{-[0-9]\\}\\$ & 1\\.[45][0-9] "));
+  EXPECT_THAT(tex, testing::EndsWith("\\end{tabular}\n"));
+  EXPECT_THAT(
+      fdebench("plot power --kind orders --results " + folder_.file("few.jsonl") + " --out a.svg").err,
+      HasSubstr("--out = a.svg: must end in .tex or .csv, as a table"));
+  EXPECT_THAT(
+      fdebench("plot power --kind orders --scheme bdf2 --out a.csv --results " + folder_.file("few.jsonl"))
+          .err,
+      HasSubstr("--scheme = bdf2: must be of l1, spectral_collocation"));
+}
+
+// The solution of `power` is t^2: the measurement at 0.5 leaves 0.05, that at 1 nothing; one is missing.
+TEST_F(Plots, OfResidualsHaveWhatTheSolutionLeaves) {
+  folder_.write("data.csv", "t,y,sd_y\n0.5,0.3,0.1\n0.7,,\n1,1,0.2\n");
+  const auto out = " --out " + folder_.file("figure.vl.json"), data = " --data " + folder_.file("data.csv");
+  expect_success(fdebench("plot power --kind residuals" + data + out));
+  const auto panels = nlohmann::json::parse(drawn_text())["vconcat"];
+  const auto left = panels[1]["layer"].back()["data"]["values"];
+  ASSERT_EQ(left.size(), 2U);
+  EXPECT_NEAR(left[0]["residual"], 0.05, 1e-15);
+  EXPECT_NEAR(left[0]["high"], 0.15, 1e-15);
+  EXPECT_NEAR(left[1]["residual"], 0.0, 1e-15);
+  EXPECT_THAT(fdebench("plot power --kind residuals" + out).err, HasSubstr("needs a file of them"));
+  EXPECT_THAT(fdebench("plot power --kind solution" + data + out).err,
+              HasSubstr("--kind solution draws no measurements"));
 }
 
 // The runs of all formulations, whichever the scene names.
