@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Random equation files."""
 
+import math
 import re
 from pathlib import Path
 from random import Random
@@ -13,7 +14,9 @@ EXAMPLES = Path(__file__).parents[2] / "docs/examples"
 
 
 def order(random: Random) -> float:
-    """A random order in (0, 2], often close to 0, 1 or 2, or equal to 1 or 2."""
+    """A random order in (0, 2], often close to 0, 1 or 2, or equal to 1 or 2; sometimes one up to 4."""
+    if random.random() < 0.07:
+        return random.choice([3, 4, round(random.uniform(2.05, 3.95), 2)])
     near = random.choice([0, 1, 1, 2]) + random.choice([-1, 1]) * random.choice([1e-3, 0.01, 0.05, 0.1])
     return random.choice([round(random.uniform(0.1, 2), 2), random.choice([0.5, 1, 1.5, 2, 0.8]), near if 0 < near <= 2 else 0.5])
 
@@ -32,8 +35,10 @@ def unknown(random: Random, name: str, names: list[str], parameters: list[str], 
         nodes = [f"D({name}, {q})" for q in lower]
     lines.append(f"terms = [{', '.join(f'[{c}, {q}]' for c, q in terms)}]" if several or random.random() < 0.3 else f"order = {typed(leading)}")
     known = names + nodes + (earlier(random, names, parameters) if delays else [])
+    if delays and leading > 1 and random.random() < 0.3:
+        known.append(f"D({name}, {random.randint(1, math.ceil(leading) - 1)})(t - {number(random)})")
     lines.append(f'rhs = "{right_side(random, name, known, parameters)}"')
-    initial = [random.choice(["0", "1", signed(random)]) for _ in range(2 if leading > 1 else 1)]
+    initial = [random.choice(["0", "1", signed(random)]) for _ in range(max(1, math.ceil(leading)))]
     lines.append(f"initial = [{', '.join(initial)}]")
     if delays:
         lines.append(f'before = "{random.choice([initial[0], initial[0], f"{initial[0]}*cos(t)", "0", f"{initial[0]} + t"])}"')
