@@ -124,6 +124,6 @@ export async function settled(page) {
     const [id] = decodeURIComponent(location.hash.slice(1)).split("?");
     const begun = (section) => section === null || section.querySelector("figure[data-chart] .chart") !== null;
     const charts = [...document.querySelectorAll("figure[data-chart] .chart")];
-    return (!id.startsWith("scene-") || begun(document.getElementById(id))) && charts.every((chart) => chart.querySelector("svg .role-mark path"));
+    return (!/^(scene|curve)-/.test(id) || begun(document.getElementById(id))) && charts.every((chart) => chart.querySelector("svg .role-mark path"));
   }, null, { timeout: patience });
 }
