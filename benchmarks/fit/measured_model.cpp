@@ -76,7 +76,8 @@ std::optional<std::vector<Eigen::Index>> MeasuredModel::places_in(const Scene& s
   return places;
 }
 
-// Rarely, because runs with another tolerance have other errors, which are noise in differences.
+// Changes the size only where the columns have another order of magnitude: a change of the tolerance changes
+// the errors of runs, which are noise in differences between runs.
 void MeasuredModel::adjust_size(const Rows& columns) {
   constexpr double far = 10.0;
   const double size = std::min(smallest_of(sizes_), smallest_of(sizes_of(columns)));

@@ -54,7 +54,7 @@ class MeasuredModel {
   std::vector<double> times_{};       // of the measurements, each once
   std::vector<Eigen::Index> time_{};  // of each row, its index among them
   Vec sizes_;
-  double accuracy_ = 0.0, size_;  // size_: that by which the absolute tolerance is
+  double accuracy_ = 0.0, size_;  // the absolute tolerance is accuracy_ * size_
   std::string why_none_{};
   int solves_ = 0;
   std::optional<double> seconds_{};

@@ -349,10 +349,11 @@ class Fitter {
     } catch (const std::runtime_error&) {
       fit_.by_reference = false;
     }
-    model_.set_accuracy(accuracy_ratio * fit_.accuracy);
-    Rows columns = columns_at_estimates();
-    model_.set_accuracy(fit_.accuracy);
-    return columns;
+    MeasuredModel finer = model_;
+    finer.set_accuracy(accuracy_ratio * fit_.accuracy);
+    auto columns = finer.columns(theta_);
+    if (!columns) throw NumericalFailure(fmt::format("at the estimates: {}", finer.why_none()));
+    return *std::move(columns);
   }
 
   // Whether a fit with a smaller tolerance takes a reasonable time.

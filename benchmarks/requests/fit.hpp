@@ -56,7 +56,7 @@ struct FittedScene {
   int iterations = 0, solves = 0;
 };
 
-// What is told while it lasts: solves so far.
+// Called before each solve with the number of solves so far.
 using FitProgress = std::function<void(int solves)>;
 
 // Estimates the parameters that minimise the sum of ((measured - model) / deviation)^2. Deviations that are

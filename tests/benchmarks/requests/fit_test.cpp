@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <stdexcept>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
@@ -151,6 +152,32 @@ TEST(Fits, SayHowFarTheSolverMovesThem) {
   const auto fitted = fit(request).parameters[0];
   EXPECT_GT(fitted.solver_error, 1e-10);
   EXPECT_NEAR(std::abs(fitted.value - exact) / fitted.solver_error, 1.0, 0.2);
+}
+
+// Without a reference the solver error is by a run with a smaller tolerance. It is that by the reference, and
+// the tolerance is lowered as far: here until the solver error is small against noise of 1e-7.
+TEST(Fits, KnowTheSolverErrorWithoutAReference) {
+  SceneFactory factory = *read_variant("relaxation", {}).factory;
+  auto data = exact_measurements({&factory, {{"gamma", 0.7}}}, {0}, even_times(1.0, 10));
+  std::mt19937 random(9);
+  add_noise(data, 0, 1e-7, random);
+  const auto fitted = [&] {
+    return fit({.variant = {&factory}, .vary = {{"gamma"}}, .data = given(data), .scheme = "adaptive_pc"});
+  };
+  const auto known = fitted();
+  factory.make = [with_reference = factory.make](const Parameters& values) {
+    Scene scene = with_reference(values);
+    scene.name.clear();
+    scene.reference = {
+        .at = [](double) -> reference::ReferenceValue { throw std::runtime_error("there is none"); }};
+    return scene;
+  };
+  const auto unknown = fitted();
+  EXPECT_TRUE(known.by_reference);
+  EXPECT_FALSE(unknown.by_reference);
+  EXPECT_LT(known.accuracy, 1e-9);
+  EXPECT_EQ(unknown.accuracy, known.accuracy);
+  EXPECT_NEAR(unknown.parameters[0].solver_error / known.parameters[0].solver_error, 1.0, 0.3);
 }
 
 // nu = 0 takes the term of order beta out of the equation; of E0 and a load that scales with it no ratio is
