@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "fdebench/benchmarks/external/process_cleanup.hpp"
-#include "fdebench/benchmarks/external/shell_command.hpp"
 #include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/measures/error_kind.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
@@ -24,6 +23,8 @@
 #include "fdebench/reports/analysis/compared_columns.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/data_file.hpp"
+#include "fdebench/reports/command/drawing_program.hpp"
+#include "fdebench/reports/command/figure_style.hpp"
 #include "fdebench/reports/command/orders_table.hpp"
 #include "fdebench/reports/command/plot_data.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
@@ -54,8 +55,6 @@ constexpr std::array kinds{FigureKind{"work-precision", "error-against-time", ""
                            FigureKind{"motion", "motion", "", FigureData::solution},
                            FigureKind{"residuals", "residuals", "", FigureData::measurements},
                            FigureKind{"stability", "stability-regions", "", FigureData::regions}};
-constexpr double most_seconds = 120.0;
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20;
 
 Words kind_names() {
   Words names;
@@ -89,7 +88,7 @@ void check(const Given& given, const FigureKind& kind) {
     throw std::invalid_argument(
         fmt::format("--data: --kind {} draws measurements, and needs a file of them", kind.name));
   }
-  const auto refuse = [&](const char* option, const char* what) {
+  const auto refuse = [&](const std::string& option, const char* what) {
     throw std::invalid_argument(fmt::format("{} = {}: --kind {} draws no {}: must not be given", option,
                                             given.all(option).front(), kind.name, what));
   };
@@ -98,43 +97,50 @@ void check(const Given& given, const FigureKind& kind) {
     refuse("--scheme", "schemes");
   for (const auto* option : {"--scale", "--norm"})
     if (given.has(option) && kind.of != FigureData::runs && !is_table) refuse(option, "errors");
+  if (given.find("--legend") == "labels" && kind.of != FigureData::runs)
+    refuse("--legend", "errors, whose lines have labels");
+  if (is_table) {
+    for (const ArgumentText& option : style_arguments())
+      if (given.has(option.name)) refuse(option.name, "figure");
+    if (given.all("scene").size() > 1)
+      throw std::invalid_argument("SCENE: --kind orders writes a table of one scene");
+  }
   if (given.has("--columns") && !kind.depends_on_columns_only) {
     throw std::invalid_argument(fmt::format(
         "--columns = {}: must be given with --kind solution or phase only", given.text("--columns")));
   }
 }
 
-nlohmann::json data_of_results(const Given& given, const FigureKind& kind, const Streams& streams,
-                               const SceneRegistry& known) {
+nlohmann::json data_of_results(const std::string& named, const Given& given, const FigureKind& kind,
+                               const Streams& streams, const SceneRegistry& known) {
   const auto results = given.text("--results");
   ReadRuns read = read_runs(results);
   warn(streams, read.warning);
   // A figure of drifts has all formulations of the scene.
   const auto* any = kind.of == FigureData::drifts ? "formulation" : "";
-  const auto scene = recorded_scene(read.runs, results, given.text("scene"), given.all("--set"), known, any);
+  const auto scene = recorded_scene(read.runs, results, named, given.all("--set"), known, any);
   if (kind.of == FigureData::runs) warn(streams, not_compared_text(read.runs, scene));
   return kind.of == FigureData::runs ? data_of_runs(std::move(read), scene)
                                      : data_of_drifts(std::move(read), scene);
 }
 
-nlohmann::json data_of(const Given& given, const FigureKind& kind, const Streams& streams,
-                       const SceneRegistry& known) {
+nlohmann::json data_of(const std::string& named, const Given& given, const FigureKind& kind,
+                       const Streams& streams, const SceneRegistry& known) {
   switch (kind.of) {
     case FigureData::runs:
     case FigureData::drifts:
-      return data_of_results(given, kind, streams, known);
+      return data_of_results(named, given, kind, streams, known);
     case FigureData::orders:  // a table, of no data for a chart
       break;
     case FigureData::solution:
-      return data_of_solutions(read_variants(given.text("scene"), given.all("--set"), known),
-                               given.has("--columns"));
+      return data_of_solutions(read_variants(named, given.all("--set"), known), given.has("--columns"));
     case FigureData::measurements: {
-      const auto variant = read_variant(given, known);
+      const auto variant = read_variant(named, given.all("--set"), known);
       return data_of_measurements(
           variant, read_data(given.text("--data"), make_scene(variant), TrajectorySource::measured));
     }
     case FigureData::regions:
-      return data_of_regions(read_variant(given, known));
+      return data_of_regions(read_variant(named, given.all("--set"), known));
   }
   return {};
 }
@@ -146,16 +152,6 @@ void require_schemes(const std::vector<std::string>& requested, const std::set<s
   }
 }
 
-// The schemes of the page's lines, such as "l1, graded:2", external ones included; without lines the schemes
-// of this build.
-std::set<std::string> schemes_in(const nlohmann::json& data) {
-  std::set<std::string> names;
-  for (const std::string line : data["lines"]) names.insert(line.substr(0, line.find(',')));
-  if (names.empty())
-    for (const Scheme& scheme : schemes()) names.emplace(scheme.id);
-  return names;
-}
-
 std::vector<std::string> columns_in(const Given& given, const FigureKind& kind) {
   if (!given.has("--columns")) return {};
   auto names = split_names(given.text("--columns"));
@@ -163,85 +159,49 @@ std::vector<std::string> columns_in(const Given& given, const FigureKind& kind) 
   return names;
 }
 
-// Throws std::invalid_argument if a requested column is none of what is known of the solution over time.
-void require_columns(const std::vector<std::string>& requested, const nlohmann::json& section) {
-  const auto& solution = section.contains("family")     ? section["family"]["members"].front()["solution"]
-                         : section.contains("solution") ? section["solution"]
-                                                        : section;
-  std::vector<std::string> known = solution.value("columns", std::vector<std::string>());
-  for (const auto* part : {"energy", "reactions", "motion"}) {
-    if (!solution.contains(part) || !solution[part].contains("values")) continue;
-    for (const std::string name : solution[part]["columns"]) known.push_back(name);
+// The page's data of one scene, with what is wanted of it. Throws std::invalid_argument if it lacks some.
+nlohmann::json panel_of(const std::string& named, const Given& given, const FigureKind& kind,
+                        const std::vector<std::string>& columns, const Streams& streams,
+                        const SceneRegistry& known) {
+  auto data = data_of(named, given, kind, streams, known);
+  require_schemes(given.all("--scheme"), schemes_in(data));
+  const auto& section = data["sections"].front();
+  const auto known_of = known_columns(section);
+  for (const auto& name : columns) {
+    if (std::ranges::find(known_of, name) == known_of.end())
+      reject_text("--columns", name, fmt::format("of {}", fmt::join(known_of, ", ")));
   }
-  for (const auto& name : requested) {
-    if (std::ranges::find(known, name) == known.end())
-      reject_text("--columns", name, fmt::format("of {}", fmt::join(known, ", ")));
-  }
-}
-
-// The first line that is not blank.
-std::string first_line_of(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::string line;
-  while (std::getline(stream, line) && line.find_first_not_of(" \t\r") == std::string::npos) {
-  }
-  return line;
-}
-
-// Runs a drawing program with one argument. Throws std::invalid_argument with its first error line if it
-// fails.
-void draw(const std::string& program, const std::string& command, const std::filesystem::path& argument,
-          const std::string& out, const TemporaryFile& said) {
-  const TemporaryFile complained(".txt");
-  const auto end = run_command(command, argument.string(), said.descriptor(), complained.descriptor(),
-                               {most_seconds, most_bytes});
-  if (end.status == CommandResult::Status::exited && end.code == 0) return;
-  constexpr int not_found = 127;  // of a shell
-  if (end.code == not_found)
-    throw std::invalid_argument(fmt::format("{}: {} draws figures, and is not installed", out, program));
-  const auto complaint = first_line_of(complained.path());
-  throw std::invalid_argument(fmt::format(
-      "{}: cannot be drawn by {}: {}", out, program,
-      complaint.empty() ? fmt::format("it ended with code {} and no word", end.code) : complaint));
-}
-
-void print_on_paper(const std::filesystem::path& svg, const std::string& out) {
-  const TemporaryFile pdf(".pdf");
-  draw("rsvg-convert of Debian's librsvg2-bin", "rsvg-convert --format=pdf", svg, out, pdf);
-  std::ifstream stream(pdf.path(), std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  AtomicFile file(out);
-  file.write(bytes);
-  file.commit();
+  if (section.contains("family") && kind.family.empty())
+    throw std::invalid_argument(fmt::format("--kind = {}: one value of each parameter", kind.name));
+  data["scene"] = named;
+  return data;
 }
 
 // Writes the figure and returns its absolute path.
 std::filesystem::path figure(const Given& given, const FigureKind& kind,
                              const std::vector<std::string>& columns, const Streams& streams,
                              const SceneRegistry& known) {
-  const auto data = data_of(given, kind, streams, known);
+  nlohmann::json panels = nlohmann::json::array();
+  for (const auto& named : given.all("scene"))
+    panels.push_back(panel_of(named, given, kind, columns, streams, known));
+  const auto style = style_in(given, panels);
+  const bool is_family = panels.front()["sections"].front().contains("family");
   const auto name = given.text("--out");
-  require_schemes(given.all("--scheme"), schemes_in(data));
-  require_columns(columns, data["sections"].front());
-  const bool several = data["sections"].front().contains("family");
-  if (several && kind.family.empty())
-    throw std::invalid_argument(fmt::format("--kind = {}: one value of each parameter", kind.name));
   auto out = std::filesystem::absolute(name);
   const bool on_paper = name.ends_with(".pdf");
   const TemporaryFile script(".cjs"), request(".json"), drawn(".svg");
   script.write(assets::plot());
-  request.write(nlohmann::json{{"data", data},
+  request.write(nlohmann::json{{"panels", panels},
+                               {"style", style},
                                {"charts", assets::charts()},
-                               {"chart", several ? kind.family : kind.chart},
+                               {"chart", is_family ? kind.family : kind.chart},
                                {"kind", error_measure(error_kind(given))},
                                {"columns", columns},
                                {"schemes", given.all("--scheme")},
                                {"vega", assets::vega()},
                                {"out", on_paper ? drawn.path().string() : out.string()}}
                     .dump());
-  const TemporaryFile said(".txt");
-  draw("node of Debian's nodejs", fmt::format("node '{}'", script.path().string()), request.path(), name,
-       said);
+  warn(streams, draw_by_node(script.path(), request.path(), name));
   if (on_paper) print_on_paper(drawn.path(), name);
   return out;
 }
@@ -284,35 +244,42 @@ void plot(const Given& given, const Streams& streams, const SceneRegistry& known
 }  // namespace
 
 Command plot_command() {
-  return {{"plot",
-           "Measure",
-           "Draw a figure of a scene for a paper of two columns",
-           {scene_argument(),
-            set_argument(),
-            {"--kind KIND", "what is drawn; all but the last five draw runs of --results", kind_names()},
-            {"[--results FILE]", "results file; kinds that draw no runs do not read it", Completion::results},
-            {"[--data FILE]", "measurements of the kind residuals, as `fit` takes them", Completion::file},
-            {"[--scale SCALE]", "what an error is divided by: 1, |y|, 1 + |y| or the largest |y|",
-             scale_names(), "mixed"},
-            {"[--norm NORM]", "the error that is drawn: the largest over all steps, or that at the end",
-             Words{"maximum", "end"}, "maximum"},
-            {"[--scheme ID]...", "id of a scheme to draw", Completion::scheme, "all"},
-            {"[--columns A,B,...]",
-             "of the kinds solution and phase: columns, energy, multipliers and coordinates of the motion"},
-            {"--out FILE",
-             "the figure, whose name ends in .svg, .pdf, or .vl.json for its Vega-Lite specification; a "
-             "table of orders ends in .tex or .csv",
-             Completion::file}},
-           {{"fdebench plot pendulum --kind solution --columns phi --set beta=0:1:0.25 --out family.svg",
-             "draws one curve for each of five values of a parameter."},
-            {"fdebench plot pendulum --results results.jsonl --kind work-precision --scheme l1 --out l1.pdf",
-             "draws the error of l1 against its run time."},
-            {"fdebench plot relaxation --results results.jsonl --kind orders --norm end --out orders.tex",
-             "writes errors and observed orders as a table for LaTeX."},
-            {"fdebench plot relaxation --kind residuals --data data.csv --set gamma=0.7 --out fit.svg",
-             "draws measurements over the solution, and below what it leaves of them."}},
-           {"run", "report", "output"}},
-          plot};
+  return {
+      {"plot",
+       "Measure",
+       "Draw a figure of a scene, or of several side by side, for a paper",
+       joined(
+           {{{"scene:SCENE...", scene_argument().what, Completion::scene},
+             set_argument(),
+             {"--kind KIND", "what is drawn; all but the last five draw runs of --results", kind_names()},
+             {"[--results FILE]", "results file; kinds that draw no runs do not read it",
+              Completion::results},
+             {"[--data FILE]", "measurements of the kind residuals, as `fit` takes them", Completion::file},
+             {"[--scale SCALE]", "what an error is divided by: 1, |y|, 1 + |y| or the largest |y|",
+              scale_names(), "mixed"},
+             {"[--norm NORM]", "the error that is drawn: the largest over all steps, or that at the end",
+              Words{"maximum", "end"}, "maximum"},
+             {"[--scheme ID]...", "id of a scheme to draw", Completion::scheme, "all"},
+             {"[--columns A,B,...]",
+              "of the kinds solution and phase: columns, energy, multipliers and coordinates of the motion"}},
+            style_arguments(),
+            {{"--out FILE",
+              "the figure, whose name ends in .svg, .pdf, or .vl.json for its Vega-Lite specification; a "
+              "table of orders ends in .tex or .csv",
+              Completion::file}}}),
+       {{"fdebench plot pendulum --kind solution --columns phi --set beta=0:1:0.25 --out family.svg",
+         "draws one curve for each of five values of a parameter."},
+        {"fdebench plot pendulum --results results.jsonl --kind work-precision --scheme l1 --out l1.pdf",
+         "draws the error of l1 against its run time."},
+        {"fdebench plot pendulum loxodrome --results results.jsonl --kind work-precision --width 7 --out "
+         "two.pdf",
+         "draws two scenes side by side, over both columns."},
+        {"fdebench plot relaxation --results results.jsonl --kind orders --norm end --out orders.tex",
+         "writes errors and observed orders as a table for LaTeX."},
+        {"fdebench plot relaxation --kind residuals --data data.csv --set gamma=0.7 --out fit.svg",
+         "draws measurements over the solution, and below what it leaves of them."}},
+       {"run", "report", "output"}},
+      plot};
 }
 
 }  // namespace fde::bench

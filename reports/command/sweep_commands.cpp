@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "fdebench/benchmarks/requests/failure.hpp"
@@ -36,6 +41,7 @@ class Refusals {
  public:
   void add(const Record& run) {
     if (run.ending.kind != SolveStatus::refused) return;
+    ++by_scheme_[run.key.scheme];
     if (++count_ == 1) {
       first_ = fmt::format("{} {} {}: {}", label_of(run.key.scene), run.key.scheme,
                            resolution_text(run.key.settings), run.ending.detail);
@@ -44,14 +50,20 @@ class Refusals {
 
   [[nodiscard]] int count() const { return count_; }
 
-  // "3 runs are refused, the first: relaxation l1 N = 64: ...".
+  // "3 runs are refused, 2 of bdf2, 1 of l1; the first: relaxation l1 N = 64: ...".
   [[nodiscard]] std::string text() const {
-    return count_ == 1 ? fmt::format("1 run is refused: {}", first_)
-                       : fmt::format("{} runs are refused, the first: {}", count_, first_);
+    if (count_ == 1) return fmt::format("1 run is refused: {}", first_);
+    std::vector<std::pair<int, std::string>> parts;
+    for (const auto& [scheme, count] : by_scheme_) parts.emplace_back(count, scheme);
+    std::ranges::stable_sort(parts, std::greater<>(), &std::pair<int, std::string>::first);
+    std::string schemes;
+    for (const auto& [count, scheme] : parts) schemes += fmt::format(", {} of {}", count, scheme);
+    return fmt::format("{} runs are refused{}; the first: {}", count_, schemes, first_);
   }
 
  private:
   int count_ = 0;
+  std::map<std::string, int> by_scheme_{};
   std::string first_{};
 };
 

@@ -33,17 +33,24 @@ function parameterAxis(points, title) {
   return { field: "value", title, type: "quantitative", scale: { zero: false, nice: false, padding: 14 } };
 }
 
-// Colour and shape of the lines in this chart, the same on the whole page. A click in the legend isolates a line.
+// Names of one's own for lines and columns, where a figure for a paper has some.
+let ownNames = new Map();
+const nameOf = (text) => ownNames.get(text) ?? text;
+const listInExpression = (texts) => JSON.stringify(texts).replace(/[\u2028\u2029]/g, (mark) => `\\u${mark.charCodeAt(0).toString(16)}`);
+const namesInLegend = (texts, name = nameOf) => `${listInExpression(texts.map((text) => labelOf(name(text))))}[indexof(${listInExpression(texts.map(labelOf))}, datum.label)]`;
+
+// Colour, shape and dashes of the lines in this chart, the same on the whole page. A click in the legend isolates a line.
 function lineChannels(lines, points) {
   const shown = lines.filter((line) => points.some((point) => point.line === line));
   const widest = 7 * Math.max(0, ...shown.map((line) => line.length)) + 26;
   const columns = { expr: `clamp(floor((containerSize()[0] - 60) / ${widest}), 1, 3)` };  // of width it would chase itself
   const scale = (of) => ({ domain: shown, range: shown.map((line) => of(lines, line)) });
-  const legend = { orient: "bottom", columns, title: null, symbolOpacity: 1, labelLimit: 260 };
+  const legend = { orient: "bottom", columns, title: null, symbolOpacity: 1, labelLimit: 260, ...(ownNames.size > 0 && { labelExpr: namesInLegend(shown) }) };
   const opacity = { condition: { param: "picked", value: 1 }, value: 0.08 };
   return {
     colour: { color: { field: "line", type: "nominal", scale: scale(colourOf), legend }, opacity },
     shape: { shape: { field: "line", type: "nominal", scale: scale(shapeOf), legend } },
+    dashes: { strokeDash: { field: "line", type: "nominal", scale: scale(dashesOf), legend } },
   };
 }
 
@@ -54,7 +61,7 @@ function lineLayers(encoding, lines, points, field = "rank") {
   const channels = lineChannels(lines, points);
   const all = { ...encoding, ...channels.colour };
   return [
-    { mark: { type: "line", strokeWidth: 1.5 }, encoding: { ...all, order: { field, type: "quantitative" } } },
+    { mark: { type: "line", strokeWidth: 1.5 }, encoding: { ...all, ...channels.dashes, order: { field, type: "quantitative" } } },
     {
       mark: { type: "point", filled: true, size: 45, tooltip: { expr: "datum.words" } },
       params: [picked],

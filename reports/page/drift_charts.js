@@ -6,7 +6,7 @@ function driftChannels(points) {
   const channel = (field, values, ofLine) => {
     const names = [...new Set(points.map((point) => point[field]))];
     const range = ofLine && field === "line" ? names.map((line) => ofLine(names, line)) : values;
-    const legend = names.length > 1 ? { orient: "bottom", title: null, symbolOpacity: 1, labelLimit: 260, columns: { expr: "clamp(floor(containerSize()[0] / 200), 1, 3)" } } : null;
+    const legend = names.length > 1 ? { orient: "bottom", title: null, symbolOpacity: 1, labelLimit: 260, ...(ownNames.size > 0 && { labelExpr: namesInLegend(names) }), columns: { expr: "clamp(floor(containerSize()[0] / 200), 1, 3)" } } : null;
     return { field, type: "nominal", scale: { domain: names, range: names.map((_, i) => range[i % range.length]) }, legend };
   };
   const count = (field) => new Set(points.map((point) => point[field])).size;

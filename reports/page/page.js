@@ -77,7 +77,7 @@ function shownTable(section, page, kind) {
   if (!table || table.groups.every(({ rows }) => rows.length === 0)) return [];
   const countOf = ({ groups }) => groups.reduce((sum, { rows }) => sum + rows.length, 0), [left, all] = [now, table].map(countOf);
   const said = left < all && !table.map && section.groups ? [element("p", { class: "left" }, `The table has ${left} of its ${all} rows; what is said above is of all.`)] : [];
-  return [...said, table.map ? element("div", { class: "mapped" }, tableFrame(now, page.lines), ...keyOf(now)) : tableFrame(now, page.lines)];
+  return [...said, tableFrame(now, page.lines), ...(table.map ? keyOf(now) : [])];
 }
 
 function shownVerdicts(section, page, kind) {
@@ -87,10 +87,19 @@ function shownVerdicts(section, page, kind) {
     ...part(isPart(viewNow()) ? "Schemes that win none of these cells" : "Schemes that are cheapest nowhere", "others", verdicts.filter(({ won }) => won === 0))];
 }
 
-function shownCharts(section, page, kind) {
-  const { solution, ...measured } = section;
-  return framedCharts(section, page, kind,
-    chartsOfSection(measured, page.lines, kind, page.kinds, (line, session) => wantsLine(viewNow(), line) && wantsSession(viewNow(), session)));
+// Charts of many lines begin with the first of them, unless schemes are chosen.
+function shownCharts(section, page, kind, redraw) {
+  const { solution, ...measured } = section, view = viewNow();
+  const wants = (line, session) => wantsLine(view, line) && wantsSession(view, session);
+  const charts = (only_first) => framedCharts(section, page, kind, chartsOfSection({ ...measured, only_first }, page.lines, kind, page.kinds, wants));
+  const all = section.runs && !view.schemes ? linesByTime(wantedPoints(section, kind, page.kinds, wants)) : [];
+  if (all.length <= mostLines) return charts(false);
+  const turn = buttonFor(() => {
+    section.all_lines = !section.all_lines;
+    redraw();
+  }, {}, section.all_lines ? `Only the ${firstLines}` : `All ${all.length}`);
+  const said = section.all_lines ? `All ${all.length} lines are drawn.` : `The charts show ${firstLines} of ${all.length} lines: those that are the quickest most often, then those nearest to them.`;
+  return [element("p", { class: "left" }, said, " ", turn), ...charts(!section.all_lines)];
 }
 
 const conclusionSaid = (text) => element("p", { class: "conclusion" }, ...unbroken(text));
@@ -135,18 +144,21 @@ function showKind(section, page, kind, place) {
   place.replaceChildren(...apart("What is said of families", families), ...apart("The conclusion", conclusion),
     ...apart("The table", () => shownTable(section, page, kind)),
     ...(section.schemes ? apart("What is said of each scheme", () => shownVerdicts(section, page, kind)) : []),
-    ...none, ...apart("The charts", () => shownCharts(section, page, kind)));
+    ...none, ...apart("The charts", () => shownCharts(section, page, kind, () => showKind(section, page, kind, place))));
 }
+
+// A phone shows the answer, and of the other sections their headings until they are opened.
+const isNarrow = matchMedia("(max-width: 46rem)").matches;
 
 // The frame of a section, which waits to be drawn.
 function frameOf(section) {
   const heading = element("h2", {}, section.title);
   if (section.name) heading.append(" ", element("code", {}, section.name));
-  const place = element(textsOf(section).folded ? "details" : "div", { class: "waiting" });
-  const scene = element("div", { class: "scene" });
+  const [place, scene] = [element("div", { class: "waiting" }), element("div", { class: "scene" })];
   const paragraphs = (texts) => saidOfSection(section, texts).map((text) => element("p", {}, text));
-  return { place, scene, whole: element("section", { id: section.id }, heading,
-    ...paragraphs("paragraphs"), scene, place, ...paragraphs("notes")) };
+  const details = element("details", {}, element("summary", {}, heading), ...paragraphs("paragraphs"), scene, place, ...paragraphs("notes"));
+  details.open = !isNarrow && !textsOf(section).folded;
+  return { place, scene, details, whole: element("section", { id: section.id }, details) };
 }
 
 // Scenes are reached from the map.
@@ -163,9 +175,8 @@ function chosenKind(kinds) {
   return kinds.find((kind) => kind.norm === norm && kind.scale === scale);
 }
 
-// The page's data, the short names of its lines, and the frames of its sections.
-let data, short = new Map(), frames = [];
-const shortNameOfLine = (text) => short.get(text) ?? text;
+// The page's data, and the frames of its sections.
+let data, frames = [];
 
 // What sections have of others: titles, drifts, sessions, solutions.
 function completeData() {
@@ -187,16 +198,17 @@ function completeData() {
 function draw(frame) {
   frame.place.classList.remove("waiting");
   frame.drawn = true;
-  if (textsOf(frame.section).folded) {
-    frame.place.replaceChildren(element("summary", {}, "Show"), ...apart("The table", () => shownTable(frame.section, data, chosenKind(data.kinds))));
-  } else {
-    if (!frame.scene.hasChildNodes()) showScene(frame.section, data, frame.scene);
-    showKind(frame.section, data, chosenKind(data.kinds), frame.place);
-  }
+  if (!frame.scene.hasChildNodes()) showScene(frame.section, data, frame.scene);
+  showKind(frame.section, data, chosenKind(data.kinds), frame.place);
 }
-const drawRest = () => frames.filter(({ drawn, whole }) => !drawn && !whole.hidden).forEach(draw);
 
-// Hidden, a chart has no width; the section waits until it is shown again.
+function openSection(frame) {
+  frame.details.open = true;
+  if (!frame.drawn) draw(frame);
+}
+const drawAll = () => frames.filter(({ whole }) => !whole.hidden).forEach(openSection);
+
+// Hidden or closed, a chart has no width; the section waits until it is shown again.
 function setAside(frame) {
   frame.place.replaceChildren();
   frame.place.classList.add("waiting");
@@ -208,14 +220,18 @@ function drawAsSeen() {
   const near = new IntersectionObserver((entries) => {
     for (const { isIntersecting, target } of entries) {
       const frame = frames.find(({ whole }) => whole === target);
-      if (isIntersecting && !frame.drawn) draw(frame);
+      if (isIntersecting && frame.details.open && !frame.drawn) draw(frame);
     }
   }, { rootMargin: "1000px" });
-  for (const { whole } of frames) near.observe(whole);
-  window.addEventListener("beforeprint", () => {
-    drawRest();
-    for (const { section, place } of frames) if (textsOf(section).folded) place.open = true;
-  });
+  for (const frame of frames) {
+    near.observe(frame.whole);
+    frame.details.addEventListener("toggle", () => {
+      if (!frame.details.open) setAside(frame);
+      near.unobserve(frame.whole);  // observed anew it is looked at once
+      near.observe(frame.whole);
+    });
+  }
+  window.addEventListener("beforeprint", drawAll);
 }
 
 // Whatever is drawn is drawn again for another view; sections without anything that it wants are hidden.
@@ -224,13 +240,24 @@ function show() {
   for (const frame of frames) {
     frame.whole.hidden = !hasContent(view, frame.section, chosenKind(data.kinds), data.sections);
     if (frame.link) frame.link.hidden = frame.whole.hidden;
-    if (frame.drawn && frame.whole.hidden) setAside(frame);
+    if (frame.drawn && (frame.whole.hidden || !frame.details.open)) setAside(frame);
   }
   sayWhatIsShown(view, data.sections);
   frames.filter(({ drawn }) => drawn).forEach(draw);
 }
 
-const goToPlace = () => document.getElementById(addressOf().place)?.scrollIntoView();
+// The place that the address leads to, which stays at the top while sections above it are drawn, until the reader does something.
+let placeShown;
+function goToPlace() {
+  placeShown = document.getElementById(addressOf().place);
+  const frame = frames.find(({ whole }) => !whole.hidden && whole.contains(placeShown));
+  if (frame) openSection(frame);
+  placeShown?.scrollIntoView();
+}
+function keepPlace() {
+  new ResizeObserver(() => placeShown?.scrollIntoView()).observe(document.querySelector("main"));
+  for (const done of ["wheel", "touchstart", "pointerdown", "keydown"]) window.addEventListener(done, () => { placeShown = null; }, { passive: true });
+}
 
 function followControls() {
   document.getElementById("view").addEventListener("change", () => {
@@ -243,10 +270,10 @@ function followControls() {
     if (location.hash.includes("?")) {
       readAddress();
       show();
-      goToPlace();
     } else {
       writeAddress();
     }
+    goToPlace();
   });
   let width = innerWidth;
   window.addEventListener("resize", () => {
@@ -259,7 +286,6 @@ function followControls() {
 async function openPage() {
   data = JSON.parse(await unpacked("data"));
   completeData();
-  short = shortNames(data.lines);
   document.getElementById("sessions").append(tableFrame(sessionsTable(data.sessions), data.lines));
   frames = data.sections.map((section) => ({ section, link: link(section), ...frameOf(section) }));
   document.querySelector("main").append(...frames.map(({ whole }) => whole));
@@ -267,10 +293,14 @@ async function openPage() {
   offerSchemes(data.lines);
   offerMachines(data.sessions.map(({ machine }) => machine));
   readAddress();
-  if (frames.length > 0) frames[0].drawn = true;  // the answer is shown wherever the address leads to
+  if (frames.length > 0) {  // the answer is shown wherever the address leads to
+    frames[0].details.open = true;
+    frames[0].drawn = true;
+  }
   show();
-  if (addressOf().view.has("all")) drawRest();
+  if (addressOf().view.has("all")) drawAll();
   goToPlace();
+  keepPlace();
   followControls();
   document.querySelector("main").removeAttribute("aria-busy");
 }

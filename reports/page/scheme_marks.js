@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The colour and the shape of each line: of a scheme always the same, on every page and in every figure.
+// The colour, the shape and the dashes of each line: of a scheme always the same, on every page and in every figure.
 
 const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
 
 // Okabe and Ito's colours, distinguished by most colour-blind readers; yellow is left out, it is too faint on white. Their black
 // is the colour of the text.
 const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", isDark ? "#c4c8ce" : "#333333", "#8c564b"];
+const lineDashes = [[], [7, 3], [12, 3, 2, 3]];
 const shapes = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down", "triangle-right", "triangle-left"];
 
-// Every colour with every shape once: the colours in turn, with the next shapes in each round.
-const markAt = (place) => ({ colour: colours[place % colours.length], shape: shapes[(place + Math.floor(place / colours.length)) % shapes.length] });
+// Every colour with every shape once: the colours in turn, with the next shapes and dashes in each round.
+function markAt(place) {
+  const round = Math.floor(place / colours.length), next = place + round;
+  return { colour: colours[place % colours.length], shape: shapes[next % shapes.length], dashes: lineDashes[next % lineDashes.length] };
+}
 const places = Array.from({ length: colours.length * shapes.length }, (_, place) => place);
 
 // The place of the mark of a scheme: placesOfSchemes has the numbers of schemes/list.def (assets.S). -1: it is not in that list.
@@ -43,3 +47,4 @@ function markOf(lines, line) {
 }
 const colourOf = (lines, line) => markOf(lines, line).colour;
 const shapeOf = (lines, line) => markOf(lines, line).shape;
+const dashesOf = (lines, line) => markOf(lines, line).dashes;

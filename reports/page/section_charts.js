@@ -10,12 +10,32 @@ function paretoFront(points, cost) {
   return front;
 }
 
+// The lines that are on the front of error against time, the most frequent first, then by how many times as long the points of a line take, in
+// the median, as what is at least as accurate.
+function linesByTime(points) {
+  const timed = points.filter(({ error, time_minimum }) => error && time_minimum), front = paretoFront(timed, "time_minimum");
+  const middle = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)] ?? Infinity;
+  const leastTime = (error) => front.find((point) => point.error <= error).time_minimum;
+  const rankOf = (line) => ({
+    line, won: front.filter((point) => point.line === line).length,
+    behind: middle(timed.filter((point) => point.line === line).map(({ time_minimum, error }) => time_minimum / leastTime(error))),
+  });
+  return [...new Set(points.map(({ line }) => line))].map(rankOf).sort((a, b) => b.won - a.won || a.behind - b.behind).map(({ line }) => line);
+}
+
+// Of a scene with more lines than can be told apart its charts begin with those that are first by time.
+const mostLines = 6, firstLines = 5;
+function firstOf(points) {
+  const all = linesByTime(points);
+  return all.length > mostLines ? all.slice(0, firstLines) : all;
+}
+
 // A cost is a field of the points, what it is called and how its axis is labelled.
 function errorAgainstCost(scene, lines, kind, { id, field, name, labelExpr, least }) {
   const points = scene.points.filter((point) => point.error && point[field]);
   const encoding = { x: logAxis(points, field, name, labelExpr), y: logAxis(points, "error", titleOfKind(kind), labels.number) };
   const front = {
-    name: "pareto-front", data: { values: paretoFront(points, field).map((point) => ({ [field]: point[field], error: point.error })) },
+    name: "pareto-front", data: { values: paretoFront(scene.all_points.filter((point) => point.error && point[field]), field).map((point) => ({ [field]: point[field], error: point.error })) },
     mark: { type: "line", interpolate: "step-after", strokeWidth: 9, strokeJoin: "round", strokeCap: "round", opacity: 0.16, color: ofPage("--text"), tooltip: false }, encoding,
   };
   return {
@@ -31,17 +51,17 @@ const errorAgainstTime = (scene, lines, kind) => errorAgainstCost(scene, lines, 
 const errorAgainstMemory = (scene, lines, kind) => errorAgainstCost(scene, lines, kind,
   { id: "error-against-memory", field: "history_bytes", name: "memory of the history", labelExpr: labels.bytes, least: "smaller" });
 
-// Dashed lines have the slope that theory promises. A scheme that chooses its steps has no step to speak of.
+// Dotted lines have the slope that theory promises. A scheme that chooses its steps has no step to speak of.
 function errorAgainstStep(scene, lines, kind) {
   const points = scene.points.filter((point) => point.error && !point.requested);
   const encoding = { x: logAxis(points, "h", "step h", labels.number), y: logAxis(points, "error", titleOfKind(kind), labels.number) };
   const guides = {
     data: { values: guidesOf(points, scene.rates, kind) },
-    mark: { type: "line", strokeDash: [4, 4], strokeWidth: 1 }, encoding: { ...encoding, ...lineChannels(lines, points).colour },
+    mark: { type: "line", strokeDash: [1, 3], strokeWidth: 1 }, encoding: { ...encoding, ...lineChannels(lines, points).colour },
   };
   return {
-    id: "error-against-step", title: "Error against step; dashed: theoretical rate", points, columns: ["line", "steps", "h", "error"],
-    spec: chart(`${scene.title}: ${titleOfKind(kind)} against step, a line for each scheme and dashed its theoretical rate`, points,
+    id: "error-against-step", title: "Error against step; dotted: theoretical rate", points, columns: ["line", "steps", "h", "error"],
+    spec: chart(`${scene.title}: ${titleOfKind(kind)} against step, a line for each scheme and dotted its theoretical rate`, points,
       { layer: [guides, ...lineLayers(encoding, lines, points)] }),
   };
 }
@@ -94,12 +114,16 @@ const chartsOfCurves = [
   overParameter("error-over-parameter", "error", labels.number, titleOfKind), overParameter("time-over-parameter", "time_minimum", labels.time, () => "run time"),
 ];
 
-// The charts of a scene, or over a parameter, that have points, with errors of this kind and the lines that are wanted.
+// The points of a section that are wanted, with errors of this kind.
+const wantedPoints = (section, kind, kinds, wants) => pointsOf(section, kind, kinds).filter(({ line, session }) => wants(line, session));
+
+// The charts of a scene, or over a parameter, that have points. only_first: of many lines the first ones.
 function chartsOf(scene, lines, kindOfPage, kinds, wants) {
   const kind = scene.compared_columns ? { ...kindOfPage, columns: scene.compared_columns } : kindOfPage;
-  const drawn = { ...scene, points: pointsOf(scene, kind, kinds).filter(({ line, session }) => wants(line, session)) };
+  const all_points = wantedPoints(scene, kind, kinds, wants), first = scene.only_first && new Set(firstOf(all_points));
+  const drawn = { ...scene, all_points, points: all_points.filter(({ line }) => !first || first.has(line)) };
   return (scene.parameter ? chartsOfCurves : chartsOfScenes)
-    .map((make) => make(drawn, lines, kind)).filter((made) => made.points.length > 0);
+    .map((make) => make(drawn, lines, kind)).filter((made) => made.points.length > 0).map((made) => withLineLabels(made, lines));
 }
 
 // All charts that a section has, of what is measured and of what is known.

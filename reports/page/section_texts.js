@@ -6,8 +6,8 @@ const sectionTexts = {
   answer: {
     title: "Which scheme is cheapest", brief: "Answer",
     paragraphs: [
-      "{?schemes}The quickest measured run of each scene to each error. The stronger a cell's colour, the slower the next scheme. A click on a cell shows the scheme's " +
-        "whole name, the run and its command; one on a scene leads to its charts and equations.",
+      "{?schemes}The quickest measured run of each scene to each error. A click on a cell shows the run, why it is the quickest, and its command; one on a scene leads to " +
+        "its charts and equations.",
     ],
     notes: [
       "[{?first_run}A time is that of the first run of a process, which computes start weights and tables.]" +
@@ -35,12 +35,12 @@ const sectionTexts = {
   stability: {
     title: "Stability: stiff and extreme", brief: "Trials",
     paragraphs: [
-      "What becomes of each scheme where schemes break, each scene with one number of steps. A run survives when every value at the end is " +
-        "within a hundredth of its size of the reference, the bound of the reference included; otherwise it is inaccurate. It fails where it " +
-        "ends early, or where from some step on its error is not below the size of the value up to the end. It stops rightly where the " +
-        "solution has a singularity, and is not judged where there is no reference or the solution itself overflows. Below the verdict is " +
-        "the error at the end as a part of the value; a stronger colour means a smaller error. A click on a cell shows the reason, or " +
-        "from when on rounding is at least a quarter of the error, the time of the solve and its command. Why each scheme fares as it does: docs/stability.md.",
+      "What becomes of each scheme where schemes break, each scene with one number of steps: ✓ survives, within a hundredth of the value at the end; ≈ inaccurate; ✗ fails, " +
+        "with an error like the value itself or an early end; – refuses; ? not judged. Below is the error at the end as a part of the value. A click shows the reason and the command.",
+    ],
+    notes: [
+      "A verdict takes the bound of the reference into account. A run stops rightly (✓) where the solution has a singularity, and is not judged where there is no reference or the " +
+        "solution itself overflows. Rounding is said from when on it is at least a quarter of the error. Why each scheme fares as it does: docs/stability.md.",
     ],
   },
   regions: {

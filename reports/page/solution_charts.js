@@ -10,18 +10,18 @@ function portraitOf(columns) {
   return columns.length < 2 ? null : [0, rate > 0 ? rate : 1];
 }
 
-// Names of columns as symbols: phi, dphi, Dbeta_phi are φ, φ′, Dᵝφ.
+// Names of columns as symbols: phi, dphi, Dbeta_phi are φ, φ′, Dᵝφ; a name of one's own stands for one column alone.
 const letters = new Map(Object.entries({ alpha: "α", beta: "β", gamma: "γ", lambda: "λ", mu: "μ", nu: "ν", omega: "ω", phi: "φ", psi: "ψ", theta: "θ", xi: "ξ" }));
 const raised = { alpha: "ᵅ", beta: "ᵝ" };
-function symbolOf(name, columns = []) {
+const symbolOf = (name, columns = []) => (ownNames.has(name) ? nameOf(name) : greekOf(name, columns));
+function greekOf(name, columns = []) {
   const [, order, of] = /^D(alpha|beta)_(\w+)$/.exec(name) ?? [];
-  if (order) return `D${raised[order]}${symbolOf(of)}`;
-  if (name.length > 1 && name.startsWith("d") && columns.includes(name.slice(1))) return `${symbolOf(name.slice(1))}′`;
+  if (order) return `D${raised[order]}${greekOf(of)}`;
+  if (name.length > 1 && name.startsWith("d") && columns.includes(name.slice(1))) return `${greekOf(name.slice(1))}′`;
   const [, word, index] = /^(.*?)(\d?)$/s.exec(name);
   return (letters.get(word) ?? word) + (index && String.fromCharCode(0x2080 + Number(index)));
 }
-const listInExpression = (texts) => JSON.stringify(texts).replace(/[\u2028\u2029]/g, (mark) => `\\u${mark.charCodeAt(0).toString(16)}`);
-const symbolLabels = (columns) => `${listInExpression(columns.map((name) => labelOf(symbolOf(name, columns))))}[indexof(${listInExpression(columns.map(labelOf))}, datum.label)]`;
+const symbolLabels = (columns) => namesInLegend(columns, (name) => symbolOf(name, columns));
 
 const linear = (field, title) => ({ field, title, type: "quantitative", scale: { zero: false, nice: false, padding: 6 }, axis: { tickCount: 7, labelOverlap: true } });
 

@@ -26,14 +26,13 @@ const swatch = (lines, line) => element("i", { class: "swatch", "data-shape": sh
 // What a verdict is in a map of narrow cells; one that is not here is shown by its id.
 const signs = { survives: "✓", "stops rightly": "✓", inaccurate: "≈", fails: "✗", refuses: "–", "not judged": "?" };
 
-// A map's cells are narrow: a line's short name and a time, a verdict's sign and an error. The whole name is what a screen reader says, and
-// what the cell shows when it is chosen.
+// Of a map's cell: a line and a time, or the sign of a verdict, which a screen reader says in words, and an error.
 function mapContent(cell, { opened }, to, lines) {
-  const sign = cell.line ? shortNameOfLine(cell.line) : signs[cell.tone] ?? cell.tone ?? "";
+  const sign = cell.line ?? signs[cell.tone] ?? cell.tone ?? "";
   const detail = cell.short ?? cell.detail ?? (sign ? "" : cell.text);
-  const parts = [...(sign ? [element("b", {}, sign)] : []), ...(sign && detail ? [" "] : []), ...(detail ? [element("small", {}, ...unbroken(detail))] : [])];
+  const parts = [...(sign ? [element("b", {}, ...breakable(sign))] : []), ...(sign && detail ? [" "] : []), ...(detail ? [element("small", {}, ...unbroken(detail))] : [])];
   if (!opened.of.some((name) => name in cell.facts)) return parts;
-  const label = [...new Set([[sign, detail].filter(Boolean).join(" "), cell.text].filter(Boolean))].join(": ");
+  const label = [...new Set([[sign, detail].filter(Boolean).join(" "), ...(cell.line ? [] : [cell.text])].filter(Boolean))].join(": ");
   return [buttonFor(() => openCell(cell, opened, to, lines), { "aria-haspopup": "dialog", "aria-label": label }, ...parts)];
 }
 
@@ -67,12 +66,14 @@ const strengthOfLine = ({ ties, second }) => (ties ? 0 : second ? Math.min(1, Ma
 // A run that survives: the digits that agree, of 16.
 const strengthOfError = ({ verdict, error }) => (verdict === "survives" && error !== undefined ? Math.min(1, -Math.log10(Math.max(error, 1e-16)) / 16) : undefined);
 
+const percentOfLine = (facts) => 12 + 48 * strengthOfLine(facts);
+
 // A map's cell wears the colour of its line or its verdict; data-column repeats its heading for narrow screens, where the cells of a row wrap.
 function mapAttributes(cell, column, lines) {
-  const strength = cell.line ? 12 + 48 * strengthOfLine(cell.facts) : 8 + 34 * strengthOfError(cell.facts);
+  const strength = cell.line ? percentOfLine(cell.facts) : 8 + 34 * strengthOfError(cell.facts);
   const style = [...(cell.line ? [`--paint:${colourOf(lines, cell.line)}`] : []), ...(strength ? [`--strength:${Math.round(strength)}%`] : [])].join(";");
   const paint = style ? { style } : {};
-  return { "data-column": shortNameOfLine(column.text), ...(cell.tone && { "data-tone": cell.tone }), ...paint };
+  return { "data-column": column.text, ...(cell.tone && { "data-tone": cell.tone }), ...paint };
 }
 
 // A scene that differs from the one above in its settings alone is named by these.
@@ -114,11 +115,8 @@ function sharedHeadings(columns) {
     over ? element("th", { scope: "colgroup", colspan }, over) : element("td", { colspan }));
 }
 
-// A map's lines stand above narrow columns.
-const heading = ({ text }, map) => (map && shortNameOfLine(text) !== text ? [element("abbr", { title: text }, shortNameOfLine(text))] : breakable(text));
-
-function tableHead({ columns, map }) {
-  const row = element("tr", {}, ...columns.map((column) => element("th", { scope: "col" }, ...heading(column, map))));
+function tableHead({ columns }) {
+  const row = element("tr", {}, ...columns.map((column) => element("th", { scope: "col" }, ...breakable(column.text))));
   if (!columns.some((column) => column.over)) return element("thead", {}, row);
   return element("thead", {}, element("tr", {}, ...sharedHeadings(columns)), row);
 }
@@ -126,21 +124,21 @@ function tableHead({ columns, map }) {
 // A table in a frame of its own, which scrolls where the screen is narrower.
 function tableFrame(table, lines) {
   return element("div", { class: "frame", role: "region", tabindex: "0", "aria-label": table.caption },
-    element("table", table.map ? { class: "map", style: `--columns:${table.columns.length - 1}` } : {}, element("caption", {}, table.caption), tableHead(table),
+    element("table", table.map ? { class: "map" } : {}, element("caption", {}, table.caption), tableHead(table),
       ...table.groups.map((group) => tableGroup(group, table, lines))));
 }
 
-// The short names in a map, in full.
-function keyOf({ columns, groups }) {
-  const inCells = groups.flatMap(({ rows }) => rows.flatMap((row) => row.map((cell) => cell.line ?? "")));
-  const named = [...new Set([...columns.map(({ text }) => text), ...inCells])].filter((text) => shortNameOfLine(text) !== text).map((text) => ({ text }));
-  return named.length === 0 ? [] : [element("p", { class: "key" }, ...named.flatMap(({ text }, i) => [...(i ? [", "] : []), element("b", {}, shortNameOfLine(text)), ` ${text}`]))];
+// What the strength of a cell's colour means, where the colours are those of lines.
+function keyOf({ groups }) {
+  if (!groups.some(({ rows }) => rows.some((row) => row.some(({ line }) => line)))) return [];
+  const chip = ([ratio, text]) => element("b", { style: `--strength:${Math.round(percentOfLine({ second: { ratio } }))}%` }, text);
+  return [element("p", { class: "key" }, "Each scheme has its colour. The next scheme takes ", ...[[1, "as long"], [3, "3 times as long"], [10, "10 times or more, or never gets there"]].flatMap((of) => [" ", chip(of)]))];
 }
 
-// What is said of each line, its short name before it: a key to the map beside it.
+// What is said of each line.
 function linesSaid(verdicts, lines, id) {
   return element("dl", { class: "said", id }, ...verdicts.map(({ line, texts }) => element("div", {},
-    element("dt", {}, element("b", { style: `--paint:${colourOf(lines, line)}` }, shortNameOfLine(line)), ...breakable(line)),
+    element("dt", {}, swatch(lines, line), ...breakable(line)),
     ...texts.filter(Boolean).map((text) => element("dd", {}, ...unbroken(text[0].toUpperCase() + text.slice(1)))),
   )));
 }

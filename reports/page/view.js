@@ -5,7 +5,7 @@
 const schemeOf = (line) => line.split(",")[0];
 const controls = Object.fromEntries(["norm", "scale", "accuracy", "machine", "scene"].map((name) => [name, document.getElementById(name)]));
 const unset = Object.fromEntries(Object.entries(controls).map(([name, control]) => [name, control.value]));
-const schemeBoxes = () => [...document.querySelectorAll("#schemes input")];
+const schemeBoxes = () => [...document.querySelectorAll("#of-schemes input")];
 
 // An address with a broken escape is taken as it is.
 function decoded(text) {
@@ -48,7 +48,7 @@ function readAddress() {
 
 function sayHowManySchemes() {
   const { schemes } = viewNow(), none = schemeBoxes().every((box) => !box.checked);
-  document.querySelector("#schemes summary").textContent = schemes ? `Schemes: ${schemes.length} of ${schemeBoxes().length}` : none ? "Schemes: all, none is chosen" : "Schemes: all";
+  document.querySelector("#of-schemes summary").textContent = schemes ? `Schemes: ${schemes.length} of ${schemeBoxes().length}` : none ? "Schemes: all, none is chosen" : "Schemes: all";
 }
 
 // Whether the view leaves out some of what there is; a kind of error leaves out nothing.
@@ -83,7 +83,7 @@ function offerSchemes(lines) {
   };
   const boxes = [...new Set(lines.map(schemeOf))].map((scheme) =>
     element("label", {}, element("input", { type: "checkbox", value: scheme, checked: "" }), ` ${scheme}`));
-  document.querySelector("#schemes div").append(...boxes, buttonFor(set(true), {}, "all"), buttonFor(set(false), {}, "none"));
+  document.querySelector("#of-schemes div").append(...boxes, buttonFor(set(true), {}, "all"), buttonFor(set(false), {}, "none"));
 }
 
 // Results of one machine have no choice of it.

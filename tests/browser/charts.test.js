@@ -33,11 +33,49 @@ test("errors over a parameter have a point for each line and value", () =>
     }
   }));
 
+const ofPendulum = finished(runs).filter(({ scene }) => scene === "pendulum");
+const linesIn = (figure) => figure.evaluate((node) => [...new Set([...node.querySelectorAll(".mark-symbol.role-mark path")].map((path) => path.__data__.datum.line))]);
+
+test("of many lines a chart begins with those on the Pareto front, and a button draws all", () =>
+  withPage({ address: "#scene-pendulum", changed: ["const mostLines = 6, firstLines = 5;", "const mostLines = 3, firstLines = 2;"] }, async (page) => {
+    await settled(page);
+    const section = sectionOf(page, "pendulum"), figure = section.locator('figure[data-chart="error-against-time"]');
+    const all = [...new Set(ofPendulum.map(({ scheme }) => scheme))], front = await page.evaluate(() => {
+      const [section] = data.sections.filter(({ id }) => id === "scene-pendulum");
+      return paretoFront(pointsOf(section, chosenKind(data.kinds), data.kinds).filter(({ error, time_minimum }) => error && time_minimum), "time_minimum").map(({ line }) => line);
+    });
+    const first = await linesIn(figure);
+    assert.equal(first.length, 2);
+    for (const line of first) assert.ok(front.includes(line), line);
+    assert.match(await section.locator("p.left").textContent(), new RegExp(`^The charts show 2 of ${all.length} lines`));
+    await section.getByRole("button", { name: `All ${all.length}` }).click();
+    await settled(page);
+    assert.deepEqual((await linesIn(figure)).sort(), all.sort());
+    await section.getByRole("button", { name: "Only the 2" }).click();
+    await settled(page);
+    assert.deepEqual(await linesIn(figure), first);
+  }));
+
+test("each line has its name beside it, and no two names meet", () =>
+  withReadPage("#scene-pendulum", async (page) => {
+    await settled(page);
+    for (const chart of ["error-against-time", "error-against-step", "error-against-memory"]) {
+      const figure = sectionOf(page, "pendulum").locator(`figure[data-chart="${chart}"]`), lines = await linesIn(figure);
+      const labels = await figure.evaluate((node) => [...node.querySelectorAll(".mark-text.role-mark text")].map((text) => {
+        const { left, right, top, bottom } = text.getBoundingClientRect();
+        return { name: text.textContent, left, right, top, bottom };
+      }));
+      assert.deepEqual(labels.map(({ name }) => name).sort(), [...lines].sort(), chart);
+      const meet = labels.filter((a, i) => labels.slice(i + 1).some((b) => a.left < b.right && b.left < a.right && a.top + 3 < b.bottom && b.top + 3 < a.bottom));
+      assert.deepEqual(meet, [], chart);
+    }
+  }));
+
 test("the band in the chart of errors and times is the Pareto front", () =>
   withReadPage("#scene-pendulum", async (page) => {
     await settled(page);
-    const ofPendulum = finished(runs).filter((run) => run.scene === "pendulum" && run[shown] > 0 && run.time_minimum > 0);
-    const front = ofPendulum.filter((run) => !ofPendulum.some((other) => other !== run && other.time_minimum <= run.time_minimum && other[shown] <= run[shown]));
+    const timed = ofPendulum.filter((run) => run[shown] > 0 && run.time_minimum > 0);
+    const front = timed.filter((run) => !timed.some((other) => other !== run && other.time_minimum <= run.time_minimum && other[shown] <= run[shown]));
     const data = await sectionOf(page, "pendulum").locator('figure[data-chart="error-against-time"]').evaluate((node) =>
       [...node.querySelectorAll(".mark-line.role-mark path")].map((path) => path.__data__).find(({ mark }) => mark.items.every(({ datum }) => !datum.line)).mark.items.length);
     assert.equal(data, front.length);

@@ -90,7 +90,7 @@ test("the table has what robustness is of the records", () =>
     await drawn(page);
     const solved = scenes.filter((scene) => within(scene, 1e-2).length > 0);
     const regret = (scene, scheme) => (within(scene, 1e-2).find((run) => run.scheme === scheme)?.time_median ?? Infinity) / within(scene, 1e-2)[0].time_median;
-    const rows = await page.locator('[id="family-power"] > div > .frame tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.firstChild?.nextSibling?.textContent && cell.querySelector(".swatch") ? cell.textContent : cell.firstChild?.textContent)));
+    const rows = await page.locator('[id="family-power"] > details > div > .frame tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.firstChild?.nextSibling?.textContent && cell.querySelector(".swatch") ? cell.textContent : cell.firstChild?.textContent)));
     assert.ok(rows.length > 0);
     for (const [scheme, of, , near] of rows) {
       const name = scheme.replace(/\s.*/s, ""), count = solved.filter((scene) => regret(scene, name) < Infinity).length;

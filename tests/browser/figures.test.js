@@ -80,6 +80,47 @@ test("a scheme has its colour and its mark in every figure and on the page", asy
   });
 });
 
+const encodingsIn = (of) => (of === null || typeof of !== "object" ? [] : [...(of.encoding ? [of.encoding] : []), ...Object.values(of).flatMap(encodingsIn)]);
+
+test("axes, names and the place of the legend are the author's", async () => {
+  const words = ["pendulum", "work-precision", "--results", RESULTS, "--scheme", "l1", "--scheme", "bdf4"];
+  const labels = (spec) => spec.layer.filter(({ mark }) => mark.type === "text").flatMap(({ data }) => data.values.map(({ line, name }) => [line, name]));
+  const own = await specOf(...words, "--x-label", "time (s)", "--y-label", "error", "--y-axis", "linear", "--name", "l1=L1 = Oldham & Spanier");
+  assert.deepEqual(labels(own).sort(), [["bdf4", "bdf4"], ["l1", "L1 = Oldham & Spanier"]]);
+  for (const { x, y } of encodingsIn(own)) assert.deepEqual([x?.title ?? "time (s)", y?.title ?? "error", x?.scale?.type, y?.scale?.type], ["time (s)", "error", "log", undefined]);
+  for (const place of ["bottom", "right"]) {
+    const placed = await specOf(...words, "--legend", place);
+    assert.deepEqual(labels(placed), []);
+    assert.ok(encodingsIn(placed).some(({ color }) => color?.legend?.orient === place));
+  }
+  const bare = await specOf(...words, "--legend", "none");
+  assert.deepEqual([labels(bare), encodingsIn(bare).filter(({ color, shape }) => color?.legend || shape?.legend)], [[], []]);
+  // t begins with 0, which no logarithm has.
+  assert.equal((await specOf("relaxation", "solution", "--y-axis", "log")).encoding.y.scale.type, "log");
+  await assert.rejects(specOf("relaxation", "solution", "--x-axis", "log"), /--x-axis = log: t has values that are not above 0/);
+});
+
+test("several scenes are panels of one figure, in which a scheme has one mark", async () => {
+  const two = ["pendulum", "relaxation:gamma=0.8"], of = ["--kind", "work-precision", "--results", RESULTS, "--width", "7", "--name", `${two[1]}=(b)`];
+  await fdebench(["plot", ...two, ...of, "--out", figure("two.svg")]);
+  const svg = readFileSync(figure("two.svg"), "utf8");
+  assert.equal(Number(/width="([\d.]+)"/.exec(svg)[1]), 672);
+  await fdebench(["plot", ...two, ...of, "--out", figure("two.vl.json")]);
+  const { hconcat } = JSON.parse(readFileSync(figure("two.vl.json"), "utf8"));
+  assert.deepEqual(hconcat.map(({ title }) => title), ["pendulum", "(b)"]);
+  const [first, second] = hconcat.map(marksIn), shared = Object.keys(first).filter((line) => second[line]);
+  assert.ok(shared.length > 1);
+  for (const line of shared) assert.deepEqual(first[line], second[line]);
+  // Each panel has the points of its own scene.
+  const names = hconcat.flatMap(({ layer }) => layer.map(({ name }) => name).filter(Boolean));
+  assert.equal(new Set(names).size, names.length);
+});
+
+test("what does not fit is reduced, and said", async () => {
+  const { stderr } = await fdebench([...plot("rate", figure("wide.svg")), "--legend", "bottom", "--name", `l1=${"long ".repeat(20)}`]);
+  assert.match(stderr, /warning: what is drawn is wider than the figure, and its letters have \d\.\d points: give a larger --width or shorter names by --name/);
+});
+
 test("a figure's specification is Vega-Lite with its numbers", async () => {
   const spec = await specOf("pendulum", "solution");
   assert.match(spec.$schema, /vega-lite\/v6/);
@@ -146,6 +187,12 @@ test("what cannot be drawn is refused in a line", async () => {
     [plot("rate", "/nonexistent/f.svg"), /cannot be drawn by node/],
     [["plot", "pendulum", "--kind", "rate", "--out", "f.svg"], /--results: --kind rate draws runs/],
     [["plot", "pendulum", "--kind", "stability", "--out", "f.svg"], /has several orders/],
+    [["plot", "pendulum", "--kind", "solution", "--legend", "labels", "--out", "f.svg"], /--legend = labels: --kind solution draws no errors/],
+    [["plot", "pendulum", "--kind", "solution", "--name", "psi=Psi", "--out", "f.svg"], /--name = psi=Psi: must be NAME=TEXT with a name of .*phi; /],
+    [["plot", "pendulum", "--kind", "solution", "--width", "0.5", "--out", "f.svg"], /--width = 0.5: must be a number in \[1, 40\]/],
+    [["plot", "pendulum", "--kind", "solution", "--y-axis", "cubic", "--out", "f.svg"], /--y-axis = cubic: must be log or linear/],
+    [["plot", "pendulum", "--kind", "orders", "--results", RESULTS, "--width", "4", "--out", "f.tex"], /--width = 4: --kind orders draws no figure/],
+    [["plot", "pendulum", "loxodrome", "--kind", "orders", "--results", RESULTS, "--out", "f.tex"], /--kind orders writes a table of one scene/],
     [["plot", "pendulum", "--kind", "solution", "--columns", "psi", "--out", "f.svg"], /--columns = psi: must be of phi,/]]) {
     const { code, stderr } = await fdebench(words).catch((refused) => refused);
     assert.equal(code, 2);

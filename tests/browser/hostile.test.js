@@ -99,7 +99,7 @@ for (const [fault, changed, missing] of [
   ["an equation", ["function equation({ left, right }) {", "function equation({ left, right }) { unheard.of();"], "The equation cannot be drawn."],
   ["the solution", ["function portraitOf(columns) {", "function portraitOf(columns) { unheard.of();"], "The solution cannot be drawn."],
   ["the charts", ["title: `Error against ${name}; band", "title: unheard.of + `"], "The charts cannot be drawn."],
-  ["one chart", ["mark: { type: \"line\", strokeDash: [4, 4], strokeWidth: 1 }, encoding: { ...encoding", "mark: { type: \"line\", tooltip: { expr: \"unheard(1)\" } }, encoding: { ...encoding"], "This chart cannot be drawn."],
+  ["one chart", ["mark: { type: \"line\", strokeDash: [1, 3], strokeWidth: 1 }, encoding: { ...encoding", "mark: { type: \"line\", tooltip: { expr: \"unheard(1)\" } }, encoding: { ...encoding"], "This chart cannot be drawn."],
 ]) {
   test(`without ${fault} the rest of the page is drawn`, () =>
     assert.rejects(withPage({ changed }, async (page) => {

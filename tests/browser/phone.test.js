@@ -22,16 +22,19 @@ test("a page with long names of machines and scenes is as wide as a phone", () =
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   }));
 
-for (const [width, how] of [[390, phone], [1280, {}]]) {
-  test(`short names of the map are said in full beside it: ${width}`, () =>
-    withReadPage("", async (page) => {
-      const shown = new Set(await page.locator("#answer .map td b").allTextContents());
-      const key = await page.locator("#answer .key").textContent();
-      const names = await page.evaluate(() => Object.fromEntries(data.lines.map((line) => [shortNameOfLine(line), line])));
-      for (const short of shown) if (names[short] !== short) assert.ok(key.includes(`${short} ${names[short]}`), `${short} in ${key}`);
-      assert.ok(await page.locator("#answer .key").isVisible());
-    }, how));
-}
+test("a phone shows the answer, and the other sections when they are opened", () =>
+  withPage(phone, async (page) => {
+    const open = () => page.locator("main > section > details[open]").evaluateAll((all) => all.map((of) => of.parentNode.id));
+    assert.deepEqual(await open(), ["answer"]);
+    assert.equal(await page.locator("figure[data-chart]").count(), 0);
+    await sectionOf(page, "pendulum").locator("summary").first().click();
+    await sectionOf(page, "pendulum").locator("figure[data-chart] svg").first().waitFor();
+    await page.evaluate(() => { location.hash = "#stability"; });
+    await page.locator("#stability td[data-tone]").first().waitFor();
+    assert.deepEqual(await open(), ["answer", "stability", "scene-pendulum"]);
+    await sectionOf(page, "pendulum").locator("summary").first().click();
+    await sectionOf(page, "pendulum").locator("figure[data-chart]").first().waitFor({ state: "hidden" });
+  }));
 
 // The command's answer, of two times. A run with an accuracy chooses its steps, which --points would limit.
 function answerOf(command) {
@@ -114,7 +117,7 @@ test("a cell is opened, copied and closed by the keyboard, and the focus returns
 test("each recommendation is a command that runs, and a button copies it", () =>
   withPage({ address: "#scene-pendulum?scene=pendulum" }, async (page) => {
     await settled(page);
-    const rows = sectionOf(page, "pendulum").locator(":scope > div > .frame tbody tr", { has: page.locator(".swatch") });
+    const rows = sectionOf(page, "pendulum").locator(":scope > details > div > .frame tbody tr", { has: page.locator(".swatch") });
     assert.ok(await rows.count() > 2);
     assert.equal(await rows.locator(".command").count(), await rows.count());
     const row = rows.first(), text = await row.locator(".command code").textContent();
@@ -129,7 +132,7 @@ test("each recommendation is a command that runs, and a button copies it", () =>
     assert.equal(await row.locator(".command button").textContent(), "Copied");
   }));
 
-test("what is said of schemes, trials and references follow the filters, with no blank beside", () =>
+test("what is said of schemes, trials and references follow the filters", () =>
   withPage({ address: "#answer?accuracy=1e-4&scene=pendulum&schemes=l1,bdf4&all" }, async (page) => {
     await settled(page);
     const said = await page.locator("#answer .said dd").allTextContents();
@@ -141,9 +144,6 @@ test("what is said of schemes, trials and references follow the filters, with no
       const headings = page.locator(`#${id} tbody th`);
       for (const text of await headings.allTextContents()) assert.match(text, /pendulum/i, id);
     }
-    // Nothing is left blank beneath the map: the last sentences begin at the left edge, or all fit beside it.
-    const [map, last] = await Promise.all([page.locator("#answer .mapped").boundingBox(), page.locator("#answer .said > div").last().boundingBox()]);
-    assert.ok(last.y + last.height - (map.y + map.height) < 400);
   }));
 
 test("trials are of the schemes that are wanted", () =>

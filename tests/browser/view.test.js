@@ -12,12 +12,12 @@ async function checkView(page) {
   await settled(page);
   assert.equal(await page.inputValue("#norm"), "end");
   assert.equal(await page.inputValue("#scene"), "pend");
-  assert.match(await page.locator("#schemes summary").textContent(), /^Schemes: 2 of \d$/);
+  assert.match(await page.locator("#of-schemes summary").textContent(), /^Schemes: 2 of \d$/);
   assert.deepEqual(await page.locator("#answer .map thead th").allTextContents(), ["scene", "≤ 1e-6"]);
   assert.deepEqual(await page.locator("#answer .map tbody th").allTextContents(), ["Pendulum with fractional damping"]);
   assert.equal(await sectionOf(page, "relaxation").isVisible(), false);
   const section = sectionOf(page, "pendulum");
-  assert.equal(await section.locator(":scope > div > .frame tbody tr").count(), 1);
+  assert.equal(await section.locator(":scope > details > div > .frame tbody tr").count(), 1);
   const drawn = await section.locator('figure[data-chart="error-against-time"] .mark-symbol.role-mark path').evaluateAll((marks) => marks.map((mark) => mark.__data__.datum.line));
   const expected = finished(runs).filter((run) => run.scene === "pendulum" && ["l1", "bdf4"].includes(run.scheme) && run.error_end_mixed > 0);
   assert.equal(drawn.length, expected.length);
@@ -32,7 +32,7 @@ test("scenes, schemes, norms and accuracies are chosen, and a link restores the 
     await page.locator("#scene").blur();
     await page.selectOption("#norm", "end");
     await page.selectOption("#accuracy", "1e-6");
-    await page.locator("#schemes summary").click();
+    await page.locator("#of-schemes summary").click();
     await page.getByRole("button", { name: "none" }).click();
     for (const scheme of ["l1", "bdf4"]) await page.getByLabel(scheme, { exact: true }).check();
     await checkView(page);
