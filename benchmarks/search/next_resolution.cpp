@@ -23,6 +23,22 @@ NextRun first_of(const SearchGoal& goal, const Refinement& of) {
   return std::max(1, (goal.coarsest_steps + of.unit - 1) / of.unit) * of.unit;
 }
 
+bool is_finished(const RefinementRun& run) {
+  return std::ranges::any_of(run.errors, [](const RunError& error) { return std::isfinite(error.value); });
+}
+
+// The seconds of the cheapest step over a grid of any configuration; 0 before a run has finished.
+double seconds_of_cheapest_step(std::span<const Refinement> of_scene) {
+  double least = never;
+  for (const Refinement& of : of_scene) {
+    for (const RefinementRun& run : of.runs) {
+      if (is_finished(run) && run.seconds && !of.is_adaptive && !run.is_whole_process)
+        least = std::min(least, *run.seconds / run.steps);
+    }
+  }
+  return std::isfinite(least) ? least : 0.0;
+}
+
 // All configurations seen against one target.
 class TargetSearch {
  public:
@@ -77,16 +93,8 @@ class TargetSearch {
   }
 
   double least_step() {
-    if (least_step_) return *least_step_;
-    double least = never;
-    for (const Refinement& of : of_scene_) {
-      for (const RefinementRun& run : of.runs) {
-        const bool finished = std::isfinite(error_of(run, target_.kind).value);
-        if (finished && run.seconds && !of.is_adaptive && !run.is_whole_process)
-          least = std::min(least, *run.seconds / run.steps);
-      }
-    }
-    return least_step_.emplace(std::isfinite(least) ? least : 0.0);
+    if (!least_step_) least_step_ = seconds_of_cheapest_step(of_scene_);
+    return *least_step_;
   }
 
   const SearchGoal& goal_;
@@ -148,12 +156,19 @@ std::vector<std::optional<StepsOrTolerance>> next_resolutions(const SearchGoal& 
 std::vector<std::size_t> due_runs(const SearchGoal& goal, std::span<const Refinement> of_scene,
                                   std::span<const std::optional<StepsOrTolerance>> next) {
   constexpr double alike = 4.0;
+  const double cheapest_step = seconds_of_cheapest_step(of_scene);
+  // A run that failed may have failed early, and with more steps end late.
+  const auto expected_over_grid = [&](const Refinement& of, int steps) -> std::optional<double> {
+    const auto expected = seconds_with(of, steps);
+    if (!expected || is_finished(*of.finest())) return expected;
+    return std::max(*expected, steps * cheapest_step);
+  };
   std::vector<double> seconds(next.size(), never);  // expected
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (!next[i]) continue;
     const auto& runs = of_scene[i].runs;
     const auto* steps = std::get_if<int>(&*next[i]);
-    const auto expected = steps != nullptr ? seconds_with(of_scene[i], *steps)
+    const auto expected = steps != nullptr ? expected_over_grid(of_scene[i], *steps)
                           : runs.empty()   ? std::nullopt
                                            : runs.back().seconds;
     seconds[i] = expected.value_or(0.0);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -157,6 +158,7 @@ class Search {
   }
 
   // Gives configurations that are one algorithm all its names, where they have few runs after more of them.
+  // The quicker one is kept: what is the same algorithm here may be computed in another way.
   void merge_repeats() {
     for (std::size_t second = 0; second < candidates_.size(); ++second) {
       for (std::size_t first = 0; first < second; ++first) {
@@ -164,13 +166,24 @@ class Search {
         if (candidates_[first].configuration.grading != candidates_[second].configuration.grading) continue;
         if (!is_same_algorithm(refinements_[first], refinements_[second], 1) || !is_confirmed(first, second))
           continue;
-        const auto& scheme = *candidates_[second].configuration.scheme;
-        if (candidates_[first].configuration.scheme != &scheme)
-          candidates_[first].names.emplace_back(scheme.id);
-        candidates_[second].outcome = SearchOutcome::duplicate;
-        refinements_[second].is_closed = true;
+        is_quicker(second, first) ? merge(first, second) : merge(second, first);
       }
     }
+  }
+
+  // By more than times scatter.
+  [[nodiscard]] bool is_quicker(std::size_t a, std::size_t b) const {
+    constexpr double clearly = 0.9;
+    const auto *mine = best_run(a), *other = best_run(b);
+    return mine != nullptr && other != nullptr && *mine->seconds < clearly * *other->seconds;
+  }
+
+  void merge(std::size_t repeated, std::size_t kept) {
+    if (candidates_[kept].configuration.scheme != candidates_[repeated].configuration.scheme)
+      std::ranges::copy(candidates_[repeated].names, std::back_inserter(candidates_[kept].names));
+    candidates_[repeated].outcome = SearchOutcome::duplicate;
+    refinements_[repeated].is_closed = true;
+    refinements_[repeated].runs.clear();  // so that the one that is kept repeats nothing
   }
 
   [[nodiscard]] bool is_merged(std::size_t i) const {

@@ -56,8 +56,12 @@ class Refusals {
     std::vector<std::pair<int, std::string>> parts;
     for (const auto& [scheme, count] : by_scheme_) parts.emplace_back(count, scheme);
     std::ranges::stable_sort(parts, std::greater<>(), &std::pair<int, std::string>::first);
+    constexpr std::size_t named = 4;
     std::string schemes;
-    for (const auto& [count, scheme] : parts) schemes += fmt::format(", {} of {}", count, scheme);
+    int others = count_;
+    for (std::size_t i = 0; i < std::min(named, parts.size()); others -= parts[i++].first)
+      schemes += fmt::format(", {} of {}", parts[i].first, parts[i].second);
+    if (others > 0) schemes += fmt::format(", {} of others", others);
     return fmt::format("{} runs are refused{}; the first: {}", count_, schemes, first_);
   }
 

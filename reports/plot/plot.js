@@ -16,7 +16,8 @@ vm.runInThisContext(request.charts);
 // A column of a paper of two is 3.4 inches wide, its captions have 8 points. A figure is measured in CSS pixels, 96 to an inch of 72 points.
 const { panels, style } = request;
 const letterSize = (8 * 96) / 72, gap = 14;
-const paper = { width: style.width * 96, letters: letterSize, frame: (style.width * 96 - gap * (panels.length - 1)) / panels.length - 56, height: 200, panel: 130, pointSize: 22, lineWidth: 1.25 };
+const frame = (style.width * 96 - gap * (panels.length - 1)) / panels.length - 56;
+const paper = { width: style.width * 96, letters: letterSize, frame, height: Math.max(200, Math.min(320, frame / 2)), panel: 130, pointSize: 22, lineWidth: 1.25 };
 const font = { font: "Nimbus Roman, Times New Roman, Times, serif" };
 vm.runInThisContext("(frame, names) => { labelFrame = frame; ownNames = new Map(Object.entries(names)); }")({ width: paper.frame, height: paper.height, letters: letterSize }, style.names);
 

@@ -3,6 +3,7 @@
 
 import csv
 import json
+import re
 import shutil
 import sqlite3
 import sys
@@ -202,9 +203,20 @@ def a_slower_scheme_has_a_slower_run(program: Program, case: Case, lists: Lists)
             raise Fault("not the quickest", f"{other} is quicker than {answer['seconds']:.3g} s")
 
 
+FIGURES_OF_RUNS = ("work-precision", "memory", "rate", "accuracy")
+
+
 def drawn_figure(random: Random, lists: Lists) -> Case:
-    scene, chosen = drawn_scene(random, lists, 0.1)
-    return Case("figures_are_json", scene=scene, chosen=chosen, options={"--kind": random.choice(["solution", "phase", "motion", "stability"])})
+    kind = random.choice([*FIGURES_OF_RUNS, "solution", "phase", "motion", "stability"])
+    problem = drawn_problem(random, lists, files=0.3, wild=0.1)
+    others = tuple(drawn_scene(random, lists, 0.1)[0] for _ in range(random.choice([0, 0, 1, 2])))
+    wanted = {
+        "--width": random.choice(["3.4", "7", str(round(random.uniform(1, 9), 2))]), "--x-label": "t = 1 (s)", "--y-label": random.choice(["error", "a \"b\" <c> & π"]),
+        "--x-axis": random.choice(["log", "linear"]), "--y-axis": random.choice(["log", "linear"]), "--legend": random.choice(["labels", "bottom", "right", "none"]),
+        "--name": f"{random.choice([*lists.schemes])}=constructor",
+    }
+    style = {name: value for name, value in wanted.items() if random.random() < 0.3}
+    return Case("figures_are_drawn", words=others, options={"--kind": kind, **style}, **problem)
 
 
 def drawn_page(random: Random, lists: Lists) -> Case:
@@ -239,8 +251,28 @@ def a_page_is_a_function_of_its_file(program: Program, case: Case, lists: Lists)
         raise Fault("cache", "report computes a reference")
 
 
-@must_hold(drawn_figure, 0.3)
-def figures_are_json(program: Program, case: Case, lists: Lists) -> None:
-    ended = program.run("plot", *case.problem(), *case.given(), "--out", "figure.vl.json", seconds=120)
-    if ended.done and "NaN" in json.dumps(json.loads((program.folder / "figure.vl.json").read_text())):
-        raise Fault("nan", "a figure has a NaN")
+@must_hold(drawn_figure, 0.5)
+def figures_are_drawn(program: Program, case: Case, lists: Lists) -> None:
+    """A figure has the width and the panels that are asked for and no NaN, or the refusal says why in our words."""
+    scene, *settings = case.problem()
+    scenes, results = [scene, *case.words], []
+    if case.options["--kind"] in FIGURES_OF_RUNS:
+        asked = [word for name in scenes for word in ("--scene", name)]
+        resolution = ["--accuracy", "1e-2,1e-4"] if case.options["--kind"] == "accuracy" else ["--steps", "8,16,32"]
+        program.run("run", *asked, *settings, *resolution, "--repeat", "1", "--budget", "0.2", "--out", "run.jsonl", seconds=120)
+        results = ["--results", "run.jsonl"]
+    for out in ("figure.vl.json", "figure.svg"):
+        ended = program.run("plot", *scenes, *settings, *results, *case.given(), "--out", out, seconds=120)
+        if re.search(r"undefined|not a function|Cannot read|is not iterable|Invalid|Unexpected", ended.err):
+            raise Fault("script", ended.err)
+        if not ended.done:
+            return
+        text = (program.folder / out).read_text()
+        if out.endswith(".json"):
+            spec = json.loads(text)
+            if len(spec.get("hconcat", [spec])) != len(scenes):
+                raise Fault("panels", f"{len(scenes)} scenes, {len(spec['hconcat'])} panels")
+        elif "NaN" in text:
+            raise Fault("nan", "a figure has a NaN")
+        elif abs(float(re.search(r'width="([\d.]+)"', text)[1]) - 96 * float(case.options.get("--width", "3.4"))) > 0.06:
+            raise Fault("width", re.search(r"<svg[^>]*>", text)[0])

@@ -159,6 +159,21 @@ TEST(NextResolutions, AreDueBeforeThoseThatTakeFourTimesAsLong) {
   EXPECT_TRUE(due().empty());
 }
 
+// A step of either takes 1 us. Runs of the first one end at once until it is stable, with a million steps.
+TEST(DueRuns, ExpectARunAfterOneThatFailedToTakeAllItsSteps) {
+  Refinement unstable, stable;
+  for (int steps = 64; steps <= 4096; steps *= 2) {
+    unstable.add({.resolution = steps, .steps = steps, .seconds = 1e-6, .errors = {RunError{}}});
+    stable.add(
+        {.resolution = steps, .steps = steps, .seconds = 1e-6 * steps, .errors = {RunError{.value = 0.5}}});
+  }
+  const std::vector<Refinement> of_scene{unstable, stable};
+  EXPECT_THAT(due_runs(goal_for(), of_scene, std::vector<std::optional<StepsOrTolerance>>{1 << 20, 8192}),
+              testing::ElementsAre(1));
+  EXPECT_THAT(due_runs(goal_for(), of_scene, std::vector<std::optional<StepsOrTolerance>>{8192, 8192}),
+              testing::ElementsAre(0, 1));
+}
+
 // 0.1 s a run: the forecast says that rate 1 needs 1e6 steps and 1e3 times as long.
 TEST(NextResolutions, LeaveALongConfigurationByItsForecast) {
   const auto found = searched(goal_for(), {power(1.0, 1.0, 1e-4), power(1.0, 2.0, 1e-4)});
