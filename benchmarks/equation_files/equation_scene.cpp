@@ -19,6 +19,7 @@
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
 #include "fdebench/benchmarks/equation_files/file_reference.hpp"
 #include "fdebench/benchmarks/equation_files/file_smoothness.hpp"
+#include "fdebench/benchmarks/equation_files/implied_rows.hpp"
 #include "fdebench/benchmarks/equation_files/load_times.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
@@ -113,7 +114,8 @@ Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormu
 }
 
 Scene scene_of(const EquationText& all, const Parameters& parameters, const NoteReceiver& on_note) {
-  const EquationText text = with_implied_terms(present_parts(all, parameters), parameters);
+  const EquationText text =
+      with_implied_terms(with_implied_rows(present_parts(all, parameters), parameters), parameters);
   if (text.mechanics) return mechanical_scene_of(text, parameters, on_note);
   FileFormulas formulas(text, parameters, NumberStorage::values);
   formulas.require_parameters();

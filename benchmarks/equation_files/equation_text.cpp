@@ -69,12 +69,16 @@ void reject_at(const std::string& file, const TextPosition& place, std::string_v
   throw FileError(fmt::format("{}: line {}, column {}: {}", file, place.line, place.column, line));
 }
 
-void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte, std::string_view what) {
+TextPosition position_of(const FormulaText& formula, std::size_t byte) {
   LinePiece piece{0, formula.position};
   for (const auto& one : formula.pieces)
     if (one.first <= byte) piece = one;
   piece.position.column += static_cast<int>(byte - piece.first);
-  reject_at(file, piece.position, what);
+  return piece.position;
+}
+
+void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte, std::string_view what) {
+  reject_at(file, position_of(formula, byte), what);
 }
 
 std::string read_text_file(const std::filesystem::path& file, std::size_t most_bytes) {

@@ -48,6 +48,7 @@ struct UnknownText {
   std::optional<FormulaText> before{};  // its value for t < 0
   std::vector<FormulaText> final{};     // of a coordinate: its value at the end
   ParameterValues unless{};
+  bool is_implied = false;  // a row that with_implied_rows() has added; it is no column
 };
 
 struct NamedFormula {
@@ -152,7 +153,9 @@ struct FileError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 [[noreturn]] void reject_at(const std::string& file, const TextPosition& place, std::string_view what);
-// The same for a byte of a formula.
+// The position of a byte of a formula.
+TextPosition position_of(const FormulaText& formula, std::size_t byte);
+// An error at a byte of a formula.
 [[noreturn]] void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte,
                             std::string_view what);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -50,6 +51,8 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
       return derivative(unknown, order, is_decimal, variables, absent);
     };
   }
+  if (variables.time && variables.resolve_unknown)
+    names.time_derivative = [&](Expression of, Expression order) { return time_derivative(of, order); };
   if (variables.earlier) {
     names.earlier = [&](Expression of, Expression time) { return earlier(of, time, variables); };
   }
@@ -100,6 +103,29 @@ Expression FileFormulas::parameter(const ParameterText& known) {
   } catch (const FormulaError& fault) {
     reject_in(text_.file, known.formula, fault.byte_offset, fault.what());
   }
+}
+
+// Of a whole order; others are rows (implied_rows.hpp).
+Expression FileFormulas::time_derivative(Expression of, Expression order) {
+  const auto refuse = [](std::string_view why) {
+    throw std::invalid_argument(fmt::format("D of a formula: {}", why));
+  };
+  constexpr int most = 10;
+  const auto is_of_time = [](int variable) { return variable == 0 || variable >= first_parameter; };
+  if (!std::ranges::all_of(pool_.variables_in(of), is_of_time))
+    refuse("must be of t and the parameters; of an unknown write D(x, 0.5)");
+  const auto value = this->value(order);
+  if (!value || *value < 0.0L || *value > most || *value != std::floor(*value))
+    refuse(fmt::format("its order must be in [0, {}], and whole but in right-hand sides", most));
+  const auto depends_on_time = [&](Expression one) { return pool_.depends_on(one, 0); };
+  if (std::ranges::any_of(pool_.arguments({of}, {Operation::sign, Operation::step}), depends_on_time))
+    refuse("must not contain the sign or step of t, which have no derivative");
+  const std::set<Operation> kinks{Operation::abs, Operation::min, Operation::max};
+  if (*value > 1.0L && std::ranges::any_of(pool_.arguments({of}, kinks), depends_on_time))
+    refuse("must not contain abs, min or max of t, which have no second derivative");
+  Expression derivative = of;
+  for (int i = 0; i < static_cast<int>(*value); ++i) derivative = pool_.derivative(derivative, 0);
+  return derivative;
 }
 
 Expression FileFormulas::derivative(std::string_view unknown, Expression order, bool is_decimal,

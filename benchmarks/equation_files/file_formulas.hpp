@@ -75,6 +75,7 @@ class FileFormulas {
   // The value of an expression without variables other than parameters.
   std::optional<long double> value(Expression of);
   Expression earlier(Expression of, Expression time, const FormulaVariables& variables);
+  Expression time_derivative(Expression of, Expression order);
   Expression derivative(std::string_view unknown, Expression order, bool is_decimal,
                         const FormulaVariables& variables, Absent absent);
 

@@ -79,7 +79,14 @@ SystemColumn column_of(const std::string& name, Expression value, const Equation
 }  // namespace
 
 std::vector<SystemColumn> output_columns(const EquationSystem& system, FileFormulas& formulas) {
-  if (formulas.text().columns.empty()) return columns_of(system);
+  if (formulas.text().columns.empty()) {
+    auto shown = columns_of(system);
+    const auto is_implied = [&](const SystemColumn& of) {
+      return formulas.text().unknowns[of.unknown].is_implied;
+    };
+    std::erase_if(shown, is_implied);
+    return shown;
+  }
   ColumnFormulas values(system, formulas);
   std::vector<SystemColumn> columns;
   for (const auto& column : formulas.text().columns)

@@ -174,6 +174,8 @@ class FormulaParser {
     const bool is_call = token_.text == "(" || token_.text == "[";
     auto hint = is_call ? function_hint(token.text) : name_hint(token.text);
     if (hint.empty()) hint = hint_of_derivative(token.text);
+    if (hint.empty() && is_call && token.text == "J")
+      hint = "; a fractional integral J(f, q) stands in the right-hand side of an unknown";
     if (hint.empty()) {
       auto known = is_call ? function_names() : names_.accepted_names;
       if (!is_call) known.emplace_back("pi");
@@ -249,6 +251,7 @@ class FormulaParser {
       fault("D of D: must be of an unknown; D(D(x, 1), a) from its start is D(x, 1 + a)",
             unknown.byte_offset);
     }
+    if (names_.time_derivative && !is_before_comma(unknown)) return time_derivative(token);
     if (!is_letter(unknown.text.empty() ? ' ' : unknown.text.front())) expected("an unknown");
     advance();
     if (!take(",")) expected("',', as in D(x, 0.5)");
@@ -259,6 +262,25 @@ class FormulaParser {
     if (!take(")")) expected("')', as in D(x, 0.5)");
     try {
       return at_time(names_.derivative(unknown.text, order, is_decimal), token);
+    } catch (const std::invalid_argument& none) {
+      fault(none.what(), token.byte_offset);
+    }
+  }
+
+  // Whether it is the name of something else than the time, with a comma behind it.
+  [[nodiscard]] bool is_before_comma(const FormulaToken& token) const {
+    return !token.text.empty() && is_letter(token.text.front()) && token.text != "t" &&
+           next_token(text_, token.byte_offset + token.text.size()).text == ",";
+  }
+
+  // D(of, order) of a formula, of which "D(" is read.
+  Expression time_derivative(const FormulaToken& token) {
+    const auto of = sum();
+    if (!take(",")) expected("',', as in D(x, 0.5)");
+    const auto order = sum();
+    if (!take(")")) expected("')', as in D(x, 0.5)");
+    try {
+      return names_.time_derivative(of, order);
     } catch (const std::invalid_argument& none) {
       fault(none.what(), token.byte_offset);
     }

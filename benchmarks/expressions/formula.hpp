@@ -19,6 +19,9 @@ struct FormulaNames {
   // D(x, 1). Empty: derivatives are not allowed. Throws std::invalid_argument with the reason if there is no
   // derivative of that order.
   std::function<Expression(std::string_view unknown, Expression order, bool is_decimal)> derivative{};
+  // D(of, order), where `of` is a formula of t. Empty: such derivatives are not allowed. Throws
+  // std::invalid_argument with the reason if there is none.
+  std::function<Expression(Expression of, Expression order)> time_derivative{};
   // x(time), where `of` is the variable of an unknown or of a derivative. Empty: earlier values are not
   // allowed. Throws std::invalid_argument with the reason if there is no such value.
   std::function<Expression(Expression of, Expression time)> earlier{};

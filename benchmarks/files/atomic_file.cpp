@@ -30,6 +30,11 @@ fs::path unfinished_of(const fs::path& path) {
 
 }  // namespace
 
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code none;
+  return std::filesystem::equivalent(a, b, none);
+}
+
 AtomicFile::AtomicFile(const fs::path& path)
     : path_(resolve_symlink(path)), temporary_(unfinished_of(path_)), stream_(temporary_, std::ios::binary) {
   check();

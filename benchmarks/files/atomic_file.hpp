@@ -7,6 +7,9 @@
 
 namespace fde::bench {
 
+// Whether both names are of one file that exists, whatever they are written as: links, ./, ...
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 // Writes a file atomically: under a temporary name, unique to this process and object, which is renamed at
 // the end. An existing file is replaced and its permissions are kept. Of a symbolic link the target is
 // replaced. Temporary files of killed processes for the same file are removed first. A pipe or a device is

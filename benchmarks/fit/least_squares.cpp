@@ -12,22 +12,28 @@ namespace {
 // A size that no sum of squares of accepted residuals has, and whose square is a double.
 constexpr double rejected = 1e140;
 
-// What Eigen's minimiser calls.
+// What Eigen's minimiser calls, with w = z - start + 1: it bounds its first step by the size of w, which at z
+// = 0 would be none.
 class Functor : public Eigen::DenseFunctor<double> {
  public:
   Functor(const Residuals& residuals, const Vec& start, const Vec& first, const LeastSquaresOptions& options)
       : DenseFunctor(static_cast<int>(start.size()), static_cast<int>(first.size())),
         residuals_(residuals),
         options_(options),
+        origin_(start.array() - 1.0),
         accepted_(start) {}
 
-  int operator()(const Vec& z, Vec& r) const {
+  [[nodiscard]] Vec z(const Vec& w) const { return w + origin_; }
+
+  int operator()(const Vec& w, Vec& r) const {
+    const Vec z = this->z(w);
     auto found = is_within_reach(z) ? residuals_(z) : std::nullopt;
     r = found ? *std::move(found) : Vec::Constant(values(), rejected);
     return 0;
   }
 
-  int df(const Vec& z, Matrix& jacobian) {
+  int df(const Vec& w, Matrix& jacobian) {
+    const Vec z = this->z(w);
     accepted_ = z;
     jacobian.resize(values(), inputs());
     for (Eigen::Index j = 0; j < z.size(); ++j) jacobian.col(j) = derivative(z, j);
@@ -60,6 +66,7 @@ class Functor : public Eigen::DenseFunctor<double> {
 
   const Residuals& residuals_;
   const LeastSquaresOptions& options_;
+  Vec origin_;
   Vec accepted_;  // where the derivatives were taken last
 };
 
@@ -72,15 +79,17 @@ LeastSquares least_squares(const Residuals& residuals, Vec start, const LeastSqu
   LeastSquares found{.z = std::move(start), .residuals = *first, .has_converged = first->isZero(0.0)};
   if (!found.has_converged) {
     Eigen::LevenbergMarquardt<Functor> minimiser(functor);
-    minimiser.setFactor(1.0);  // of the first step, by the size of z
+    minimiser.setFactor(1.0);  // of the first step, by the size of w
     minimiser.setFtol(options.tolerance * options.tolerance);
     minimiser.setXtol(options.tolerance);
-    minimiser.minimize(found.z);
+    Vec w = Vec::Ones(found.z.size());
+    minimiser.minimize(w);
+    found.z = functor.z(w);
     found.residuals = minimiser.fvec();
     found.iterations = static_cast<int>(minimiser.iterations());
     found.has_converged = minimiser.info() == Eigen::Success;
   }
-  functor.df(found.z, found.jacobian);
+  functor.df(found.z - functor.z(Vec::Zero(found.z.size())), found.jacobian);
   return found;
 }
 

@@ -38,6 +38,8 @@ std::string draw(const std::string& program, const std::string& command,
   if (end.code == not_found)
     throw std::invalid_argument(fmt::format("{}: {} draws figures, and is not installed", out, program));
   const auto complaint = first_line_of(complained.path());
+  constexpr int refused = 2;  // by a script of reports/plot/, in words for the user
+  if (end.code == refused && !complaint.empty()) throw std::invalid_argument(complaint);
   throw std::invalid_argument(fmt::format(
       "{}: cannot be drawn by {}: {}", out, program,
       complaint.empty() ? fmt::format("it ended with code {} and no word", end.code) : complaint));

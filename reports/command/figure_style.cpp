@@ -28,28 +28,12 @@ std::set<std::string> names_in(const json& panels) {
     add(panel["lines"]);
     names.merge(schemes_in(panel));
     const auto& section = panel["sections"].front();
+    if (section.contains("family")) names.insert(section["family"]["parameter"]);
+    if (section.contains("measured")) names.insert("residual");
     if (section.contains("drifts")) add(section["drifts"].front()["points"]["formulations"]);
-    if (const auto columns = known_columns(section); !columns.empty())
-      names.insert(columns.begin(), columns.end());
+    for (const std::string& column : known_columns(section)) names.insert(column);
   }
   return names;
-}
-
-// Those of --name, by what they stand for: both may contain "=".
-json own_names(const Given& given, const json& panels) {
-  json own = json::object();
-  if (!given.has("--name")) return own;
-  const auto known = names_in(panels);
-  for (const std::string& text : given.all("--name")) {
-    std::string named;
-    for (const std::string& name : known)
-      if (text.starts_with(name + "=") && name.size() >= named.size()) named = name;
-    if (named.empty() || text.size() == named.size() + 1) {
-      reject_text("--name", text, fmt::format("NAME=TEXT with a name of {}", fmt::join(known, "; ")));
-    }
-    own[named] = text.substr(named.size() + 1);
-  }
-  return own;
 }
 
 }  // namespace
@@ -75,7 +59,7 @@ std::vector<std::string> known_columns(const json& section) {
 }
 
 std::vector<ArgumentText> style_arguments() {
-  return {{"[--width INCHES]", "width of the figure", figure_width, "3.4"},
+  return {{"[--width INCHES]", "width of the figure", figure_width, "3.4, of several scenes 7"},
           {"[--x-label TEXT]", "title of the horizontal axis"},
           {"[--y-label TEXT]", "title of the vertical axis"},
           {"[--x-axis SCALE]", "scale of the horizontal axis", axis_scales, "that of the kind"},
@@ -85,7 +69,7 @@ std::vector<ArgumentText> style_arguments() {
           {"[--name NAME=TEXT]...", "a text for a line, a column or a scene"}};
 }
 
-json style_in(const Given& given, const json& panels) {
+json style_in(const Given& given) {
   const auto text = [&](const std::string& option) {
     return given.has(option) ? json(given.text(option)) : json();
   };
@@ -95,10 +79,26 @@ json style_in(const Given& given, const json& panels) {
   json axes;
   for (const std::string axis : {"x", "y"})
     axes[axis] = {{"title", text("--" + axis + "-label")}, {"type", word("--" + axis + "-axis")}};
-  return {{"width", given.number("--width")},
-          {"legend", word("--legend")},
-          {"axes", axes},
-          {"names", own_names(given, panels)}};
+  const double usual = given.all("scene").size() > 1 ? 7.0 : 3.4;
+  return {
+      {"width", given.find_number("--width").value_or(usual)}, {"legend", word("--legend")}, {"axes", axes}};
+}
+
+// A name and its text may both contain "=".
+json own_names(const Given& given, const json& panels) {
+  json own = json::object();
+  if (!given.has("--name")) return own;
+  const auto known = names_in(panels);
+  for (const std::string& text : given.all("--name")) {
+    std::string named;
+    for (const std::string& name : known)
+      if (text.starts_with(name + "=") && name.size() >= named.size()) named = name;
+    if (named.empty() || text.size() == named.size() + 1) {
+      reject_text("--name", text, fmt::format("NAME=TEXT with a name of {}", fmt::join(known, "; ")));
+    }
+    own[named] = text.substr(named.size() + 1);
+  }
+  return own;
 }
 
 }  // namespace fde::bench

@@ -15,10 +15,12 @@ namespace fde::bench {
 
 std::vector<ArgumentText> style_arguments();
 
-// {"width": inches, "legend": null or a place, "names": {NAME: text},
-// "axes": {"x": {"title": null or a text, "type": null, "log" or "linear"}, "y": ...}}. Throws
-// std::invalid_argument if --name names nothing in the panels.
-nlohmann::json style_in(const Given& given, const nlohmann::json& panels);
+// {"width": inches, "legend": null or a place,
+// "axes": {"x": {"title": null or a text, "type": null, "log" or "linear"}, "y": ...}}.
+nlohmann::json style_in(const Given& given);
+
+// The texts of --name: {NAME: text}. Throws std::invalid_argument if one names nothing in the panels.
+nlohmann::json own_names(const Given& given, const nlohmann::json& panels);
 
 // The schemes of a panel's lines, such as "l1, graded:2", external ones included; without lines the schemes
 // of this build.

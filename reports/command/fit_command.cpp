@@ -105,8 +105,7 @@ void warn_of(const FittedScene& fitted, const Streams& streams) {
 
 FittedScene fitted(const Given& given, const Streams& streams, const SceneRegistry& known) {
   const auto file = given.text("file");
-  if (given.find("--residuals") == file)
-    given.refuse("--residuals", "another file than that of the measurements");
+  refuse_overwriting(given, "--residuals", {"file", "scene"});
   FitRequest request{
       .variant = read_variant(given, known),
       .vary = {},

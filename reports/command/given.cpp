@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 
@@ -125,6 +126,19 @@ std::vector<ArgumentText> joined(std::initializer_list<std::vector<ArgumentText>
 
 SceneVariant read_variant(const Given& given, const SceneRegistry& known) {
   return read_variant(given.text("scene"), given.all("--set"), known);
+}
+
+void refuse_overwriting(const Given& given, std::string_view out,
+                        std::initializer_list<std::string_view> read) {
+  const auto written = given.find(out);
+  if (!written) return;
+  for (const auto name : read) {
+    for (const std::string& text : given.all(name)) {
+      const auto file = name == "scene" ? text.substr(0, text.find(".toml") + 5) : text;
+      if (is_same_file(*written, file))
+        given.refuse(out, fmt::format("another file than {}, which is read", text));
+    }
+  }
 }
 
 Tolerance parse_accuracy(std::string_view text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <span>
@@ -80,6 +81,11 @@ RunSettings parse_run_settings(const Given& given);
 inline constexpr auto uniform_grid = "uniform";
 
 Tolerance parse_accuracy(std::string_view text);  // one number, relative and absolute
+
+// Throws std::invalid_argument if the file that the argument `out` names is one that the command reads: one
+// of these arguments, or a scene of the command.
+void refuse_overwriting(const Given& given, std::string_view out,
+                        std::initializer_list<std::string_view> read);
 
 // Whether times are those of the first run of a process: --runs 1, otherwise many.
 bool requests_first_run(const Given& given);

@@ -22,7 +22,8 @@ std::vector<ObservedOrders::Row> rows_of(RunSpan line, std::string_view error) {
     auto& row = rows.emplace_back(ObservedOrders::Row{.steps = run.steps, .h = run.h(), .error = *value});
     if (rows.size() < 2) continue;
     const auto& before = rows[rows.size() - 2];
-    if (before.error > 0.0 && row.error > 0.0) {
+    constexpr double apart = 1.4;  // steps nearer to each other say little about the order
+    if (before.error > 0.0 && row.error > 0.0 && row.steps > apart * before.steps) {
       row.order =
           std::log(before.error / row.error) / std::log(static_cast<double>(row.steps) / before.steps);
     }
@@ -44,7 +45,7 @@ std::string tex_text(const std::string& text) {
 }
 
 std::string order_text(const std::optional<double>& order) {
-  return order ? fmt::format("{:.2f}", *order) : "";
+  return order ? fmt::format("${:.2f}$", *order) : "";
 }
 
 }  // namespace
@@ -67,7 +68,7 @@ ObservedOrders observed_orders(const Runs& runs, const SceneSettings& scene, std
 std::string csv_of(const ObservedOrders& orders) {
   std::string text = "scheme,steps,h,error,order,expected\n";
   for (const auto& line : orders.lines) {
-    const auto expected = line.expected ? fmt::format("{}", *line.expected) : "";
+    const auto expected = line.expected ? fmt::format("{:.6g}", *line.expected) : "";
     for (const auto& row : line.rows) {
       text += fmt::format("{},{},{},{},{},{}\n", csv_names({line.name}), row.steps, row.h, row.error,
                           row.order ? fmt::format("{:.4f}", *row.order) : "", expected);

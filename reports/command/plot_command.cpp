@@ -178,13 +178,13 @@ nlohmann::json panel_of(const std::string& named, const Given& given, const Figu
 }
 
 // Writes the figure and returns its absolute path.
-std::filesystem::path figure(const Given& given, const FigureKind& kind,
+std::filesystem::path figure(const Given& given, const FigureKind& kind, nlohmann::json style,
                              const std::vector<std::string>& columns, const Streams& streams,
                              const SceneRegistry& known) {
   nlohmann::json panels = nlohmann::json::array();
   for (const auto& named : given.all("scene"))
     panels.push_back(panel_of(named, given, kind, columns, streams, known));
-  const auto style = style_in(given, panels);
+  style["names"] = own_names(given, panels);
   const bool is_family = panels.front()["sections"].front().contains("family");
   const auto name = given.text("--out");
   auto out = std::filesystem::absolute(name);
@@ -231,12 +231,14 @@ void write_orders(const Given& given, const Streams& streams, const SceneRegistr
 
 void plot(const Given& given, const Streams& streams, const SceneRegistry& known) {
   const FigureKind& kind = kind_named(given.word("--kind"));
+  const auto style = style_in(given);
   check(given, kind);
+  refuse_overwriting(given, "--out", {"--results", "--data", "scene"});
   if (kind.of == FigureData::orders) return write_orders(given, streams, known);
   const auto columns = columns_in(given, kind);
   const auto path = [&] {
     ProgressLine line(streams, fmt::format("draws {}", given.text("--out")));
-    return figure(given, kind, columns, streams, known);
+    return figure(given, kind, style, columns, streams, known);
   }();
   streams.out << path.string() << '\n';
 }

@@ -50,7 +50,8 @@ std::string parameter_of(const std::vector<SceneVariant>& scenes) {
   }
   if (differing.size() != 1) {
     throw std::invalid_argument(
-        fmt::format("--set: a figure is over one parameter, not {}", fmt::join(differing, ", ")));
+        fmt::format("--set: a figure is over one parameter, not {}",
+                    differing.empty() ? "the end" : fmt::format("{}", fmt::join(differing, ", "))));
   }
   return *differing.begin();
 }

@@ -70,6 +70,7 @@ SolveRequest request_of(const Given& given) {
                                     given.find_count("--points"));
   request.events = given.has("--events");
   request.all_solutions = given.has("--all");
+  refuse_overwriting(given, "--field", {"scene"});
   request.field = given.has("--field");
   request.check = given.has("--check");
   request.threads = given.count("--threads");

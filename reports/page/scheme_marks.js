@@ -9,10 +9,10 @@ const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9
 const lineDashes = [[], [7, 3], [12, 3, 2, 3]];
 const shapes = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down", "triangle-right", "triangle-left"];
 
-// Every colour with every shape once: the colours in turn, with the next shapes and dashes in each round.
+// Every colour with every shape once: the colours in turn, with the next shapes and other dashes in each round.
 function markAt(place) {
-  const round = Math.floor(place / colours.length), next = place + round;
-  return { colour: colours[place % colours.length], shape: shapes[next % shapes.length], dashes: lineDashes[next % lineDashes.length] };
+  const round = Math.floor(place / colours.length);
+  return { colour: colours[place % colours.length], shape: shapes[(place + round) % shapes.length], dashes: lineDashes[(place + 2 * round) % lineDashes.length] };
 }
 const places = Array.from({ length: colours.length * shapes.length }, (_, place) => place);
 

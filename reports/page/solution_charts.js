@@ -23,7 +23,8 @@ function greekOf(name, columns = []) {
 }
 const symbolLabels = (columns) => namesInLegend(columns, (name) => symbolOf(name, columns));
 
-const linear = (field, title) => ({ field, title, type: "quantitative", scale: { zero: false, nice: false, padding: 6 }, axis: { tickCount: 7, labelOverlap: true } });
+// Of the time without padding, which on a narrow axis would reach to ticks below 0.
+const linear = (field, title) => ({ field, title, type: "quantitative", scale: { zero: false, nice: false, padding: field === "t" ? 0 : 6 }, axis: { tickCount: 7, labelOverlap: true } });
 
 // Colours and dashes: curves are distinguished on paper without colours too.
 const dashes = [[], [6, 3], [2, 2], [8, 3, 2, 3], [1, 3], [10, 4]];

@@ -11,24 +11,43 @@ const valuesOf = (of, field) => (Array.isArray(of) ? of.flatMap((one) => valuesO
   : of === null || typeof of !== "object" ? []
   : [...(typeof of[field] === "number" ? [of[field]] : []), ...Object.values(of).flatMap((one) => valuesOf(one, field))]);
 
-// The axes with the titles and the scales that are wanted.
+// A refusal of what is asked for, in words of ours.
+class Refusal extends Error {}
+
+// Ticks with units of their own, as 2 µs, would contradict the unit of a title of one's own.
+const withoutUnits = (axis) => ([labels.time, labels.bytes].includes(axis.axis?.labelExpr) ? { ...axis, axis: { ...axis.axis, labelExpr: labels.number } } : axis);
+
+// The axes with the titles and the scales that are wanted; of panels one above the other the first has the title of the vertical one.
 function withAxes(spec) {
-  const axisOf = (channel, axis) => {
-    const { [channel]: { title, type } } = style.axes, named = title === null || axis.title === undefined || axis.title === null ? axis : { ...axis, title };
+  const titled = { x: false, y: false };
+  const axisOf = (channel, axis, isFirst) => {
+    const { [channel]: { title, type } } = style.axes, isNamed = title !== null && axis.title !== undefined && axis.title !== null && (channel === "x" || isFirst);
+    titled[channel] ||= isNamed;
+    const named = isNamed ? withoutUnits({ ...axis, title }) : axis;
     if (type === null || axis.field === undefined || type === (axis.scale?.type ?? "linear")) return named;
     if (type === "linear") return { ...linear(axis.field, named.title), scale: { zero: false, nice: false, padding: axisPadding } };
-    const values = valuesOf(spec, axis.field);
-    if (!values.every((value) => value > 0)) throw new Error(`--${channel}-axis = log: ${axis.title || axis.field} has values that are not above 0`);
+    const values = valuesOf(spec, axis.field).filter((value) => axis.field !== "t" || value > 0);
+    if (!values.every((value) => value > 0)) throw new Refusal(`--${channel}-axis = log: ${axis.title || axis.field} has values that are not above 0`);
     return logAxis(values.map((value) => ({ [axis.field]: value })), axis.field, named.title, labels.number);
   };
-  return encoded(spec, (encoding) => ({ ...encoding, ...Object.fromEntries(["x", "y"].filter((name) => encoding[name]?.type === "quantitative").map((name) => [name, axisOf(name, encoding[name])])) }));
+  const changed = (of, isFirst) => encoded(of, (encoding) => ({ ...encoding,
+    ...Object.fromEntries(["x", "y"].filter((name) => encoding[name]?.type === "quantitative").map((name) => [name, axisOf(name, encoding[name], isFirst)])) }));
+  const { vconcat, ...rest } = spec;
+  const made = { ...changed(rest, true), ...(vconcat && { vconcat: vconcat.map((panel, i) => changed(panel, i === 0)) }) };
+  for (const name of ["x", "y"]) if (style.axes[name].title !== null && !titled[name]) throw new Refusal(`--${name}-label: this figure has no such axis`);
+  return style.axes.x.type === "log" ? withoutStart(made) : made;
 }
+
+// On a logarithmic axis of the time there is no t = 0.
+const withoutStart = (of) => (Array.isArray(of) ? of.filter((one) => !(one?.t <= 0)).map(withoutStart)
+  : of === null || typeof of !== "object" ? of
+  : Object.fromEntries(Object.entries(of).map(([key, value]) => [key, withoutStart(value)])));
 
 // A legend at a side, names at the lines, or neither. By default names where they fit.
 function withNames(made, lines) {
   const { spec } = style.legend === "labels" ? withLineLabels(made, lines, true) : style.legend === null ? withLineLabels(made, lines) : made;
   const isLabelled = spec.layer?.some(({ name }) => name === "labels") && (style.legend ?? "labels") === "labels";
-  if (style.legend === "labels" && !isLabelled) throw new Error("--legend = labels: needs the lines of at least two schemes");
+  if (style.legend === "labels" && !isLabelled) throw new Refusal("--legend = labels: needs the lines of at least two schemes");
   const layer = spec.layer?.filter(({ name }) => isLabelled || name !== "labels");
   const legendOf = (legend) => (!legend ? legend : isLabelled || style.legend === "none" ? null : style.legend ? { ...legend, orient: style.legend, ...(style.legend === "right" && { columns: 1 }) } : legend);
   return encoded({ ...spec, ...(layer && { layer }) }, (encoding) => Object.fromEntries(Object.entries(encoding).map(([channel, of]) => [channel, of?.legend === undefined ? of : { ...of, legend: legendOf(of.legend) }])));

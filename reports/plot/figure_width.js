@@ -48,5 +48,6 @@ async function fitted(figure) {
     return { spec: drawn.spec, svg: shrunk(drawn.svg) };
   }
   // The last fraction of a pixel is white.
-  return { spec: drawn.spec, svg: drawn.svg.replace(/ width="[\d.]+"/, ` width="${paper.width.toFixed(1)}"`).replace(/ viewBox="0 0 [\d.]+ /, ` viewBox="0 0 ${paper.width.toFixed(1)} `) };
+  const width = ` width="${paper.width.toFixed(1)}"`;
+  return { spec: drawn.spec, svg: drawn.svg.replace(/ width="[\d.]+"/, width).replace(/(<rect) width="[\d.]+"/, `$1${width}`).replace(/ viewBox="0 0 [\d.]+ /, ` viewBox="0 0 ${paper.width.toFixed(1)} `) };
 }

@@ -41,7 +41,7 @@ function panelOf(data) {
   const made = chartsOfData(section, data.lines, data.kinds.find(({ id }) => id === kind), data.kinds,
     (line) => schemes.length === 0 || schemes.includes(line.split(",")[0]), columns.length > 0 ? columns : undefined);
   const found = [...made, ...chartsOfMeasurements(section)].find(({ id }) => id === chart);
-  if (!found) throw new Error(`there is no ${chart.replaceAll("-", " ")} of ${section.title ?? "this scene"}`);
+  if (!found) throw new Refusal(`--kind: there is no ${chart.replaceAll("-", " ")} of ${data.scene}`);
   const { params, ...spec } = sized(withNames({ ...found, spec: withAxes(found.spec) }, data.lines));
   const layers = spec.layer?.map(({ params: _, ...layer }) => layer);
   const plain = JSON.parse(JSON.stringify({ ...spec, ...(layers && { layer: layers }) }, (key, value) => (key === "opacity" && value?.condition ? undefined : value)));
@@ -75,5 +75,5 @@ async function write() {
 
 write().catch((error) => {
   console.error(error.message);
-  process.exitCode = 1;
+  process.exitCode = error instanceof Refusal ? 2 : 1;
 });

@@ -14,8 +14,8 @@ function chartsOfMeasurements({ title, solution, measured }) {
     return [bars, { data: { values: rows }, mark: { type: "point", filled: true, size: 30 }, encoding: { ...encoding, y: linear(field, name) } }];
   };
   const curves = { data: { values: solved }, mark: { type: "line", strokeWidth: 1.5 }, encoding: { x, y: linear("value", names), ...channels, order: { field: "t" } } };
-  const zero = { data: { values: [{ residual: 0 }] }, mark: { type: "rule", strokeWidth: 1 }, encoding: { y: linear("residual", "residual") } };
+  const zero = { data: { values: [{ residual: 0 }] }, mark: { type: "rule", strokeWidth: 1 }, encoding: { y: linear("residual", nameOf("residual")) } };
   return [{ id: "residuals", points: measured, spec: chart(`${title}: measurements, the solution and residuals`, [], {
-    vconcat: [{ layer: [curves, ...pointsOf("value", names)] }, { layer: [zero, ...pointsOf("residual", "residual")] }],
+    resolve: { scale: { x: "shared" } }, spacing: 12, vconcat: [{ layer: [curves, ...pointsOf("value", names)] }, { layer: [zero, ...pointsOf("residual", nameOf("residual"))] }],
   }) }];
 }

@@ -97,11 +97,25 @@ test("axes, names and the place of the legend are the author's", async () => {
   assert.deepEqual([labels(bare), encodingsIn(bare).filter(({ color, shape }) => color?.legend || shape?.legend)], [[], []]);
   // t begins with 0, which no logarithm has.
   assert.equal((await specOf("relaxation", "solution", "--y-axis", "log")).encoding.y.scale.type, "log");
-  await assert.rejects(specOf("relaxation", "solution", "--x-axis", "log"), /--x-axis = log: t has values that are not above 0/);
+  // On a logarithmic axis of the time there is no t = 0; phi passes through 0.
+  const { data, encoding } = await specOf("relaxation", "solution", "--x-axis", "log");
+  assert.equal(encoding.x.scale.type, "log");
+  assert.ok(data.values.every(({ t }) => t > 0));
+  await assert.rejects(specOf("pendulum", "solution", "--columns", "phi", "--y-axis", "log"), /^Error: .*\n?fdebench: --y-axis = log: φ has values that are not above 0/s);
+  await assert.rejects(specOf("loxodrome", "motion", "--x-label", "x"), /fdebench: --x-label: this figure has no such axis/);
+  // A unit in a title is that of the ticks.
+  assert.ok(encodingsIn(own).every(({ x }) => !x?.axis?.labelExpr?.includes("'s'")));
+});
+
+test("measurements and residuals are over one axis of time, and the first panel has the title", async () => {
+  const { vconcat, resolve } = await specOf("relaxation", "residuals", "--data", MEASURED, "--y-label", "strain (%)", "--name", "residual=left");
+  assert.equal(resolve.scale.x, "shared");
+  const titles = vconcat.map((panel) => [...new Set(encodingsIn(panel).map(({ y }) => y?.title).filter(Boolean))]);
+  assert.deepEqual(titles, [["strain (%)"], ["left"]]);
 });
 
 test("several scenes are panels of one figure, in which a scheme has one mark", async () => {
-  const two = ["pendulum", "relaxation:gamma=0.8"], of = ["--kind", "work-precision", "--results", RESULTS, "--width", "7", "--name", `${two[1]}=(b)`];
+  const two = ["pendulum", "relaxation:gamma=0.8"], of = ["--kind", "work-precision", "--results", RESULTS, "--name", `${two[1]}=(b)`];
   await fdebench(["plot", ...two, ...of, "--out", figure("two.svg")]);
   const svg = readFileSync(figure("two.svg"), "utf8");
   assert.equal(Number(/width="([\d.]+)"/.exec(svg)[1]), 672);

@@ -44,6 +44,14 @@ def smooth(random: Random, x: str) -> str:
                           f"{a}*acos(tanh({x}))"])
 
 
+def integral(random: Random, x: str) -> str:
+    """A fractional integral of an unknown, of a load or of both, or the derivative of a smooth load, of any order."""
+    a, q, w = typed(random.uniform(-0.6, 0.6), 2), typed(random.choice([0.5, random.uniform(0.05, 2.5)]), 2), number(random)
+    inner = random.choice([x, x, f"t*{x}", f"sin({x})", drive(random), f"J({x},{q})"])
+    load = random.choice([f"sin({w}*t)", "t^2", "t^3", f"exp(-{w}*t)", "1", f"t + cos({w}*t)"])
+    return random.choice([f"{a}*J({inner}, {q})", f"{a}*J({inner}, {q})", f"{a}*exp(-{w}*t)*J(exp({w}*t)*{x}, {q})", f"{a}*D({load}, {q})"])
+
+
 def right_side(random: Random, own: str, names: list[str], parameters: list[str]) -> str:
     """A sum of terms; most have damping in their own unknown, so that the problem is well conditioned."""
     parts = []
@@ -54,5 +62,7 @@ def right_side(random: Random, own: str, names: list[str], parameters: list[str]
         x = random.choice(names)
         parts.append({"d": drive, "s": lambda r: switch(r, x), "n": lambda r: smooth(r, x),
                       "k": lambda r: f"{typed(r.uniform(-0.6, 0.6), 2)}*{x}"}[kind](random))
+    if random.random() < 0.15:
+        parts.append(integral(random, random.choice(names)))
     random.shuffle(parts)
     return " + ".join(parts)

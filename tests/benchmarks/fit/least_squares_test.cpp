@@ -44,6 +44,20 @@ TEST(LeastSquaresFits, FollowACurvedValley) {
   EXPECT_NEAR(found.z[1], 1.0, 1e-9);
 }
 
+// Steps are bounded by the size of the variables' changes: 0 is a start as any other, also of a large
+// residual.
+TEST(LeastSquaresFits, StartAtZeroToo) {
+  const auto residuals = [](const Vec& z) -> std::optional<Vec> {
+    return Vec{{1e4 * (std::tanh(z[0]) - 0.7), 1e4 * (z[0] - z[1])}};
+  };
+  for (const double start : {0.0, 1e-12, -0.1}) {
+    const auto found = least_squares(residuals, Vec{{start, start}}, precise);
+    EXPECT_TRUE(found.has_converged) << start;
+    EXPECT_NEAR(found.z[1], std::atanh(0.7), 1e-9) << start;
+    EXPECT_LT(found.iterations, 10) << start;
+  }
+}
+
 // The model has no values next to the minimum, where long steps lead.
 TEST(LeastSquaresFits, RejectTrialsWithoutResiduals) {
   int rejected = 0;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -50,6 +51,28 @@ TEST_F(Fitting, WritesALineForEachMeasurement) {
   const auto text = content_of(left);
   EXPECT_THAT(text, StartsWith("t,column,measured,sd,model,residual\n0.25,y,0.0625,0.01,"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
+}
+
+// Under whatever name.
+TEST_F(Fitting, OverwritesNothingThatItReads) {
+  const auto link = folder_.file("link.csv");
+  std::filesystem::create_symlink("data.csv", link);
+  for (const auto& name : {file_, folder_.file("./data.csv"), link}) {
+    const auto answer = fit(squares, {"--vary", "p", "--residuals", name});
+    EXPECT_EQ(answer.err, "fdebench: --residuals = " + name + ": must be another file than " + file_ +
+                              ", which is read\n");
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_EQ(content_of(file_), squares);
+  }
+}
+
+// In the middle of its limits, where the free variable is 0.
+TEST_F(Fitting, StartsAnywhereBetweenItsLimits) {
+  for (const std::string limits : {"1:2", "1.2:1.8", "1.45:4"}) {
+    const auto answer = fit("t,y\n0.25,0.125\n0.5,0.354\n0.75,0.65\n1,1\n", {"--vary", "p=" + limits});
+    EXPECT_EQ(answer.code, 0) << limits << answer.err;
+    EXPECT_THAT(answer.out, HasSubstr("\nparameter p 1.")) << limits;
+  }
 }
 
 TEST_F(Fitting, PrintsOneObject) {

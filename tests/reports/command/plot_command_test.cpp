@@ -65,7 +65,8 @@ TEST_F(Plots, OfOrdersAreTables) {
   const auto tex = table("orders.tex");
   EXPECT_THAT(
       tex, testing::StartsWith("\\begin{tabular}{r*{1}{lr}}\n\\hline\n$N$ & \\multicolumn{2}{c}{l1} \\\\\n"));
-  EXPECT_THAT(tex, testing::ContainsRegex("\n128 & \\$[0-9.]+\\\\cdot10\\^\\{-[0-9]\\}\\$ & 1\\.[45][0-9] "));
+  EXPECT_THAT(
+      tex, testing::ContainsRegex("\n128 & \\$[0-9.]+\\\\cdot10\\^\\{-[0-9]\\}\\$ & \\$1\\.[45][0-9]\\$ "));
   EXPECT_THAT(tex, testing::EndsWith("\\end{tabular}\n"));
   EXPECT_THAT(
       fdebench("plot power --kind orders --results " + folder_.file("few.jsonl") + " --out a.svg").err,

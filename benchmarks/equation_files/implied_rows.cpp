@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/benchmarks/equation_files/implied_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "fdebench/benchmarks/equation_files/file_formulas.hpp"
+#include "fdebench/benchmarks/expressions/formula_tokens.hpp"
+
+namespace fde::bench {
+namespace {
+
+// Bytes from `first` up to `last` of a formula without blanks before them, with their places in the file.
+FormulaText part_of(const FormulaText& formula, std::size_t first, std::size_t last) {
+  first = std::min(last, next_token(formula.text, first).byte_offset);
+  FormulaText part{.text = formula.text.substr(first, last - first), .position = position_of(formula, first)};
+  part.pieces.push_back({0, part.position});
+  for (const LinePiece& piece : formula.pieces)
+    if (piece.first > first && piece.first < last)
+      part.pieces.push_back({piece.first - first, piece.position});
+  return part;
+}
+
+void append(FormulaText& to, const FormulaText& more) {
+  for (const LinePiece& piece : more.pieces)
+    to.pieces.push_back({to.text.size() + piece.first, piece.position});
+  to.text += more.text;
+}
+
+// J(f, q) or D(g, q): where its name begins, its brackets and its last comma stand.
+struct Call {
+  std::size_t name, open, comma, close;
+};
+
+// The call whose bracket opens here; nullopt where it does not close or has no comma, which the reader of
+// formulas refuses.
+std::optional<Call> call_at(const std::string& text, std::size_t name, std::size_t open) {
+  std::optional<std::size_t> comma;
+  int depth = 0;
+  for (auto token = next_token(text, open); !token.text.empty();
+       token = next_token(text, token.byte_offset + token.text.size())) {
+    if (token.text == "(") ++depth;
+    if (token.text == "," && depth == 1) comma = token.byte_offset;
+    if (token.text != ")" || --depth > 0) continue;
+    return comma ? std::optional(Call{name, open, *comma, token.byte_offset}) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+bool is_single_name(const std::string& text) {
+  const auto token = next_token(text, 0);
+  return !token.text.empty() && is_letter(token.text.front()) && token.text != "t" &&
+         next_token(text, token.byte_offset + token.text.size()).text.empty();
+}
+
+class ImpliedRows {
+ public:
+  ImpliedRows(EquationText text, const Parameters& parameters)
+      : text_(std::move(text)), formulas_(text_, parameters, NumberStorage::values) {}
+
+  EquationText complete() {
+    EquationText complete = text_;
+    for (std::size_t i = 0; i < text_.unknowns.size(); ++i)
+      complete.unknowns[i].rhs = with_rows(text_.unknowns[i].rhs);
+    std::ranges::move(rows_, std::back_inserter(complete.unknowns));
+    return complete;
+  }
+
+ private:
+  // The formula in which rows stand for integrals and derivatives.
+  FormulaText with_rows(const FormulaText& formula) {
+    FormulaText result{.text = "", .position = formula.position};
+    std::size_t copied = 0, next = 0;
+    while (const auto call = next_call(formula.text, next)) {
+      const auto of = part_of(formula, call->open + 1, call->comma),
+                 order = part_of(formula, call->comma + 1, call->close);
+      next = call->open;
+      const auto row = formula.text[call->name] == 'J'
+                           ? integral(with_rows(of), order)
+                           : derivative(of, order, position_of(formula, call->name));
+      if (!row) continue;
+      append(result, part_of(formula, copied, call->name));
+      append(result, {.text = *row, .position = {}, .pieces = {{0, position_of(formula, call->name)}}});
+      copied = next = call->close + 1;
+    }
+    append(result, part_of(formula, copied, formula.text.size()));
+    return result;
+  }
+
+  // The first one that begins at or after this byte.
+  [[nodiscard]] static std::optional<Call> next_call(const std::string& text, std::size_t from) {
+    for (auto token = next_token(text, from); !token.text.empty();) {
+      const auto following = next_token(text, token.byte_offset + token.text.size());
+      if ((token.text == "J" || token.text == "D") && following.text == "(") {
+        if (const auto call = call_at(text, token.byte_offset, following.byte_offset)) return call;
+      }
+      token = following;
+    }
+    return std::nullopt;
+  }
+
+  std::string integral(const FormulaText& of, const FormulaText& order) {
+    const double q = formulas_.constant(order, "order of J", integral_orders);
+    return row({order, of, static_cast<std::size_t>(std::ceil(q))});
+  }
+
+  // nullopt: of an unknown, or of a whole order.
+  std::optional<std::string> derivative(const FormulaText& of, const FormulaText& order,
+                                        const TextPosition& place) {
+    if (is_single_name(of.text)) return std::nullopt;
+    const double q = formulas_.constant(order, "order of D", derivative_orders);
+    if (q == std::floor(q)) return std::nullopt;
+    const auto whole = static_cast<int>(std::ceil(q));
+    FormulaText row_order = order, rhs = of;
+    row_order.text = fmt::format("{} - ({})", whole, order.text);
+    row_order.pieces.clear();
+    rhs.text = fmt::format("D({}, {})", of.text, whole);
+    for (LinePiece& piece : rhs.pieces) piece.first += 2;  // behind "D("
+    rhs.position = place;
+    rhs.pieces.insert(rhs.pieces.begin(), {0, place});
+    return row({row_order, rhs, 1});
+  }
+
+  struct Row {
+    FormulaText order, rhs;
+    std::size_t initial_values;
+  };
+
+  // The name of a row, which may be there already.
+  std::string row(const Row& of) {
+    const auto is_same = [&](const UnknownText& one) {
+      return one.rhs.text == of.rhs.text && one.terms.front().order.text == of.order.text;
+    };
+    if (const auto known = std::ranges::find_if(rows_, is_same); known != rows_.end()) return known->name;
+    const FormulaText one{.text = "1", .position = of.order.position},
+        zero{.text = "0", .position = of.order.position};
+    rows_.push_back({.name = free_name(),
+                     .position = of.order.position,
+                     .terms = {{one, of.order}},
+                     .rhs = of.rhs,
+                     .initial = std::vector<FormulaText>(of.initial_values, zero),
+                     .is_implied = true});
+    return rows_.back().name;
+  }
+
+  // One that nothing in the file has.
+  std::string free_name() {
+    const auto is_taken = [&](const std::string& name) {
+      return text_.contents.find(name) != std::string::npos;
+    };
+    std::string name;
+    do {
+      name = fmt::format("integral_{}", ++last_number_);
+    } while (is_taken(name));
+    return name;
+  }
+
+  static constexpr Range integral_orders{.low = 0.0, .high = 10.0, .open_low = true};
+  static constexpr Range derivative_orders{.low = 0.0, .high = 10.0};
+  const EquationText text_;
+  FileFormulas formulas_;
+  std::vector<UnknownText> rows_{};
+  int last_number_ = 0;
+};
+
+// Whether something in brackets follows one of these names somewhere.
+bool may_imply_rows(const EquationText& text) {
+  return std::ranges::any_of(text.unknowns, [](const UnknownText& one) {
+    return one.rhs.text.find("J(") != std::string::npos || one.rhs.text.find("D(") != std::string::npos ||
+           one.rhs.text.find("J (") != std::string::npos || one.rhs.text.find("D (") != std::string::npos;
+  });
+}
+
+}  // namespace
+
+EquationText with_implied_rows(EquationText text, const Parameters& parameters) {
+  const bool has_own_j = std::ranges::find(text.unknowns, "J", &UnknownText::name) != text.unknowns.end();
+  if (text.mechanics || has_own_j || !may_imply_rows(text)) return text;
+  return ImpliedRows(std::move(text), parameters).complete();
+}
+
+}  // namespace fde::bench
