@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/equation_files/file_formulas.hpp"
 #include "fdebench/benchmarks/expressions/formula_tokens.hpp"
@@ -51,6 +54,18 @@ std::optional<Call> call_at(const std::string& text, std::size_t name, std::size
   return std::nullopt;
 }
 
+// The first call that begins at or after this byte.
+std::optional<Call> next_call(const std::string& text, std::size_t from) {
+  for (auto token = next_token(text, from); !token.text.empty();) {
+    const auto following = next_token(text, token.byte_offset + token.text.size());
+    if ((token.text == "J" || token.text == "D") && following.text == "(") {
+      if (const auto call = call_at(text, token.byte_offset, following.byte_offset)) return call;
+    }
+    token = following;
+  }
+  return std::nullopt;
+}
+
 bool is_single_name(const std::string& text) {
   const auto token = next_token(text, 0);
   return !token.text.empty() && is_letter(token.text.front()) && token.text != "t" &&
@@ -91,18 +106,6 @@ class ImpliedRows {
     return result;
   }
 
-  // The first one that begins at or after this byte.
-  [[nodiscard]] static std::optional<Call> next_call(const std::string& text, std::size_t from) {
-    for (auto token = next_token(text, from); !token.text.empty();) {
-      const auto following = next_token(text, token.byte_offset + token.text.size());
-      if ((token.text == "J" || token.text == "D") && following.text == "(") {
-        if (const auto call = call_at(text, token.byte_offset, following.byte_offset)) return call;
-      }
-      token = following;
-    }
-    return std::nullopt;
-  }
-
   std::string integral(const FormulaText& of, const FormulaText& order) {
     const double q = formulas_.constant(order, "order of J", integral_orders);
     return row({order, of, static_cast<std::size_t>(std::ceil(q))});
@@ -136,6 +139,10 @@ class ImpliedRows {
       return one.rhs.text == of.rhs.text && one.terms.front().order.text == of.order.text;
     };
     if (const auto known = std::ranges::find_if(rows_, is_same); known != rows_.end()) return known->name;
+    if (text_.unknowns.size() + rows_.size() >= max_unknowns) {
+      reject_at(text_.file, of.rhs.position,
+                fmt::format("there are more than {} unknowns and integrals", max_unknowns));
+    }
     const FormulaText one{.text = "1", .position = of.order.position},
         zero{.text = "0", .position = of.order.position};
     rows_.push_back({.name = free_name(),
@@ -167,19 +174,12 @@ class ImpliedRows {
   int last_number_ = 0;
 };
 
-// Whether something in brackets follows one of these names somewhere.
-bool may_imply_rows(const EquationText& text) {
-  return std::ranges::any_of(text.unknowns, [](const UnknownText& one) {
-    return one.rhs.text.find("J(") != std::string::npos || one.rhs.text.find("D(") != std::string::npos ||
-           one.rhs.text.find("J (") != std::string::npos || one.rhs.text.find("D (") != std::string::npos;
-  });
-}
-
 }  // namespace
 
 EquationText with_implied_rows(EquationText text, const Parameters& parameters) {
   const bool has_own_j = std::ranges::find(text.unknowns, "J", &UnknownText::name) != text.unknowns.end();
-  if (text.mechanics || has_own_j || !may_imply_rows(text)) return text;
+  const auto has_call = [](const UnknownText& one) { return next_call(one.rhs.text, 0).has_value(); };
+  if (text.mechanics || has_own_j || std::ranges::none_of(text.unknowns, has_call)) return text;
   return ImpliedRows(std::move(text), parameters).complete();
 }
 

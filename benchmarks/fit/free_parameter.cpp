@@ -44,9 +44,15 @@ Range within(Range range, const VariedParameter& limits) {
 FreeParameter free_parameter(const VariedParameter& varied, const SceneVariant& scene,
                              const Parameters& values) {
   constexpr double twentieth = 0.05;
-  const Range range = within(declared_parameter(varied.name, *scene.factory).range, varied);
+  const Range declared = declared_parameter(varied.name, *scene.factory).range;
+  const Range range = within(declared, varied);
   const double start = value_of(varied.name, values);
-  if (!(range.low < range.high) || start < range.low || start > range.high) {
+  if (!(range.low < range.high)) {
+    const auto limits = fmt::format("{} = {}:{}", varied.name, varied.low.value_or(declared.low),
+                                    varied.high.value_or(declared.high));
+    refuse_value("vary", limits, {fmt::format("limits LOW < HIGH within its range, {}", declared.text())});
+  }
+  if (start < range.low || start > range.high) {
     refuse_value("vary", varied.name,
                  {fmt::format("a parameter that starts in its range: it starts at {}, and its range is "
                               "from {} to {}",

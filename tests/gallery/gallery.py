@@ -67,7 +67,8 @@ class Examples(unittest.TestCase):
     def test_two_schemes_give_the_reference(self):
         for name in EXAMPLES:
             scene = f"{name}.toml" + (":until=1.5" if name == "falling" else "")  # before it is on the ground
-            for words, error in [(["spectral_collocation", "--accuracy", "1e-9"], 1e-8), (["bdf4", "--steps", "4000"], 1e-6)]:
+            grid = ["product_trapezoidal", "--steps", "4000", "--grid", "graded:4"] if name == "radiation" else ["bdf4", "--steps", "4000"]  # of an algebraic row
+            for words, error in [(["spectral_collocation", "--accuracy", "1e-9"], 1e-8), (grid, 1e-6)]:
                 run = rows("solve", scene, "--points", "6", "--scheme", *words)
                 known = exact(scene, *run["t"])
                 self.assertEqual(len(run["t"]), 6)
@@ -130,6 +131,28 @@ class Examples(unittest.TestCase):
             # The middle by Hermite's polynomial, of the same order as the method.
             x += [(now + after) / 2 + h / 4 * (a - growth(after, last)), after]
         self.assert_near(exact("delayed_growth.toml:g=1", 6)["x"][0], x[-1], 1e-8)
+
+    def test_radiation_is_known_for_newtons_law_and_by_the_trapezoidal_rule(self):
+        self.assert_near(exact("radiation.toml:n=1", 1)["u"][0], math.exp(1) * math.erfc(1), 1e-14)
+        # u = 1 - J^1/2 u^4 with u^4 linear between the times (k/N)^4, at which its integral against (t - s)^-1/2 is known.
+        times, u = [(k / 300) ** 4 for k in range(301)], [1.0]
+        for t in times[1:]:
+            known, last = 1.0, 0.0
+            for k in range(len(u)):
+                a, b = times[k], times[k + 1]
+                whole = 2 * (math.sqrt(t - a) - math.sqrt(t - b))
+                moment = 2 / 3 * ((t - a) ** 1.5 - (t - b) ** 1.5)  # of t - s
+                upper = (whole * (t - a) - moment) / (b - a)
+                known -= (whole - upper) * u[k] ** 4 / math.sqrt(math.pi)
+                if k + 1 < len(u):
+                    known -= upper * u[k + 1] ** 4 / math.sqrt(math.pi)
+                else:
+                    last = upper / math.sqrt(math.pi)
+            value = u[-1]
+            for _ in range(30):
+                value -= (value + last * value**4 - known) / (1 + 4 * last * value**3)
+            u.append(value)
+        self.assert_near(exact("radiation.toml", 1)["u"][0], u[-1], 2e-6)
 
     def test_multi_order_is_its_formula(self):
         known = exact("multi_order.toml", 0.25, 1)

@@ -274,5 +274,5 @@ def figures_are_drawn(program: Program, case: Case, lists: Lists) -> None:
                 raise Fault("panels", f"{len(scenes)} scenes, {len(spec['hconcat'])} panels")
         elif "NaN" in text:
             raise Fault("nan", "a figure has a NaN")
-        elif abs(float(re.search(r'width="([\d.]+)"', text)[1]) - 96 * float(case.options.get("--width", "3.4"))) > 0.06:
+        elif abs(float(re.search(r'width="([\d.]+)"', text)[1]) - 96 * float(case.options.get("--width", "7" if case.words else "3.4"))) > 0.06:
             raise Fault("width", re.search(r"<svg[^>]*>", text)[0])
