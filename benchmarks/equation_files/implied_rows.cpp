@@ -22,9 +22,10 @@ FormulaText part_of(const FormulaText& formula, std::size_t first, std::size_t l
   first = std::min(last, next_token(formula.text, first).byte_offset);
   FormulaText part{.text = formula.text.substr(first, last - first), .position = position_of(formula, first)};
   part.pieces.push_back({0, part.position});
-  for (const LinePiece& piece : formula.pieces)
+  for (const LinePiece& piece : formula.pieces) {
     if (piece.first > first && piece.first < last)
       part.pieces.push_back({piece.first - first, piece.position});
+  }
   return part;
 }
 

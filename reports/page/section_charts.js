@@ -62,7 +62,7 @@ function errorAgainstStep(scene, lines, kind) {
   return {
     id: "error-against-step", title: "Error against step; dotted: theoretical rate", points, columns: ["line", "steps", "h", "error"],
     spec: chart(`${scene.title}: ${titleOfKind(kind)} against step, a line for each scheme and dotted its theoretical rate`, points,
-      { layer: [guides, ...lineLayers(encoding, lines, points)] }),
+      { layer: [...(guides.data.values.length > 0 ? [guides] : []), ...lineLayers(encoding, lines, points)] }),
   };
 }
 

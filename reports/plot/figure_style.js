@@ -15,7 +15,8 @@ const valuesOf = (of, field) => (Array.isArray(of) ? of.flatMap((one) => valuesO
 class Refusal extends Error {}
 
 // Ticks with units of their own, as 2 µs, would contradict the unit of a title of one's own.
-const withoutUnits = (axis) => ([labels.time, labels.bytes].includes(axis.axis?.labelExpr) ? { ...axis, axis: { ...axis.axis, labelExpr: labels.number } } : axis);
+const unitOf = ({ axis }) => ({ [labels.time]: "s", [labels.bytes]: "bytes" })[axis?.labelExpr];
+const withoutUnits = (axis) => (unitOf(axis) ? { ...axis, axis: { ...axis.axis, labelExpr: labels.number } } : axis);
 
 // The axes with the titles and the scales that are wanted; of panels one above the other the first has the title of the vertical one.
 function withAxes(spec) {
@@ -25,7 +26,7 @@ function withAxes(spec) {
     titled[channel] ||= isNamed;
     const named = isNamed ? withoutUnits({ ...axis, title }) : axis;
     if (type === null || axis.field === undefined || type === (axis.scale?.type ?? "linear")) return named;
-    if (type === "linear") return { ...linear(axis.field, named.title), scale: { zero: false, nice: false, padding: axisPadding } };
+    if (type === "linear") return { ...linear(axis.field, isNamed || !unitOf(axis) ? named.title : `${axis.title} in ${unitOf(axis)}`), scale: { zero: false, nice: false, padding: axisPadding } };
     const values = valuesOf(spec, axis.field).filter((value) => axis.field !== "t" || value > 0);
     if (!values.every((value) => value > 0)) throw new Refusal(`--${channel}-axis = log: ${axis.title || axis.field} has values that are not above 0`);
     return logAxis(values.map((value) => ({ [axis.field]: value })), axis.field, named.title, labels.number);

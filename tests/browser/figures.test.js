@@ -88,6 +88,8 @@ test("axes, names and the place of the legend are the author's", async () => {
   const own = await specOf(...words, "--x-label", "time (s)", "--y-label", "error", "--y-axis", "linear", "--name", "l1=L1 = Oldham & Spanier");
   assert.deepEqual(labels(own).sort(), [["bdf4", "bdf4"], ["l1", "L1 = Oldham & Spanier"]]);
   for (const { x, y } of encodingsIn(own)) assert.deepEqual([x?.title ?? "time (s)", y?.title ?? "error", x?.scale?.type, y?.scale?.type], ["time (s)", "error", "log", undefined]);
+  const times = encodingsIn(await specOf(...words, "--x-axis", "linear")).map(({ x }) => x?.title).filter(Boolean);
+  assert.deepEqual([...new Set(times)], ["run time in s"]);
   for (const place of ["bottom", "right"]) {
     const placed = await specOf(...words, "--legend", place);
     assert.deepEqual(labels(placed), []);

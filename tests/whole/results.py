@@ -204,6 +204,7 @@ def a_slower_scheme_has_a_slower_run(program: Program, case: Case, lists: Lists)
 
 
 FIGURES_OF_RUNS = ("work-precision", "memory", "rate", "accuracy")
+FIGURE_SCHEMES = ("l1", "bdf4", "adams_pc", "spectral_collocation", "adaptive_pc")
 
 
 def drawn_figure(random: Random, lists: Lists) -> Case:
@@ -257,13 +258,13 @@ def figures_are_drawn(program: Program, case: Case, lists: Lists) -> None:
     scene, *settings = case.problem()
     scenes, results = [scene, *case.words], []
     if case.options["--kind"] in FIGURES_OF_RUNS:
-        asked = [word for name in scenes for word in ("--scene", name)]
+        asked = [word for name in scenes for word in ("--scene", name)] + [word for name in FIGURE_SCHEMES for word in ("--scheme", name)]
         resolution = ["--accuracy", "1e-2,1e-4"] if case.options["--kind"] == "accuracy" else ["--steps", "8,16,32"]
         program.run("run", *asked, *settings, *resolution, "--repeat", "1", "--budget", "0.2", "--out", "run.jsonl", seconds=120)
         results = ["--results", "run.jsonl"]
     for out in ("figure.vl.json", "figure.svg"):
         ended = program.run("plot", *scenes, *settings, *results, *case.given(), "--out", out, seconds=120)
-        if re.search(r"undefined|not a function|Cannot read|is not iterable|Invalid|Unexpected", ended.err):
+        if re.search(r"\.cjs|not defined|undefined|not a function|Cannot read|is not iterable|Invalid|Unexpected", ended.err):
             raise Fault("script", ended.err)
         if not ended.done:
             return

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""agreement.py FDEBENCH RESULTS [SCENE...]: asks `choose` for each scene of a results file (by default the scenes of the
-default sweep), six accuracies and two norms, and compares the answer with the cheapest run of the results. Prints CSV, a
+"""agreement.py FDEBENCH RESULTS [--sample N] [SCENE...]: asks `choose` for each scene of a results file, or for these, six
+accuracies and two norms, or N of these questions at random, the same for the same N, and compares the answer with the cheapest run of the results. Prints CSV, a
 line for each question, then how many answers agree: the same scheme, or a time that is not above the other's interval.
 Also checks that each scheme that is called slower has a run outside the accuracy that takes longer than the answer."""
 
@@ -10,6 +10,8 @@ import json
 import subprocess
 import sys
 import tempfile
+from itertools import product
+from random import Random
 
 ACCURACIES = ["1e-2", "1e-4", "1e-6", "1e-8", "1e-10", "1e-12"]
 
@@ -40,31 +42,34 @@ def unsupported(answer):
 
 
 def main():
-    program, results, *scenes = sys.argv[1:]
+    program, results, *rest = sys.argv[1:]
+    sample = int(rest[1]) if rest[:1] == ["--sample"] else 0
+    scenes, rows = rest[2:] if sample else rest, rows_by_scene(results)
+    questions = list(product(scenes or rows, ("maximum", "end"), ACCURACIES))
+    if sample:
+        questions = Random(sample).sample(questions, sample)
     writer = csv.writer(sys.stdout)
     writer.writerow(["scene", "norm", "accuracy", "choose", "steps", "seconds", "sweep", "its steps", "its seconds", "ratio"])
-    agree, asked, slower = 0, 0, 0
+    agree, slower, neither = 0, 0, 0
     part = tempfile.mktemp(suffix=".jsonl")
-    rows = rows_by_scene(results)
-    for scene in scenes or rows:
+    for scene, norm, accuracy in questions:
         with open(part, "w", encoding="utf-8") as file:
             file.writelines(rows[scene])
-        for norm in ("maximum", "end"):
-            for accuracy in ACCURACIES:
-                question = (scene, "--error", accuracy, "--norm", norm)
-                answer, swept = ask(program, *question), ask(program, *question, "--results", part)
-                if answer is None:
-                    writer.writerow([scene, norm, accuracy, "none"])
-                    continue
-                slower += len(unsupported(answer))
-                asked += 1
-                same = swept is None or answer["scheme"] in [swept["scheme"], *swept["same_as"]]
-                agree += same or answer["seconds_low"] <= swept["seconds_high"]
-                writer.writerow([scene, norm, accuracy, answer["scheme"], answer["steps"], f"{answer['seconds']:.3g}"] +
-                                ([swept["scheme"], swept["steps"], f"{swept['seconds']:.3g}",
-                                  f"{answer['seconds'] / swept['seconds']:.2f}"] if swept else ["none"]))
-                sys.stdout.flush()
-    print(f"{agree} of {asked} answers agree; {slower} schemes are called slower without a run that shows it")
+        question = (scene, "--error", accuracy, "--norm", norm)
+        answer, swept = ask(program, *question), ask(program, *question, "--results", part)
+        if answer is None:
+            writer.writerow([scene, norm, accuracy, "none", "", "", swept["scheme"] if swept else "none"])
+            neither += swept is None
+            continue
+        slower += len(unsupported(answer))
+        same = swept is None or answer["scheme"] in [swept["scheme"], *swept["same_as"]]
+        agree += same or answer["seconds_low"] <= swept["seconds_high"]
+        writer.writerow([scene, norm, accuracy, answer["scheme"], answer["steps"], f"{answer['seconds']:.3g}"] +
+                        ([swept["scheme"], swept["steps"], f"{swept['seconds']:.3g}",
+                          f"{answer['seconds'] / swept['seconds']:.2f}"] if swept else ["none"]))
+        sys.stdout.flush()
+    print(f"{agree + neither} of {len(questions)} answers agree, {neither} of them that there is none; "
+          f"{slower} schemes are called slower without a run that shows it")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,8 @@
 // Linear systems with rows of order 0: motions under the fractional constraint f = a.v + b.D^alpha q = C0
 // (Tarasov & Zaslavsky 2006, eq. 42 and 55-66), compared with formulations without a multiplier.
 
+#include <fmt/format.h>
+
 #include "benchmarks/mechanics/constrained_motion_testing.hpp"
 
 namespace fde::bench {
