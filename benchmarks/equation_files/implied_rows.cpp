@@ -76,7 +76,9 @@ bool is_single_name(const std::string& text) {
 class ImpliedRows {
  public:
   ImpliedRows(EquationText text, const Parameters& parameters)
-      : text_(std::move(text)), formulas_(text_, parameters, NumberStorage::values) {}
+      : text_(std::move(text)),
+        has_own_j_(std::ranges::find(text_.unknowns, "J", &UnknownText::name) != text_.unknowns.end()),
+        formulas_(text_, parameters, NumberStorage::values) {}
 
   EquationText complete() {
     EquationText complete = text_;
@@ -107,7 +109,9 @@ class ImpliedRows {
     return result;
   }
 
-  std::string integral(const FormulaText& of, const FormulaText& order) {
+  // nullopt: J is an unknown.
+  std::optional<std::string> integral(const FormulaText& of, const FormulaText& order) {
+    if (has_own_j_) return std::nullopt;
     const double q = formulas_.constant(order, "order of J", integral_orders);
     return row({order, of, static_cast<std::size_t>(std::ceil(q))});
   }
@@ -170,6 +174,7 @@ class ImpliedRows {
   static constexpr Range integral_orders{.low = 0.0, .high = 10.0, .open_low = true};
   static constexpr Range derivative_orders{.low = 0.0, .high = 10.0};
   const EquationText text_;
+  bool has_own_j_;
   FileFormulas formulas_;
   std::vector<UnknownText> rows_{};
   int last_number_ = 0;
@@ -178,9 +183,8 @@ class ImpliedRows {
 }  // namespace
 
 EquationText with_implied_rows(EquationText text, const Parameters& parameters) {
-  const bool has_own_j = std::ranges::find(text.unknowns, "J", &UnknownText::name) != text.unknowns.end();
   const auto has_call = [](const UnknownText& one) { return next_call(one.rhs.text, 0).has_value(); };
-  if (text.mechanics || has_own_j || std::ranges::none_of(text.unknowns, has_call)) return text;
+  if (text.mechanics || std::ranges::none_of(text.unknowns, has_call)) return text;
   return ImpliedRows(std::move(text), parameters).complete();
 }
 

@@ -175,7 +175,7 @@ class FormulaParser {
     auto hint = is_call ? function_hint(token.text) : name_hint(token.text);
     if (hint.empty()) hint = hint_of_derivative(token.text);
     if (hint.empty() && is_call && token.text == "J")
-      hint = "; a fractional integral J(f, q) stands in the right-hand side of an unknown";
+      hint = "; a fractional integral J(f, q) is allowed in the right-hand side of an unknown only";
     if (hint.empty()) {
       auto known = is_call ? function_names() : names_.accepted_names;
       if (!is_call) known.emplace_back("pi");

@@ -134,7 +134,9 @@ void refuse_overwriting(const Given& given, std::string_view out,
   if (!written) return;
   for (const auto name : read) {
     for (const std::string& text : given.all(name)) {
-      const auto file = name == "scene" ? text.substr(0, text.find(".toml") + 5) : text;
+      constexpr std::string_view end = ".toml";  // settings of a scene follow it
+      const auto at = name == "scene" ? text.find(end) : std::string::npos;
+      const auto file = at == std::string::npos ? text : text.substr(0, at + end.size());
       if (is_same_file(*written, file))
         given.refuse(out, fmt::format("another file than {}, which is read", text));
     }

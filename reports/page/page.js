@@ -91,15 +91,15 @@ function shownVerdicts(section, page, kind) {
 function shownCharts(section, page, kind, redraw) {
   const { solution, ...measured } = section, view = viewNow();
   const wants = (line, session) => wantsLine(view, line) && wantsSession(view, session);
-  const charts = (only_first) => framedCharts(section, page, kind, chartsOfSection({ ...measured, only_first }, page.lines, kind, page.kinds, wants));
+  const charts = (first_lines) => framedCharts(section, page, kind, chartsOfSection({ ...measured, first_lines }, page.lines, kind, page.kinds, wants));
   const all = section.runs && !view.schemes ? linesByTime(wantedPoints(section, kind, page.kinds, wants)) : [];
-  if (all.length <= mostLines) return charts(false);
+  if (all.length <= mostLines) return charts();
   const turn = buttonFor(() => {
     section.all_lines = !section.all_lines;
     redraw();
   }, {}, section.all_lines ? `Only the ${firstLines}` : `All ${all.length}`);
   const said = section.all_lines ? `All ${all.length} lines are drawn.` : `The charts show ${firstLines} of ${all.length} lines: those that are the quickest most often, then those nearest to them.`;
-  return [element("p", { class: "left" }, said, " ", turn), ...charts(!section.all_lines)];
+  return [element("p", { class: "left" }, said, " ", turn), ...charts(section.all_lines ? undefined : all.slice(0, firstLines))];
 }
 
 const conclusionSaid = (text) => element("p", { class: "conclusion" }, ...unbroken(text));

@@ -25,10 +25,6 @@ function linesByTime(points) {
 
 // Of a scene with more lines than can be told apart its charts begin with those that are first by time.
 const mostLines = 6, firstLines = 5;
-function firstOf(points) {
-  const all = linesByTime(points);
-  return all.length > mostLines ? all.slice(0, firstLines) : all;
-}
 
 // A cost is a field of the points, what it is called and how its axis is labelled.
 function errorAgainstCost(scene, lines, kind, { id, field, name, labelExpr, least }) {
@@ -117,11 +113,11 @@ const chartsOfCurves = [
 // The points of a section that are wanted, with errors of this kind.
 const wantedPoints = (section, kind, kinds, wants) => pointsOf(section, kind, kinds).filter(({ line, session }) => wants(line, session));
 
-// The charts of a scene, or over a parameter, that have points. only_first: of many lines the first ones.
+// The charts of a scene, or over a parameter, that have points. first_lines: of many lines those that are drawn.
 function chartsOf(scene, lines, kindOfPage, kinds, wants) {
   const kind = scene.compared_columns ? { ...kindOfPage, columns: scene.compared_columns } : kindOfPage;
-  const all_points = wantedPoints(scene, kind, kinds, wants), first = scene.only_first && new Set(firstOf(all_points));
-  const drawn = { ...scene, all_points, points: all_points.filter(({ line }) => !first || first.has(line)) };
+  const all_points = wantedPoints(scene, kind, kinds, wants);
+  const drawn = { ...scene, all_points, points: all_points.filter(({ line }) => scene.first_lines?.includes(line) ?? true) };
   return (scene.parameter ? chartsOfCurves : chartsOfScenes)
     .map((make) => make(drawn, lines, kind)).filter((made) => made.points.length > 0).map((made) => withLineLabels(made, lines));
 }

@@ -21,12 +21,14 @@ const withoutUnits = (axis) => (unitOf(axis) ? { ...axis, axis: { ...axis.axis, 
 // The axes with the titles and the scales that are wanted; of panels one above the other the first has the title of the vertical one.
 function withAxes(spec) {
   const titled = { x: false, y: false };
+  let hasLogarithmicTime = false;
   const axisOf = (channel, axis, isFirst) => {
     const { [channel]: { title, type } } = style.axes, isNamed = title !== null && axis.title !== undefined && axis.title !== null && (channel === "x" || isFirst);
     titled[channel] ||= isNamed;
     const named = isNamed ? withoutUnits({ ...axis, title }) : axis;
     if (type === null || axis.field === undefined || type === (axis.scale?.type ?? "linear")) return named;
     if (type === "linear") return { ...linear(axis.field, isNamed || !unitOf(axis) ? named.title : `${axis.title} in ${unitOf(axis)}`), scale: { zero: false, nice: false, padding: axisPadding } };
+    hasLogarithmicTime ||= axis.field === "t";
     const values = valuesOf(spec, axis.field).filter((value) => axis.field !== "t" || value > 0);
     if (!values.every((value) => value > 0)) throw new Refusal(`--${channel}-axis = log: ${axis.title || axis.field} has values that are not above 0`);
     return logAxis(values.map((value) => ({ [axis.field]: value })), axis.field, named.title, labels.number);
@@ -36,7 +38,7 @@ function withAxes(spec) {
   const { vconcat, ...rest } = spec;
   const made = { ...changed(rest, true), ...(vconcat && { vconcat: vconcat.map((panel, i) => changed(panel, i === 0)) }) };
   for (const name of ["x", "y"]) if (style.axes[name].title !== null && !titled[name]) throw new Refusal(`--${name}-label: this figure has no such axis`);
-  return style.axes.x.type === "log" ? withoutStart(made) : made;
+  return hasLogarithmicTime ? withoutStart(made) : made;
 }
 
 // On a logarithmic axis of the time there is no t = 0.

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """agreement.py FDEBENCH RESULTS [--sample N] [SCENE...]: asks `choose` for each scene of a results file, or for these, six
-accuracies and two norms, or N of these questions at random, the same for the same N, and compares the answer with the cheapest run of the results. Prints CSV, a
-line for each question, then how many answers agree: the same scheme, or a time that is not above the other's interval.
+accuracies and two norms, or N of these questions at random, the same for the same N, and compares the answer with the
+cheapest run of the results. Prints CSV, a line for each question, then how many answers agree: the same scheme, or a time that is not above the other's interval.
 Also checks that each scheme that is called slower has a run outside the accuracy that takes longer than the answer."""
 
 import csv

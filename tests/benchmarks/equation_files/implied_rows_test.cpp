@@ -90,6 +90,15 @@ TEST(ImpliedRows, TakeNonlinearIntegrands) {
   EXPECT_NEAR(solved_by(text, "1", {"spectral_collocation", "--accuracy", "1e-10"}), 1.0, 1e-8);
 }
 
+// J(t - 1) is its value at t - 1, here 0: J' = D^0.4 sin(3t).
+TEST(ImpliedRows, LeaveAnUnknownOfTheSameNameAlone) {
+  const std::string text =
+      "end = 1\n[unknown.J]\norder = 1\nrhs = \"D(sin(3*t), 0.4) + J(t - 1)\"\ninitial = [0]\nbefore = "
+      "\"0\"\n";
+  EXPECT_NEAR(solved_by(text, "1", {"spectral_collocation", "--accuracy", "1e-10"}), 0.67200948165877728324,
+              1e-8);
+}
+
 TEST(ImpliedRows, AreRefusedAtTheirPlace) {
   const auto refusal = [](const std::string& rhs) {
     const TemporaryFolder folder;
