@@ -195,10 +195,12 @@ std::unique_ptr<MemoryBlock> PanelCollocation::accept_panel(const TimeBlock& blo
   last_unknowns_ = solved.unknowns.bottomRows<1>().transpose();
   sides_ =
       switch_signs(problem_, task.times[rule.size() - 1], solver_.values_at(solved.rows, rule.size() - 1));
+  Matrix slopes = block.from == 0.0 ? solver_.algebraic_slopes(run_, task, solved.rows) : Matrix();
   return std::make_unique<MemoryBlock>(MemoryBlock{.block = block,
                                                    .coefficients = rule.to_coefficients * solved.unknowns,
                                                    .units = task.units,
-                                                   .values = std::move(solved.rows)});
+                                                   .values = std::move(solved.rows),
+                                                   .slopes = std::move(slopes)});
 }
 
 // Whether the panel is not on one side of every switch, or, after the first panel of a segment, not on the

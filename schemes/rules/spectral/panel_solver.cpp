@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/panel_solver.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -206,6 +207,18 @@ void PanelSolver::differentiate(Run& run, double t, In sizes) {
   if (evaluate_jacobian(problem_, t, y_, jacobian_)) return;
   f_ = run.rhs(t, y_);
   difference_jacobian_of_rhs(run, problem_, t, y_, f_, sizes, jacobian_);
+}
+
+Matrix PanelSolver::algebraic_slopes(Run& run, const PanelSystem& task, const Matrix& rows) {
+  const auto algebraic = algebraic_rows(problem_);
+  if (algebraic.empty()) return {};
+  y_ = rows.row(0);
+  differentiate(run, task.times[0], task.term_sizes);
+  Matrix slopes = Matrix::Zero(jacobian_.rows(), jacobian_.cols()), others = jacobian_(algebraic, Eigen::all);
+  others(Eigen::all, algebraic).setZero();
+  const Eigen::FullPivLU<Matrix> factors(jacobian_(algebraic, algebraic));
+  if (jacobian_.allFinite() && factors.isInvertible()) slopes(algebraic, Eigen::all) = -factors.solve(others);
+  return slopes;
 }
 
 bool PanelSolver::has_growing_mode(Run& run, const PanelSystem& task, const Matrix& rows, double folds) {

@@ -92,25 +92,27 @@ Vec PanelSolution::rows_at(double t) const {
   const auto found = std::ranges::lower_bound(
       panels, t, {}, [](const MemoryBlock* panel) { return panel->block.time(1.0); });
   const MemoryBlock& panel = found == panels.end() ? *panels.back() : **found;
-  if (panel.block.from == 0.0) return from_integrals(panel, t);
+  return panel.block.from == 0.0 ? from_integrals(panel, t) : interpolated(panel, t);
+}
+
+Vec PanelSolution::interpolated(const MemoryBlock& panel, double t) const {
   const double place = panel.block.place(t);
   const Matrix weights = legendre_polynomials(Vec::Constant(1, place), rule.size()) * rule.to_coefficients;
   return (weights * panel.values).transpose();
 }
 
+// A polynomial does not follow a power of time. So the algebraic rows are interpolated less their linear
+// dependence on the other rows, of which the integrals are then added.
 Vec PanelSolution::from_integrals(const MemoryBlock& panel, double t) const {
   Vec rows = integrated_rows.taylor_part(t);
   for (const auto& tree : trees) {
     if (tree->block.segment->start < panel.block.segment->start) memory.add_at(*tree, t, rows);
   }
   memory.add_at(panel, t, rows);
-  const double place = panel.block.place(t);
-  for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    if (memory.kernels().order_of(i) >= 0) continue;
-    const auto drive = integrated_rows.rows[static_cast<std::size_t>(i)].unknown;
-    rows[i] =
-        legendre_polynomials(Vec::Constant(1, place), rule.size()).row(0).dot(panel.coefficients.col(drive));
-  }
+  if (panel.slopes.size() == 0) return rows;
+  const Vec of_points = interpolated(panel, t), followed = of_points + panel.slopes * (rows - of_points);
+  for (Eigen::Index i = 0; i < rows.size(); ++i)
+    if (memory.kernels().order_of(i) < 0) rows[i] = followed[i];
   return rows;
 }
 

@@ -45,6 +45,7 @@ struct MemoryBlock {
   Matrix coefficients;
   Vec units;                                      // PanelKernels::units of its length
   Matrix values{};                                // the rows at the points of a panel
+  Matrix slopes{};                                // on first panels, PanelSolver::algebraic_slopes
   std::unique_ptr<MemoryBlock> older{}, newer{};  // both halves, or none: a panel
 
   [[nodiscard]] bool is_panel() const { return !older; }
@@ -98,13 +99,15 @@ class PanelSolution {
   std::vector<const MemoryBlock*> panels{};  // in the order of time
 
   // y at t. Precondition: the panels cover t. On the first panel of a segment, where the rows are not
-  // smooth, they are computed from the integrals; on the others from the values at the points.
+  // smooth, they are computed from the integrals, and the algebraic rows from these; on the others from the
+  // values at the points.
   [[nodiscard]] Vec at(double t) const;
 
   [[nodiscard]] std::size_t bytes() const;
 
  private:
   [[nodiscard]] Vec rows_at(double t) const;
+  [[nodiscard]] Vec interpolated(const MemoryBlock& panel, double t) const;
   [[nodiscard]] Vec from_integrals(const MemoryBlock& panel, double t) const;
 };
 

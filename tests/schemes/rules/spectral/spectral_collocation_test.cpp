@@ -179,6 +179,28 @@ TEST(SpectralAlgebraic, RowsMayJump) {
   EXPECT_LT((path.y.row(1) - Eigen::RowVector3d(-1.0, 0.0, 0.0)).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+// Volterra's equation v = 1 - I^g v, as D^g z = v, 0 = 1 - z - v, and the cubic one v + v^3 = 2 - I^g v, for
+// v to leading order in t^g: within the first panel too v follows a power of t.
+TEST(SpectralAlgebraic, RowsFollowAPowerOfTimeWithinTheFirstPanel) {
+  const double order = 0.4;
+  for (const double cubic : {0.0, 1.0}) {
+    const Problem problem{.components = {{order, {0.0}}, {0.0, {1.0}}}, .rhs = [=](double, In y, Out f) {
+                            f << y[1], 1.0 + cubic - y[0] - y[1] - cubic * std::pow(y[1], 3.0);
+                          }};
+    const std::vector<double> early{1e-16, 1e-13, 1e-11, 1e-9};
+    for (const double accuracy : {1e-3, 1e-6, 1e-9}) {
+      const auto path = run(problem, accuracy, {.output_times = early});
+      ASSERT_EQ(path.status, SolveStatus::finished) << accuracy;
+      for (std::size_t i = 0; i < early.size(); ++i) {
+        const double first = std::pow(early[i], order) / (std::tgamma(order + 1.0) * (1.0 + 3.0 * cubic));
+        EXPECT_NEAR(path.y(1, static_cast<Eigen::Index>(i)), 1.0 - first,
+                    2.0 * accuracy + 2.0 * first * first)
+            << "cubic " << cubic << ", accuracy " << accuracy << ", t = " << early[i];
+      }
+    }
+  }
+}
+
 // lambda ~ t^-0.8 at the start.
 TEST(SpectralAlgebraic, RowsResolveASingularReaction) {
   const Scene scene = scene_of("fractional_constraint_2d", {{"formulation", "multiplier"}, {"alpha", 0.8}});
