@@ -24,6 +24,7 @@
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
+#include "fdebench/benchmarks/equation_files/transfer_function.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
@@ -114,8 +115,8 @@ Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormu
 }
 
 Scene scene_of(const EquationText& all, const Parameters& parameters, const NoteReceiver& on_note) {
-  const EquationText text =
-      with_implied_terms(with_implied_rows(present_parts(all, parameters), parameters), parameters);
+  const EquationText text = with_implied_terms(
+      with_implied_rows(with_states(present_parts(all, parameters), parameters), parameters), parameters);
   if (text.mechanics) return mechanical_scene_of(text, parameters, on_note);
   FileFormulas formulas(text, parameters, NumberStorage::values);
   formulas.require_parameters();
@@ -158,6 +159,21 @@ EquationFormula written(const UnknownText& unknown) {
   return equation;
 }
 
+// With a transfer function, which is no sum of terms, all equations are for display only.
+void set_equations(const std::vector<UnknownText>& unknowns, SceneFactory& factory) {
+  if (std::ranges::none_of(unknowns, [](const UnknownText& one) { return one.transfer.has_value(); })) {
+    for (const auto& unknown : unknowns) factory.equations.push_back(written(unknown));
+    return;
+  }
+  for (const auto& unknown : unknowns) {
+    const bool is_sum = !unknown.transfer;
+    factory.display_equations.push_back(
+        is_sum ? displayed(written(unknown))
+               : DisplayEquation{unknown.name,
+                                 fmt::format("({})*({})", unknown.transfer->text, unknown.rhs.text)});
+  }
+}
+
 SceneFactory factory_of(EquationText text, const NoteReceiver& on_note) {
   const auto kept = std::make_shared<const EquationText>(std::move(text));
   const std::filesystem::path file = kept->file;
@@ -176,7 +192,7 @@ SceneFactory factory_of(EquationText text, const NoteReceiver& on_note) {
     if (!are_readable(factory.equations)) factory.display_equations = mechanical_statements(*kept);
     return factory;
   }
-  for (const auto& unknown : kept->unknowns) factory.equations.push_back(written(unknown));
+  set_equations(kept->unknowns, factory);
   return factory;
 }
 

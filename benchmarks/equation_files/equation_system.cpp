@@ -215,12 +215,12 @@ std::vector<Expression> values_before(const EquationSystem& system, FileFormulas
     }
     const double order =
         unknown.chain ? unknown.chain->nodes()[static_cast<std::size_t>(row - unknown.first)] : 0.0;
-    if (!is_integer_order(order)) {
+    auto value = formulas.read(*text.before, {});
+    if (!is_integer_order(order) && pool.value(value) != 0.0L) {
       formulas.reject(text.rhs, fmt::format("D({0}, {1})(t - {2}): must be of a whole order, others are not "
                                             "known before t = 0",
                                             text.name, order, lag));
     }
-    auto value = formulas.read(*text.before, {});
     for (double k = 0.0; k < order; ++k) value = pool.derivative(value, 0);
     if (!pool.arguments({value}, {Operation::sign, Operation::step}).empty())
       formulas.reject(*text.before, "before: must not jump; sign and step are not supported in it");
@@ -267,12 +267,15 @@ EquationSystem read_system(FileFormulas& formulas) {
     first += system.unknowns.back().size();
   }
   auto variables = variables_of(system, formulas.pool());
-  variables.earlier = [&, first](Expression of, double lag) {
-    const EarlierValue asked{formulas.pool()[of].variable - 1, lag};
+  const auto earlier = [&, first](int row, double lag) {
+    const EarlierValue asked{row, lag};
     auto& known = system.earlier.values;
     auto found = std::ranges::find(known, asked);
     if (found == known.end()) found = known.insert(known.end(), asked);
     return formulas.pool().variable(static_cast<int>(first + (found - known.begin())) + 1);
+  };
+  variables.earlier = [&, earlier](Expression of, double lag) {
+    return formulas.pool().substituted({of}, [&](int variable) { return earlier(variable - 1, lag); })[0];
   };
   for (std::size_t u = 0; u < text.unknowns.size(); ++u) {
     auto& unknown = system.unknowns[u];
@@ -338,7 +341,12 @@ FormulaVariables variables_of(const std::vector<SystemColumn>& columns, FileForm
     throw std::invalid_argument(fmt::format("D({}, {}): must be a column of the scene",
                                             formulas.text().unknowns[unknown].name, order));
   };
-  return {.time = time, .resolve_unknown = column};
+  const auto output = [&](std::string_view name) -> std::optional<Expression> {
+    const auto named = std::ranges::find(columns, name, &SystemColumn::name);
+    if (named == columns.end()) return std::nullopt;
+    return formulas.pool().variable(static_cast<int>(named - columns.begin()) + 1);
+  };
+  return {.time = time, .resolve_unknown = column, .resolve_output = output};
 }
 
 }  // namespace fde::bench

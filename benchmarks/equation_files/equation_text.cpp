@@ -113,7 +113,7 @@ EquationText with_implied_terms(EquationText text, const Parameters& parameters)
   const auto names_derivative = [](const UnknownText& one) {
     return one.rhs.text.find("D(") != std::string::npos;
   };
-  if (std::ranges::none_of(text.unknowns, names_derivative)) return text;
+  if (text.outputs.empty() && std::ranges::none_of(text.unknowns, names_derivative)) return text;
   FileFormulas formulas(text, parameters, NumberStorage::values);
   std::vector<Derivative> derivatives;  // number i is variable i + 1
   const FormulaVariables variables{.time = true,
@@ -128,6 +128,8 @@ EquationText with_implied_terms(EquationText text, const Parameters& parameters)
                                    .earlier = [](Expression of, double /*lag*/) { return of; }};
   std::vector<Expression> sides;
   for (const auto& unknown : text.unknowns) sides.push_back(formulas.read(unknown.rhs, variables));
+  for (const auto& output : text.outputs)
+    sides.push_back(formulas.read({.text = output.name, .position = {}}, variables));
   EquationText complete = text;
   for (std::size_t i = 0; i < derivatives.size(); ++i) {
     const auto& [number, order] = derivatives[i];

@@ -44,11 +44,18 @@ struct UnknownText {
   bool is_chain = true;           // false: one row of its order, also above 1
   std::optional<FormulaText> factor{};
   FormulaText rhs{};
+  std::optional<FormulaText> transfer{};  // a transfer function, of which rhs is the input; terms are empty
   std::vector<FormulaText> initial{};
   std::optional<FormulaText> before{};  // its value for t < 0
   std::vector<FormulaText> final{};     // of a coordinate: its value at the end
   ParameterValues unless{};
-  bool is_implied = false;  // a row that with_implied_rows() has added; it is no column
+  bool is_implied = false;  // added by with_implied_rows() or with_states(); it is no column
+};
+
+// A name for a sum of derivatives of an unknown, the state (with_states).
+struct OutputText {
+  std::string name{}, state{};
+  std::vector<TermText> terms{};
 };
 
 struct NamedFormula {
@@ -121,6 +128,7 @@ struct EquationText {
   std::vector<ParameterText> parameters{};  // parameters and unknowns are in file order
   std::vector<RequirementText> requirements{};
   std::vector<UnknownText> unknowns{};
+  std::vector<OutputText> outputs{};
   std::optional<MechanicsText> mechanics{};    // then the unknowns are coordinates
   std::vector<std::string> absent_unknowns{};  // those that present_parts() has left out
   std::vector<ColumnText> columns{};           // empty: the unknowns and the nodes of their chains

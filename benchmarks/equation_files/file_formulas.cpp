@@ -27,6 +27,11 @@ std::optional<std::size_t> unknown_named(const EquationText& text, std::string_v
   return static_cast<std::size_t>(found - text.unknowns.begin());
 }
 
+const OutputText* output_named(const EquationText& text, std::string_view name) {
+  const auto found = std::ranges::find(text.outputs, name, &OutputText::name);
+  return found == text.outputs.end() ? nullptr : &*found;
+}
+
 bool is_left_out(const EquationText& text, std::string_view name) {
   return std::ranges::find(text.absent_unknowns, name) != text.absent_unknowns.end();
 }
@@ -42,11 +47,13 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
 }
 
 Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables& variables, Absent absent) {
-  FormulaNames names;
+  FormulaNames names{.accepted_names = variables.other_names};
   if (variables.time) names.accepted_names.emplace_back("t");
   for (const auto& parameter : text_.parameters) names.accepted_names.emplace_back(parameter.declared.name);
   if (variables.resolve_unknown) {
-    for (const auto& unknown : text_.unknowns) names.accepted_names.emplace_back(unknown.name);
+    for (const auto& unknown : text_.unknowns)
+      if (!unknown.is_implied) names.accepted_names.emplace_back(unknown.name);
+    for (const auto& output : text_.outputs) names.accepted_names.emplace_back(output.name);
     names.derivative = [&, absent](std::string_view unknown, Expression order, bool is_decimal) {
       return derivative(unknown, order, is_decimal, variables, absent);
     };
@@ -62,6 +69,7 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
       if (known.declared.name == name) return parameter(known);
     if (variables.resolve_unknown) {
       if (const auto unknown = unknown_named(text_, name)) return variables.resolve_unknown(*unknown, 0.0);
+      if (const auto* output = output_named(text_, name)) return this->output(*output, 0.0, variables);
       if (absent == Absent::is_a_variable && is_left_out(text_, name)) return pool_.variable(absent_variable);
     }
     return variables.resolve_other ? variables.resolve_other(name) : std::nullopt;
@@ -133,7 +141,9 @@ Expression FileFormulas::derivative(std::string_view unknown, Expression order, 
   const auto found = unknown_named(text_, unknown);
   const bool may_be_absent = absent == Absent::is_a_variable;
   if (!found && may_be_absent && is_left_out(text_, unknown)) return pool_.variable(absent_variable);
-  if (!found) throw std::invalid_argument(fmt::format("{}: must be an unknown, as in D(x, 0.5)", unknown));
+  const auto* output = output_named(text_, unknown);
+  if (!found && output == nullptr)
+    throw std::invalid_argument(fmt::format("{}: must be an unknown, as in D(x, 0.5)", unknown));
   const auto value = this->value(order);
   if (!value || !std::isfinite(static_cast<double>(*value)))
     throw std::invalid_argument("D: its order must be a formula of the parameters");
@@ -145,6 +155,7 @@ Expression FileFormulas::derivative(std::string_view unknown, Expression order, 
   const bool is_formula = !is_decimal && variables.resolve_formula_order;
   const auto& resolve = is_formula ? variables.resolve_formula_order : variables.resolve_unknown;
   try {
+    if (!found) return this->output(*output, static_cast<double>(*value), variables);
     return resolve(*found, static_cast<double>(*value));
   } catch (const std::invalid_argument&) {
     if (!may_be_absent) throw;
@@ -161,6 +172,23 @@ Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVa
     throw std::invalid_argument("its time must be t - tau, tau a formula of the parameters above 0");
   if (of == pool_.variable(absent_variable)) return of;
   return variables.earlier(of, static_cast<double>(-*at_start));
+}
+
+// D^order of the output: the state and its derivatives are 0 at the start, so that orders add up.
+Expression FileFormulas::output(const OutputText& of, double order, const FormulaVariables& variables) {
+  if (variables.resolve_output) {
+    const auto known = order == 0.0 ? variables.resolve_output(of.name) : std::nullopt;
+    if (known) return *known;
+    throw std::invalid_argument(fmt::format("D({}, {}): must be a column of the scene", of.name, order));
+  }
+  const auto state = unknown_named(text_, of.state).value();
+  Operand sum{&pool_, pool_.number(0)};
+  for (const auto& term : of.terms) {
+    const Operand coefficient{&pool_, read(term.coefficient, {.time = false})};
+    const double own_order = constant(term.order, "order", any_number);
+    sum = sum + coefficient * Operand{&pool_, variables.resolve_unknown(state, own_order + order)};
+  }
+  return sum.value;
 }
 
 std::optional<long double> FileFormulas::value(Expression of) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
 #include "fdebench/benchmarks/expressions/expressions.hpp"
@@ -24,8 +25,11 @@ struct FormulaVariables {
   // The variable of an unknown or derivative at the time t - lag, lag > 0; throws std::invalid_argument if
   // there is none. Empty: earlier values are not allowed.
   std::function<Expression(Expression of, double lag)> earlier{};
+  // The value of an output, where it is not the sum of the derivatives of its state; empty: it is everywhere.
+  std::function<std::optional<Expression>(std::string_view name)> resolve_output{};
   // The value of a further name; nullopt if there is none.
   std::function<std::optional<Expression>(std::string_view name)> resolve_other{};
+  std::vector<std::string_view> other_names{};  // those of them that messages list
 };
 
 // Parses the formulas of a file for given values of its parameters. Each function throws
@@ -75,6 +79,7 @@ class FileFormulas {
   // The value of an expression without variables other than parameters.
   std::optional<long double> value(Expression of);
   Expression earlier(Expression of, Expression time, const FormulaVariables& variables);
+  Expression output(const OutputText& of, double order, const FormulaVariables& variables);
   Expression time_derivative(Expression of, Expression order);
   Expression derivative(std::string_view unknown, Expression order, bool is_decimal,
                         const FormulaVariables& variables, Absent absent);

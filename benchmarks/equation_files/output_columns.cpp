@@ -80,11 +80,18 @@ SystemColumn column_of(const std::string& name, Expression value, const Equation
 
 std::vector<SystemColumn> output_columns(const EquationSystem& system, FileFormulas& formulas) {
   if (formulas.text().columns.empty()) {
-    auto shown = columns_of(system);
-    const auto is_implied = [&](const SystemColumn& of) {
-      return formulas.text().unknowns[of.unknown].is_implied;
-    };
-    std::erase_if(shown, is_implied);
+    std::vector<SystemColumn> shown;
+    for (const auto& column : columns_of(system)) {
+      const auto& outputs = formulas.text().outputs;
+      const auto output = std::ranges::find(outputs, column.name, &OutputText::state);
+      if (output != outputs.end()) {
+        const FormulaText name{.text = output->name, .position = {}};
+        const auto value = formulas.read(name, variables_of(system, formulas.pool()));
+        shown.push_back(column_of(output->name, value, system, formulas.pool()));
+      } else if (!formulas.text().unknowns[column.unknown].is_implied) {
+        shown.push_back(column);
+      }
+    }
     return shown;
   }
   ColumnFormulas values(system, formulas);

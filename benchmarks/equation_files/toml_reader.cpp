@@ -48,6 +48,8 @@ class EquationReader : DeclarationReader {
     if (const auto* domain = all.get("domain")) read.domain = domain_of(*domain);
     if (const auto* path = all.get("path")) read.path = path_of(*path);
     if (const auto* exact = all.get("exact")) read.exact = formulas_of(*exact, "exact");
+    if (std::ranges::any_of(read.unknowns, has_transfer) && !read.exact.empty())
+      reject(read.exact.front().position, "exact: must not be given with a transfer function");
     if (const auto* energy = all.get("energy")) read.energy = energy_of(*energy);
     if (const auto* constraint = all.get("constraint")) read.constraints = constraints_of(*constraint);
     if (const auto* jump = all.get("jump")) read.jumps = jumps_of(*jump);
@@ -58,6 +60,8 @@ class EquationReader : DeclarationReader {
   }
 
  private:
+  static bool has_transfer(const UnknownText& unknown) { return unknown.transfer.has_value(); }
+
   // The names of the parameters that constraints add.
   void require_parameter_names(const EquationText& read) const {
     if (read.mechanics->constraints.empty() || read.mechanics->is_vakonomic) return;
@@ -124,8 +128,15 @@ class EquationReader : DeclarationReader {
                                        const std::vector<ParameterText>& parameters) const {
     const auto name = fmt::format("unknown {}", entry.name);
     const auto& of = table(*entry.node, name);
-    require_keys(of, name, {"terms", "order", "chain", "factor", "rhs", "initial", "before", "unless"});
     UnknownText unknown{.name = entry.name, .position = entry.position};
+    if (const auto* transfer = of.get("transfer")) {
+      require_keys(of, fmt::format("{} with transfer", name), {"transfer", "input", "unless"});
+      unknown.transfer = formula(*transfer, "transfer");
+      unknown.rhs = formula(required(of, entry.position, name, "input"), "input");
+      unknown.unless = unless_of(of, parameters);
+      return unknown;
+    }
+    require_keys(of, name, {"terms", "order", "chain", "factor", "rhs", "initial", "before", "unless"});
     const auto *order = of.get("order"), *terms = of.get("terms");
     if ((order == nullptr) == (terms == nullptr))
       reject(entry.position, fmt::format("{}: must have either order or terms", name));

@@ -226,8 +226,7 @@ class FormulaParser {
   // The value, or, with a time in brackets behind it, the value at that time. x(t) and x(0) are refused with
   // the hint of what to write.
   Expression at_time(Expression value, const FormulaToken& token) {
-    const auto& node = into_[value];
-    const bool is_unknown = node.operation == Operation::variable && node.variable > 0;
+    const bool is_unknown = into_.depends_on_unknowns(value);
     const auto first = next_token(text_, token_.byte_offset + token_.text.size());
     const auto second = next_token(text_, first.byte_offset + first.text.size());
     const bool is_now_or_start = (first.text == "t" || first.text == "0") && second.text == ")";

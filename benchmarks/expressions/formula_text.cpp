@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 #include "fdebench/benchmarks/expressions/formula.hpp"
@@ -37,9 +38,11 @@ Text binary(const Text& a, const Text& b, Operation operation) {
   }
 }
 
-Text number(long double value) {
-  auto text = fmt::format("{}", static_cast<double>(value));
-  return {text, value < 0 ? Binding::sum : Binding::single};
+Text number(const ExpressionPool::Node& entry) {
+  const bool is_fraction = entry.text.find('/') != std::string::npos;
+  auto text = is_fraction ? entry.text : fmt::format("{}", static_cast<double>(entry.value));
+  const auto positive = is_fraction ? Binding::product : Binding::single;
+  return {std::move(text), entry.value < 0 ? Binding::sum : positive};
 }
 
 Text call(const ExpressionPool::Node& entry, const std::vector<Text>& texts) {
@@ -62,7 +65,7 @@ std::string formula_text(const ExpressionPool& pool, Expression of,
     const auto argument = [&](std::size_t i) { return texts[static_cast<std::size_t>(entry.arguments[i])]; };
     switch (entry.operation) {
       case Operation::number:
-        texts[e] = number(entry.value);
+        texts[e] = number(entry);
         break;
       case Operation::pi:
         texts[e] = {"pi"};

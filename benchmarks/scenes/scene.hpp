@@ -150,17 +150,6 @@ struct Scene {
   Outputs display_path{};
 };
 
-// An equation as text, from a file or for display: sum of coefficient D^order unknown = rhs, as formulas.
-struct EquationFormula {
-  struct Term {
-    std::string coefficient, order;
-  };
-  std::string unknown;
-  std::vector<Term> terms;
-  std::string rhs;
-  std::vector<std::string> initial;
-};
-
 // How a scene is made: one file in scenes/, in C++ or an equation file, and one line in scenes/list.def, or
 // at run time.
 struct SceneFactory {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace fde::bench {
 
@@ -20,5 +21,19 @@ struct DisplayEquation {
 
   bool operator==(const DisplayEquation&) const = default;
 };
+
+// An equation as text, from a file or for display: sum of coefficient D^order unknown = rhs, as formulas.
+struct EquationFormula {
+  struct Term {
+    std::string coefficient, order;
+  };
+  std::string unknown;
+  std::vector<Term> terms;
+  std::string rhs;
+  std::vector<std::string> initial;
+};
+
+// The terms on the left; 0 = rhs where all have order 0.
+DisplayEquation displayed(const EquationFormula& equation);
 
 }  // namespace fde::bench

@@ -16,24 +16,6 @@
 namespace fde::bench {
 namespace {
 
-// "coefficient*D(unknown, order)", without a coefficient 1.
-std::string text_of(const EquationFormula::Term& term, const std::string& unknown) {
-  const auto& [coefficient, order] = term;
-  auto derivative = fmt::format("D({}, {})", unknown, order);
-  if (coefficient == "1") return derivative;
-  const bool is_sum = coefficient.find_first_of("+-", 1) != std::string::npos;
-  return fmt::format("{}*{}", is_sum ? fmt::format("({})", coefficient) : coefficient, derivative);
-}
-
-// A condition, whose terms all have order 0, is 0 = rhs.
-DisplayEquation displayed(const EquationFormula& equation) {
-  const auto& [unknown, terms, rhs, initial] = equation;
-  if (std::ranges::all_of(terms, [](const auto& term) { return term.order == "0"; })) return {"0", rhs};
-  std::vector<std::string> sum;
-  for (const auto& term : terms) sum.push_back(text_of(term, unknown));
-  return {fmt::format("{}", fmt::join(sum, " + ")), rhs};
-}
-
 std::vector<DisplayEquation> equations_of(const SceneFactory& factory) {
   if (!factory.display_equations.empty()) return factory.display_equations;
   std::vector<DisplayEquation> equations;

@@ -67,7 +67,9 @@ class Examples(unittest.TestCase):
     def test_two_schemes_give_the_reference(self):
         for name in EXAMPLES:
             scene = f"{name}.toml" + (":until=1.5" if name == "falling" else "")  # before it is on the ground
-            grid = ["product_trapezoidal", "--steps", "4000", "--grid", "graded:4"] if name == "radiation" else ["bdf4", "--steps", "4000"]  # of an algebraic row
+            grid = ["bdf4", "--steps", "8000" if name == "control" else "4000"]
+            if name == "radiation":  # an algebraic row
+                grid = ["product_trapezoidal", "--steps", "4000", "--grid", "graded:4"]
             for words, error in [(["spectral_collocation", "--accuracy", "1e-9"], 1e-8), (grid, 1e-6)]:
                 run = rows("solve", scene, "--points", "6", "--scheme", *words)
                 known = exact(scene, *run["t"])
@@ -91,6 +93,16 @@ class Examples(unittest.TestCase):
         known = exact("zener.toml", 0.5, 5, 20)
         for t, x in zip(known["t"], known["x"]):
             self.assert_near(x, transformed(lambda s: 1 / (s * (s * s + (1 + 4 * s**0.6) / (1 + s**0.6))), t), 1e-13)
+
+    def test_control_is_its_transform(self):
+        def controlled(s):
+            plant, controller = 0.8 * s**2.2 + 0.5 * s**0.9 + 1, 20.5 + 3.7343 * s**1.15
+            return controller / (plant + controller) / s
+
+        known = exact("control.toml", 0.2, 3, 10)
+        for t, y0, y in zip(known["t"], known["y0"], known["y"]):
+            self.assert_near(y0, transformed(lambda s: 1 / (0.8 * s**2.2 + 0.5 * s**0.9 + 1) / s, t), 1e-13)
+            self.assert_near(y, transformed(controlled, t), 1e-13)
 
     def test_subdiffusion_is_a_sum_over_modes(self):
         """Mode k of n cells decays like E_alpha(-4 sin^2(pi k / 2n) t^alpha)."""

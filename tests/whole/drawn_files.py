@@ -55,6 +55,23 @@ def event(random: Random, name: str) -> list[str]:
     return lines
 
 
+def power_of_s(random: Random, q: float) -> str:
+    return random.choice([f"s^{typed(q)}", f"({number(random)}*s)^{typed(q)}", f"{number(random)}*s^{typed(q)}"])
+
+
+def plant(random: Random, name: str, names: list[str], parameters: list[str]) -> list[str]:
+    """An unknown with a transfer function, most often with feedback."""
+    top = order(random)
+    below = [power_of_s(random, q) for q in (top, *sorted(random.uniform(0.02, 0.98) * top for _ in range(random.randint(0, 2))))]
+    over = [power_of_s(random, random.uniform(0.02, 0.95) * top) for _ in range(random.randint(0, 1))]
+    transfer = f"({' + '.join([number(random), *over])})/({' + '.join([*below, number(random)])})"
+    if random.random() < 0.3:
+        transfer = random.choice([f"s^-0.3*{transfer}*s^0.3", f"{transfer} + 1/(s^0.4 + {number(random)})", f"({transfer})^2", f"sqrt(s)*{transfer}"])
+    source = random.choice(["1", "t", f"sin({frequency(random)}*t)", right_side(random, names[0], names, parameters)])
+    feedback = random.choice(["", f" - {name}", f" - {number(random)}*{name}", f" - {name}(t - {number(random)})", f" - D({name}, 0.2)"])
+    return [f"[unknown.{name}]", f'transfer = "{transfer}"', f'input = "{source}{feedback}"']
+
+
 def made(random: Random) -> tuple[str, ...]:
     """A file with the manufactured solution c + b t^p, whose derivative of order q is known."""
     q, p = round(random.uniform(0.2, 0.98), 2), number(random)
@@ -94,6 +111,8 @@ def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str,
         lines += unknown(random, name, names, parameters, several, delays)
     if len(names) > 1 and random.random() < 0.2:
         lines += ["[unknown.w]", "order = 0", f'rhs = "{typed(random.uniform(0.5, 2), 2)}*w - {random.choice(names)} - {random.choice(["0", "t", "sin(t)"])}"', "initial = [0]"]
+    if not rows and random.random() < 0.12:
+        lines += plant(random, "p", names, parameters)
     if random.random() < 0.15:
         lines += ["[[jump]]", f"at = {number(random)}"]
     if events and random.random() < 0.15:
