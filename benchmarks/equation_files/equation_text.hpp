@@ -35,6 +35,12 @@ struct TermText {
   FormulaText coefficient, order;
 };
 
+struct NamedFormula {
+  std::string name{};
+  TextPosition position{};
+  FormulaText formula{};
+};
+
 // The equation of an unknown: sum of the terms = rhs. A `factor` multiplies all terms but the first.
 struct UnknownText {
   std::string name{};
@@ -46,15 +52,9 @@ struct UnknownText {
   FormulaText rhs{};
   std::vector<FormulaText> initial{};
   std::optional<FormulaText> before{};  // its value for t < 0
-  std::vector<FormulaText> final{};     // of a coordinate: its value at the end
+  std::vector<NamedFormula> final{};    // values at the end, each of the column that it names
   ParameterValues unless{};
   bool is_implied = false;  // a row that with_implied_rows() has added; it is no column
-};
-
-struct NamedFormula {
-  std::string name{};
-  TextPosition position{};
-  FormulaText formula{};
 };
 
 struct EnergyText {

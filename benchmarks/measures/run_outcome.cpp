@@ -22,7 +22,7 @@ const std::array all_words{
     OutcomeText{SolveStatus::non_finite, "not_finite", "not finite"},
     OutcomeText{SolveStatus::not_converged, "not_converged", "Newton's method did not converge"},
     OutcomeText{SolveStatus::undetermined, "undetermined",
-                "the values at the end do not determine the missing initial values"},
+                "the values at the end do not determine the missing initial values:"},
     OutcomeText{SolveStatus::step_too_large, "step_too_large", "steps are too long for a mode that grows"},
     OutcomeText{SolveStatus::step_too_small, "step_too_small",
                 "the error test failed down to the smallest step"},

@@ -223,9 +223,12 @@ class CompleteProblems {
           "two methods: the values at the end do not determine the missing initial values");
     constexpr double noise = 1e-14;
     missing_ = find_missing_values(given_, run, noise, std::move(missing_));
+    if (std::isinf(missing_.missed))
+      throw std::runtime_error(
+          "two methods: with 0 for the missing initial values they do not reach the end");
     if (!missing_.converged) {
       throw std::runtime_error(fmt::format(
-          "two methods: Newton's method for the missing initial values did not converge, the values "
+          "two methods: Newton's method did not converge for the missing initial values: the values "
           "at the end are missed by {:.2g}",
           missing_.missed));
     }

@@ -43,11 +43,11 @@ class Shooting {
     if (!now) return start;
     derivative_ = std::move(start.derivative);
     constexpr int most_steps = 50;
-    for (int step = 0; step < most_steps && !is_at_rounding(*now); ++step) {
+    for (int step = 0; step < most_steps && !is_within(at_rounding(), *now); ++step) {
       const bool is_new = derivative_.size() == 0;
       if (is_new && !differentiate(*now)) break;
       auto next = nearer(*now);
-      if (!next && (is_new || is_met(*now))) break;
+      if (!next && (is_new || is_within(met(), *now))) break;
       if (next) {
         update(*now, *next);
         now = std::move(next);
@@ -55,16 +55,21 @@ class Shooting {
         derivative_.resize(0, 0);
       }
     }
-    return {now->values, derivative_, now->missed(), is_met(*now)};
+    return {now->values, derivative_, now->missed(), is_within(met(), *now)};
   }
 
  private:
-  [[nodiscard]] bool is_at_rounding(const Shot& at) const {
+  [[nodiscard]] double at_rounding() const {
     constexpr double far_below = 1e-2;
-    return at.missed() <= std::max(4.0 * unit_rounding, far_below * noise_) * at.size;
+    return std::max(4.0 * unit_rounding, far_below * noise_);
   }
-  [[nodiscard]] bool is_met(const Shot& at) const {
-    return at.missed() <= std::max(std::sqrt(unit_rounding), noise_) * at.size;
+  [[nodiscard]] double met() const { return std::max(std::sqrt(unit_rounding), noise_); }
+
+  // Whether F and the step that Newton's method would take are so small relative to y.
+  [[nodiscard]] bool is_within(double part, const Shot& at) const {
+    if (at.missed() == 0.0) return true;
+    if (derivative_.size() == 0 || at.missed() > part * at.size) return false;
+    return derivative_.fullPivLu().solve(at.residual).lpNorm<Eigen::Infinity>() <= part * at.size;
   }
 
   // One-sided differences, or those to the other side where a run does not reach the end.
@@ -97,7 +102,7 @@ class Shooting {
     for (double part = 1.0; part >= smallest; part /= 2.0) {
       auto next = shot(problem_, run_, now.values + part * step);
       if (next && factors.solve(next->residual).norm() < (1.0 - part / 4.0) * step.norm()) return next;
-      if (is_met(now)) break;
+      if (is_within(met(), now)) break;
     }
     return std::nullopt;
   }

@@ -92,6 +92,12 @@ class Examples(unittest.TestCase):
         for t, x in zip(known["t"], known["x"]):
             self.assert_near(x, transformed(lambda s: 1 / (s * (s * s + (1 + 4 * s**0.6) / (1 + s**0.6))), t), 1e-13)
 
+    def test_plate_is_its_transform_scaled_to_its_place_at_the_end(self):
+        known = exact("plate.toml", 0.5, 1.5, 3)
+        values = [transformed(lambda s: (1 + s**-0.5 / 2) / (s * s + s**1.5 / 2 + 0.5), t) for t in known["t"]]
+        for found, value in zip(known["y"], values):
+            self.assert_near(found, value / values[-1], 1e-13)
+
     def test_subdiffusion_is_a_sum_over_modes(self):
         """Mode k of n cells decays like E_alpha(-4 sin^2(pi k / 2n) t^alpha)."""
         n, t = 11, 2.5
