@@ -14,6 +14,7 @@ draw() {
 draw duffing --kind phase --columns "x,D(x,1)"
 draw zener --kind solution --columns x,r
 draw falling --kind solution
+draw plate --kind solution
 draw subdiffusion --kind solution --columns u6,u5,u4,u2
 draw epidemic --kind solution --columns S,I,R
 draw delayed_growth --kind solution

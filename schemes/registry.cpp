@@ -9,6 +9,7 @@
 #include "fdebench/schemes/problem/delays.hpp"
 #include "fdebench/schemes/stepping/grid_jumps.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
+#include "fdebench/schemes/stepping/with_conditions.hpp"
 #include "fdebench/schemes/stepping/with_delays.hpp"
 
 namespace fde {
@@ -44,8 +45,6 @@ std::optional<std::string> two_sided_refusal(const Scheme& scheme, const Problem
       return fmt::format("needs a uniform grid for the right derivative of component {}", i);
     }
   }
-  if (!scheme.capabilities.is_two_sided)
-    return "steps from the left: the problem has conditions at both ends";
   if (problem.conditions && unknown_count(problem) == 0) {
     return "needs an unknown initial value for each condition, none is unknown";
   }
@@ -79,7 +78,8 @@ std::optional<std::string> unsupported_reason(const Capabilities& capabilities, 
 
 std::optional<std::string> unsupported_checkpoints_reason(const Scheme& scheme, const Problem& problem) {
   if (!scheme.capabilities.checkpoints) return "keeps no checkpoints";
-  if (is_two_sided(problem)) return "keeps no checkpoints of a problem that it solves at all times at once";
+  if (has_right_rows(problem)) return "keeps no checkpoints of a problem that it solves at all times at once";
+  if (is_solved_by_shooting(problem)) return "keeps no checkpoints of a problem that it solves several times";
   return std::nullopt;
 }
 
@@ -95,7 +95,7 @@ std::span<const Scheme> schemes() {
 #include "fdebench/schemes/list.def"
 #undef FDE_SCHEME
     };
-    for (auto& scheme : listed) scheme.solve = with_delays(std::move(scheme.solve));
+    for (auto& scheme : listed) scheme.solve = with_conditions(with_delays(std::move(scheme.solve)));
     return listed;
   }();
   return all;
@@ -137,6 +137,8 @@ std::optional<std::string> unsupported_reason(const Scheme& scheme, const Proble
   }
   if (auto reason = two_sided_refusal(scheme, problem, grid)) return reason;
   if (!scheme.unsupported_problem_reason) return std::nullopt;
+  if (is_solved_by_shooting(problem))
+    return scheme.unsupported_problem_reason(BoundProblem(with_some_initial_values(problem)).problem());
   if (problem.delays.lags.empty()) return scheme.unsupported_problem_reason(problem);
   return scheme.unsupported_problem_reason(BoundProblem(problem).problem());
 }

@@ -32,6 +32,7 @@ std::string name_of(int variable, const EquationSystem& system) {
 // A violated constraint would require a jump of the unknowns at t = 0.
 void require_start_on_constraints(const EquationSystem& system, const Problem& given,
                                   const FileFormulas& formulas) {
+  if (!system.final.empty()) return;  // the initial values are not known
   const BoundProblem bound(given);
   const Problem& problem = bound.problem();
   const auto row = inconsistent_initial_row(problem);
@@ -45,6 +46,7 @@ void require_start_on_constraints(const EquationSystem& system, const Problem& g
 // A right-hand side that is no number at t = 0, nor next to it, is a mistake in the formula: the root of a
 // negative number, or 0 times infinity.
 void require_numbers_at_start(const EquationSystem& system, const Problem& problem, FileFormulas& formulas) {
+  if (!system.final.empty()) return;
   constexpr double next_to_start = 1e-9;
   const auto& pool = formulas.pool();
   const auto rows = with_limits_at_start(at_start(system, formulas.pool()).rows, formulas.pool());
@@ -61,6 +63,15 @@ void require_numbers_at_start(const EquationSystem& system, const Problem& probl
                     formula_text(pool, *part, [&](int variable) { return name_of(variable, system); }),
                     fmt::join(values, ", ")));
   }
+}
+
+// The values of rows at the end; empty: none is given.
+std::function<void(In at_start, In at_end, Out residual)> conditions_of(const EquationSystem& system) {
+  if (system.final.empty()) return {};
+  return [values = system.final](In, In at_end, Out residual) {
+    for (std::size_t k = 0; k < values.size(); ++k)
+      residual[static_cast<Eigen::Index>(k)] = at_end[values[k].row] - values[k].value;
+  };
 }
 
 std::string only_text(const Program& program) {
@@ -139,6 +150,7 @@ Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
       formulas.reject(formulas.text().unknowns[unknown_of_row(system, none.row)].rhs, none.what());
     }
   }();
+  problem.conditions = conditions_of(system);
   require_numbers_at_start(system, problem, formulas);
   require_start_on_constraints(system, problem, formulas);
   if (!system.earlier.values.empty()) return problem;  // a force of t and y could not look back
@@ -159,7 +171,7 @@ Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
 std::optional<PosedProblem> without_singular_loads(const EquationSystem& system, const Problem& problem,
                                                    const std::vector<SystemColumn>& columns,
                                                    ExpressionPool& pool) {
-  if (!system.earlier.values.empty()) return std::nullopt;
+  if (!system.earlier.values.empty() || !system.final.empty()) return std::nullopt;
   std::vector<Expression> rests, state;
   bool any = false;
   for (std::size_t i = 0; i < system.rows.size(); ++i) {

@@ -114,6 +114,14 @@ Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormu
   return {.edge = text.edge, .margin = Program(formulas.pool(), {margin}, system.size())};
 }
 
+// The reference of the columns with another end.
+reference::Reference reference_to(double end, EquationText text, const Parameters& parameters) {
+  text.end = {.text = fmt::format("{}", end), .position = text.end.position};
+  FileFormulas formulas(text, parameters, NumberStorage::values);
+  const auto system = read_system(formulas);
+  return file_reference(system, problem_of(system, formulas), output_columns(system, formulas), formulas);
+}
+
 Scene scene_of(const EquationText& all, const Parameters& parameters, const NoteReceiver& on_note) {
   const EquationText text = with_implied_terms(
       with_implied_rows(with_states(present_parts(all, parameters), parameters), parameters), parameters);
@@ -124,12 +132,15 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   const auto columns = output_columns(system, formulas);
   Scene scene{.problem = problem_of(system, formulas), .from_file = !text.is_built_in};
   if (text.domain) scene.problem.domain = domain_of(*text.domain, system, formulas);
-  scene.smoothness = file_smoothness(system, scene.problem, formulas);
+  const auto started = with_some_initial_values(system);
+  scene.smoothness = file_smoothness(started, with_some_initial_values(scene.problem), formulas);
   exclude_unshown_rows(scene.smoothness, columns, system.size());
   scene.outputs = outputs_of(columns, system.size(), formulas.pool());
   scene.load_times = load_times(system.rows, system.jumps, formulas.pool());
   set_end(scene, system.end);
   scene.reference = file_reference(system, scene.problem, columns, formulas);
+  if (scene.reference.at && !system.final.empty())
+    scene.reference_to = [text, parameters](double end) { return reference_to(end, text, parameters); };
   if (!scene.reference.at)
     scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
@@ -137,7 +148,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   if (const auto& f = text.constraints; !f.empty())
     scene.constraint = {.size = std::ssize(f), .value = program_of(f, columns, formulas)};
   if (!text.path.empty()) scene.display_path = path_of(text.path, columns, formulas);
-  scene.discontinuities = file_discontinuities(system, formulas);
+  scene.discontinuities = file_discontinuities(started, formulas);
   return scene;
 }
 
@@ -156,6 +167,7 @@ EquationFormula written(const UnknownText& unknown) {
     equation.rhs += fmt::format(" - ({})*({})", unknown.factor->text, fmt::join(multiplied, " + "));
   }
   for (const auto& value : unknown.initial) equation.initial.push_back(value.text);
+  for (const auto& [column, position, value] : unknown.final) equation.final.emplace_back(column, value.text);
   return equation;
 }
 

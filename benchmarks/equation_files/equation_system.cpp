@@ -65,16 +65,25 @@ void require_no_slope(const FormulaText& slope, const FormulaText& order, FileFo
 
 std::vector<double> initial_values(const UnknownText& unknown, const FormulaText& order_text, double order,
                                    FileFormulas& formulas) {
-  const std::size_t needed = initial_count(order), given = unknown.initial.size();
+  const std::size_t needed = initial_count(order), given = unknown.initial.size(),
+                    at_end = unknown.final.size();
+  if (at_end > 0 && !(order > 1.0)) {
+    reject_at(formulas.text().file, unknown.final.front().position,
+              fmt::format("final: the order of {} is {}: must be above 1 for a value at the end",
+                          unknown.name, order));
+  }
   const bool has_slope = needed == 1 && given == 2 && has_name(order_text);
-  if (given != needed && !has_slope) {
-    reject_at(formulas.text().file, unknown.position,
-              fmt::format("unknown {}: has {} initial value{}: must have {}, as its order is {}",
-                          unknown.name, given, given == 1 ? "" : "s", needed, order));
+  if (given + at_end != needed && !has_slope) {
+    const auto plural = [](std::size_t count) { return count == 1 ? "" : "s"; };
+    reject_at(
+        formulas.text().file, unknown.position,
+        fmt::format("unknown {}: has {} initial value{}{}: must have {}{}, as its order is {}", unknown.name,
+                    given, plural(given), at_end == 0 ? "" : fmt::format(" and {} at the end", at_end),
+                    needed, at_end == 0 ? "" : " in all", order));
   }
   if (has_slope) require_no_slope(unknown.initial.back(), order_text, formulas);
   std::vector<double> values;
-  for (std::size_t i = 0; i < needed; ++i)
+  for (std::size_t i = 0; i < std::min(given, needed); ++i)
     values.push_back(formulas.constant(unknown.initial[i], "initial", any_number));
   return values;
 }
@@ -198,11 +207,33 @@ void require_no_earlier_switch(const EquationSystem& system, std::size_t u, File
   }
 }
 
+// The values of an unknown at the end.
+std::vector<ValueAtEnd> values_at_end(const UnknownText& text, const EquationSystem::Unknown& unknown,
+                                      const FormulaVariables& variables, FileFormulas& formulas) {
+  std::vector<ValueAtEnd> values;
+  for (const auto& [column, position, value] : text.final) {
+    const auto named = formulas.read({.text = column, .position = position},
+                                     {.time = false, .resolve_unknown = variables.resolve_unknown});
+    const auto& node = formulas.pool()[named];
+    const auto row = static_cast<Eigen::Index>(node.variable) - 1;
+    if (node.operation != Operation::variable || row < unknown.first ||
+        row >= unknown.first + unknown.size()) {
+      reject_at(formulas.text().file, position,
+                fmt::format("final: {}: must be {} or one of its derivatives", column, text.name));
+    }
+    if (std::ranges::find(values, row, &ValueAtEnd::row) != values.end())
+      reject_at(formulas.text().file, position, fmt::format("final: {}: must be given once", column));
+    values.push_back({row, formulas.constant(value, "final", any_number)});
+  }
+  return values;
+}
+
 // The value of each row for t < 0 as a function of t; of rows that nothing looks back at the initial value.
 std::vector<Expression> values_before(const EquationSystem& system, FileFormulas& formulas) {
   auto& pool = formulas.pool();
   std::vector<Expression> values;
-  for (const auto& row : system.components) values.push_back(pool.number(row.initial.front()));
+  for (const auto& [order, initial, side] : system.components)
+    values.push_back(pool.number(initial.empty() ? 0.0 : initial.front()));
   for (const auto& [row, lag] : system.earlier.values) {
     const auto u = unknown_of_row(system, row);
     const auto& unknown = system.unknowns[u];
@@ -287,12 +318,23 @@ EquationSystem read_system(FileFormulas& formulas) {
       system.components.push_back({0.0, initial_values(text.unknowns[u], order, 0.0, formulas)});
     }
     add_rows(unknown, formulas.pool(), system.rows);
+    std::ranges::copy(values_at_end(text.unknowns[u], unknown, variables, formulas),
+                      std::back_inserter(system.final));
   }
   for (const auto& unknown : text.unknowns)
     if (unknown.before) formulas.read(*unknown.before, {});
   if (system.earlier.values.empty()) return system;
   for (std::size_t u = 0; u < system.unknowns.size(); ++u) require_no_earlier_switch(system, u, formulas);
   system.earlier.before = values_before(system, formulas);
+  return system;
+}
+
+EquationSystem with_some_initial_values(EquationSystem system) {
+  for (auto& unknown : system.unknowns) {
+    if (!unknown.chain) continue;
+    unknown.chain = unknown.chain->with_some_initial_values();
+    std::ranges::copy(unknown.chain->components(), system.components.begin() + unknown.first);
+  }
   return system;
 }
 

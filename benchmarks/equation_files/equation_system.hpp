@@ -12,6 +12,12 @@
 
 namespace fde::bench {
 
+// The value of a row at the end.
+struct ValueAtEnd {
+  Eigen::Index row;
+  double value;
+};
+
 // The equations of a file for given values of its parameters: the rows of a problem, with right-hand sides as
 // expressions of t (variable 0), y_i (variable i + 1) and, with delays, earlier values.
 struct EquationSystem {
@@ -28,7 +34,8 @@ struct EquationSystem {
   };
   std::vector<Unknown> unknowns{};
   std::vector<Component> components{};
-  std::vector<Expression> rows{};  // f_i
+  std::vector<Expression> rows{};   // f_i
+  std::vector<ValueAtEnd> final{};  // as many as there are unknown initial values
   double end = 1.0;
   std::vector<double> jumps{};
   EarlierValues earlier{};
@@ -38,6 +45,9 @@ struct EquationSystem {
 
 // Throws std::invalid_argument naming file, line and column if an equation is not of this kind.
 EquationSystem read_system(FileFormulas& formulas);
+
+// The system with 1 for each unknown initial value, as with_some_initial_values(problem).
+EquationSystem with_some_initial_values(EquationSystem system);
 
 // The index of the unknown to which this row belongs.
 std::size_t unknown_of_row(const EquationSystem& system, Eigen::Index row);

@@ -35,6 +35,12 @@ struct TermText {
   FormulaText coefficient, order;
 };
 
+struct NamedFormula {
+  std::string name{};
+  TextPosition position{};
+  FormulaText formula{};
+};
+
 // The equation of an unknown: sum of the terms = rhs. A `factor` multiplies all terms but the first.
 struct UnknownText {
   std::string name{};
@@ -47,7 +53,7 @@ struct UnknownText {
   std::optional<FormulaText> transfer{};  // a transfer function, of which rhs is the input; terms are empty
   std::vector<FormulaText> initial{};
   std::optional<FormulaText> before{};  // its value for t < 0
-  std::vector<FormulaText> final{};     // of a coordinate: its value at the end
+  std::vector<NamedFormula> final{};    // values at the end, each of the column that it names
   ParameterValues unless{};
   bool is_implied = false;  // added by with_implied_rows() or with_states(); it is no column
 };
@@ -56,12 +62,6 @@ struct UnknownText {
 struct OutputText {
   std::string name{}, state{};
   std::vector<TermText> terms{};
-};
-
-struct NamedFormula {
-  std::string name{};
-  TextPosition position{};
-  FormulaText formula{};
 };
 
 struct EnergyText {

@@ -43,6 +43,23 @@ void require_exact_start(const EquationText& text, const Columns& columns, const
   }
 }
 
+// Rejects an exact column that differs from its value at the end. A value that is not finite is not checked.
+void require_exact_end(const EquationSystem& system, const Columns& columns, FileFormulas& formulas,
+                       const reference::Reference& reference) {
+  constexpr double rounding = 1e-9;
+  if (system.final.empty()) return;
+  const auto [value, bound] = reference.at(system.end);
+  for (const auto& [row, given] : system.final) {
+    const auto column = std::ranges::find(columns, row, &SystemColumn::row);
+    if (column == columns.end()) continue;
+    const double at_end = value[column - columns.begin()];
+    if (!std::isfinite(at_end) || std::abs(at_end - given) <= rounding * (1.0 + std::abs(given))) continue;
+    reject_at(formulas.text().file, formulas.text().exact.front().position,
+              fmt::format("exact: {} is {:.6g} at t = {:.6g}: must be {:.6g}, its value at the end",
+                          column->name, at_end, system.end, given));
+  }
+}
+
 // c, if the expression is c sin(x), x being the first row.
 std::optional<double> factor_of_sine(Expression of, const ExpressionPool& pool) {
   const auto is_sine = [&](Expression e) {
@@ -70,6 +87,7 @@ reference::Reference free_pendulum(const EquationSystem& system, const Columns& 
   const auto factor = factor_of_sine(*unknown.rhs, pool);
   if (!factor || !state) return {};
   const auto& initial = unknown.chain->initial();
+  if (!system.final.empty()) return {};
   return reference::pendulum_reference({-*factor, initial[0], initial[1]});
 }
 
@@ -80,6 +98,7 @@ reference::Reference known_derivatives(const EquationSystem& system, const Probl
   if (!text.exact.empty()) {
     auto known = exact_columns(text, formulas.parameters(), columns_of(system), columns);
     require_exact_start(text, columns, problem, known);
+    require_exact_end(system, columns, formulas, known);
     return known;
   }
   if (!system.earlier.values.empty()) return {};

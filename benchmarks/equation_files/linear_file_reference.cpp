@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "fdebench/benchmarks/expressions/time_terms.hpp"
 #include "fdebench/reference/linear/linear_equation.hpp"
 #include "fdebench/reference/linear/linear_system.hpp"
+#include "fdebench/reference/linear/values_at_end.hpp"
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 
 namespace fde::bench {
@@ -63,6 +66,10 @@ class ExactNumbers {
     return number->value;
   }
   Rational of(double nearest) { return of(pool_.number(nearest)); }
+  // A time that a reference takes as its shortest decimal.
+  void require_decimal(double time) {
+    all_exact_ = all_exact_ && of(time) == reference::shortest_decimal(time);
+  }
   [[nodiscard]] bool all_exact() const { return all_exact_; }
 
  private:
@@ -147,6 +154,16 @@ reference::LinearTermOf<Rational> term_of(Expression coefficient, const Rational
   return {numbers.of(coefficient), order};
 }
 
+// The outputs of a solution, by the values at the end where these are given.
+reference::Reference with_ends(reference::SolutionByInitialValues solution,
+                               const std::vector<ValueAtEnd>& final, double end, ExactNumbers& numbers) {
+  if (final.empty()) return solution.outputs({});
+  std::vector<Rational> values;
+  for (const auto& [row, value] : final) values.push_back(numbers.of(value));
+  numbers.require_decimal(end);
+  return reference::with_values_at_end(std::move(solution), end, std::move(values));
+}
+
 // A single unknown: its terms, and its coefficients in the right-hand side.
 std::optional<reference::Reference> single_equation_reference(const EquationSystem& system,
                                                               const UnknownText& text, FileFormulas& formulas,
@@ -169,14 +186,39 @@ std::optional<reference::Reference> single_equation_reference(const EquationSyst
   auto loads = loads_of(*unknown.rhs, pool, numbers);
   if (!loads) return std::nullopt;
   equation.loads = std::move(*loads);
-  std::vector<Rational> wanted;
+  std::vector<Rational> wanted, given_at_end;
   for (const double order : orders) wanted.push_back(numbers.of(order));
-  return reference::exact_linear_reference(equation, wanted);
+  for (const auto& [row, value] : system.final)
+    given_at_end.push_back(numbers.of(chain.nodes()[static_cast<std::size_t>(row)]));
+  const auto solution = [&equation](std::vector<Rational> derivatives) {
+    return [equation, derivatives](const std::vector<Rational>& missing) {
+      auto complete = equation;
+      std::ranges::copy(missing, std::back_inserter(complete.initial));
+      return reference::exact_linear_reference(complete, derivatives);
+    };
+  };
+  return with_ends({solution(wanted), solution(given_at_end)}, system.final, system.end, numbers);
+}
+
+// The rows of a system as a function of its unknown initial values.
+std::function<reference::Reference(const std::vector<Rational>& unknown)> solution_of(
+    reference::ExactLinearSystem rows, const std::vector<Component>& components,
+    std::vector<std::size_t> outputs) {
+  rows.outputs = std::move(outputs);
+  return [rows, components](const std::vector<Rational>& unknown) {
+    auto complete = rows;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+      for (auto k = components[i].initial.size(); k < initial_count(components[i].order); ++k)
+        complete.initial[i].push_back(unknown[next++]);
+    }
+    return reference::exact_linear_reference(complete);
+  };
 }
 
 std::optional<reference::Reference> system_reference(const LinearRows& system, ExpressionPool& pool,
                                                      ExactNumbers& numbers) {
-  reference::ExactLinearSystem rows{.outputs = system.outputs};
+  reference::ExactLinearSystem rows;
   for (const auto& [lower, upper] : system.orders)
     rows.orders.push_back(Rational(numbers.of(upper) - numbers.of(lower)));
   for (std::size_t i = 0; i < system.rows.size(); ++i) {
@@ -197,11 +239,19 @@ std::optional<reference::Reference> system_reference(const LinearRows& system, E
       row.push_back(Rational(numbers.of(pool.without_variables(slope, 0)) + (own ? 1 : 0)));
     }
   }
-  return reference::exact_linear_reference(rows);
+  std::vector<std::size_t> given_at_end;
+  for (const auto& [row, value] : system.final) given_at_end.push_back(static_cast<std::size_t>(row));
+  return with_ends({solution_of(rows, system.components, system.outputs),
+                    solution_of(rows, system.components, given_at_end)},
+                   system.final, system.end, numbers);
 }
 
 LinearRows rows_of(const EquationSystem& system, const std::vector<std::size_t>& outputs) {
-  LinearRows rows{.components = system.components, .rows = system.rows, .outputs = outputs};
+  LinearRows rows{.components = system.components,
+                  .rows = system.rows,
+                  .outputs = outputs,
+                  .final = system.final,
+                  .end = system.end};
   for (const auto& unknown : system.unknowns) {
     const auto nodes = unknown.chain ? unknown.chain->nodes() : std::vector{0.0};
     const double top = unknown.chain ? unknown.chain->leading().order : 0.0;

@@ -30,6 +30,8 @@ struct LinearRows {
   std::vector<Expression> rows{};
   std::map<std::size_t, Expression> initial{};  // initial values that are computed, by row
   std::vector<std::size_t> outputs{};
+  std::vector<ValueAtEnd> final{};  // with the unknown initial values of the components
+  double end = 1.0;
 };
 
 // The same for such rows. Preconditions: they are linear, and the pool has fractions.

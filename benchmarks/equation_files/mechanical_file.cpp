@@ -107,7 +107,7 @@ mechanics::ExtremumEnds read_ends(const MechanicalSystem& system, FileFormulas& 
                 fmt::format("coordinate {}: has {} final values: must have 1, its place at the end",
                             coordinate.name, coordinate.final.size()));
     }
-    if (!coordinate.final.empty()) last = formulas.constant(coordinate.final[0], "final", any_number);
+    if (!coordinate.final.empty()) last = formulas.constant(coordinate.final[0].formula, "final", any_number);
   }
   const auto& multipliers = text.mechanics->multipliers;
   if (!multipliers.empty() && multipliers.size() != system.constraints.size()) {

@@ -120,8 +120,32 @@ class EquationReader : DeclarationReader {
     require_keys(of, name, {"initial", "final"});
     UnknownText coordinate{.name = entry.name, .position = entry.position};
     coordinate.initial = formulas(required(of, entry.position, name, "initial"), "initial", numbers);
-    if (const auto* last = of.get("final")) coordinate.final = formulas(*last, "final", numbers);
+    if (const auto* last = of.get("final")) coordinate.final = values_at_end(*last, entry.name, numbers);
     return coordinate;
+  }
+
+  // A list of values of this unknown.
+  [[nodiscard]] std::vector<NamedFormula> values_at_end(const toml::node& node, const std::string& name,
+                                                        std::string_view allowed) const {
+    std::vector<NamedFormula> values;
+    for (auto& value : formulas(node, "final", allowed))
+      values.push_back({.name = name, .position = value.position, .formula = value});
+    return values;
+  }
+
+  // A list with the value of the unknown at the end, or a table of columns with their values.
+  [[nodiscard]] std::vector<NamedFormula> final_of(const toml::node& node, const std::string& name) const {
+    if (node.is_table()) return formulas_of(node, "final");
+    auto values =
+        values_at_end(node, name, "a list with the value at the end, or a table of columns with values");
+    if (values.size() != 1) {
+      reject(
+          position_of(node),
+          fmt::format("final: has {} values: must have 1, that of {}; derivatives are given in a table, as "
+                      "{{ \"D({},1)\" = 0 }}",
+                      values.size(), name, name));
+    }
+    return values;
   }
 
   [[nodiscard]] UnknownText unknown_of(const TomlEntry& entry,
@@ -136,7 +160,8 @@ class EquationReader : DeclarationReader {
       unknown.unless = unless_of(of, parameters);
       return unknown;
     }
-    require_keys(of, name, {"terms", "order", "chain", "factor", "rhs", "initial", "before", "unless"});
+    require_keys(of, name,
+                 {"terms", "order", "chain", "factor", "rhs", "initial", "final", "before", "unless"});
     const auto *order = of.get("order"), *terms = of.get("terms");
     if ((order == nullptr) == (terms == nullptr))
       reject(entry.position, fmt::format("{}: must have either order or terms", name));
@@ -155,6 +180,7 @@ class EquationReader : DeclarationReader {
     unknown.rhs = formula(required(of, entry.position, name, "rhs"), "rhs");
     unknown.unless = unless_of(of, parameters);
     unknown.initial = formulas(required(of, entry.position, name, "initial"), "initial", numbers);
+    if (const auto* last = of.get("final")) unknown.final = final_of(*last, entry.name);
     if (const auto* before = of.get("before")) unknown.before = formula(*before, "before");
     return unknown;
   }

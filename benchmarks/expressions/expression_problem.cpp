@@ -145,7 +145,7 @@ IncrementForm increments_of(const Problem& problem, const std::vector<Expression
   Vec origin = taylor_part(problem, 0.0);
   Matrix jacobian(problem.size(), problem.size());
   evaluate_jacobian(problem, 0.0, origin, jacobian);
-  if (jacobian.allFinite() || is_two_sided(problem)) return {};
+  if (jacobian.allFinite() || is_two_sided(problem) || unknown_count(problem) > 0) return {};
   origin(algebraic_rows(problem)).setZero();
   const auto shifted = in_increments(rows, origin, pool);
   if (!shifted) return {};

@@ -45,10 +45,11 @@ Json rows_of(const Problem& problem) {
 
 Json equations_of(const std::vector<EquationFormula>& equations) {
   Json all = Json::array();
-  for (const auto& [unknown, terms, rhs, initial] : equations) {
+  for (const auto& [unknown, terms, rhs, initial, final] : equations) {
     Json of_unknown = Json::array();
     for (const auto& [coefficient, order] : terms) of_unknown.push_back({coefficient, order});
     all.push_back({{"unknown", unknown}, {"terms", of_unknown}, {"rhs", rhs}, {"initial", initial}});
+    if (!final.empty()) all.back()["final"] = final;
   }
   return all;
 }
@@ -87,8 +88,10 @@ bool has_others(const std::string& formula, const std::vector<Eigen::Index>& var
 }
 
 // The multi-term equations sum_k coefficients[k] D^(orders[k]) y_i = rhs, one for each chain of rows and each
-// other row. Null if there is an algebraic or a right row, or if a force contains a derivative of an unknown.
+// other row. Null if there is an algebraic or a right row, if a force contains a derivative of an unknown, or
+// with conditions at both ends.
 Json multi_term_of(const Problem& problem, const std::vector<std::string>& rhs) {
+  if (problem.conditions) return {};
   Json equations = Json::array();
   std::vector<Eigen::Index> first_rows;
   std::vector<std::string> forces;

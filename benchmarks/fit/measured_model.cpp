@@ -45,7 +45,7 @@ MeasuredModel::MeasuredModel(SceneVariant scene, const Scene& posed, std::vector
       scheme_(scheme),
       sizes_(sizes_of(measured_.values)),
       size_(smallest_of(sizes_)) {
-  scene_.until = measured_.times.back();
+  if (!is_two_sided(posed.problem)) scene_.until = measured_.times.back();
   for (const Eigen::Index column : measured_.columns)
     names_.push_back(posed.outputs.names[static_cast<std::size_t>(column)]);
   for (const double t : measured_.times) {

@@ -15,8 +15,8 @@ namespace fde::bench {
 // The columns of a scene at the times of measurements, as a function of some of its parameters.
 class MeasuredModel {
  public:
-  // The scene ends with the measurements, whose columns are those of `posed`. Precondition: the scheme has
-  // adaptive step size.
+  // The scene ends with the measurements unless it is posed at both ends; its columns are those of `posed`.
+  // Precondition: the scheme has adaptive step size.
   MeasuredModel(SceneVariant scene, const Scene& posed, std::vector<std::string> parameters,
                 ExternalTrajectory measured, const Scheme& scheme);
 

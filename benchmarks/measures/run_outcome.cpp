@@ -21,6 +21,8 @@ const std::array all_words{
     OutcomeText{SolveStatus::finished, "finished", "finished"},
     OutcomeText{SolveStatus::non_finite, "not_finite", "not finite"},
     OutcomeText{SolveStatus::not_converged, "not_converged", "Newton's method did not converge"},
+    OutcomeText{SolveStatus::undetermined, "undetermined",
+                "the values at the end do not determine the missing initial values:"},
     OutcomeText{SolveStatus::step_too_large, "step_too_large", "steps are too long for a mode that grows"},
     OutcomeText{SolveStatus::step_too_small, "step_too_small",
                 "the error test failed down to the smallest step"},
@@ -82,7 +84,18 @@ RunOutcome outcome_of(const Problem& problem, const Trajectory& path) {
     if (const auto order = order_of_earliest_change(problem, *path.failure_time))
       detail.push_back(fmt::format("(a row of order {:.4g} changes as early as that)", *order));
   }
-  if (path.residual) {
+  if (is_solved_by_shooting(problem)) {
+    if (path.failure_time && path.status != SolveStatus::out_of_budget)
+      detail.emplace_back("with 0 for the missing initial values, from which Newton's method starts");
+    if (path.status == SolveStatus::not_converged && path.residual) {
+      detail.push_back(
+          fmt::format("for the missing initial values: the values at the end are missed by {:.2g}; "
+                      "there may be no solution",
+                      *path.residual));
+    }
+    if (path.status == SolveStatus::undetermined)
+      detail.emplace_back("with another resolution these change by a large part of the solution");
+  } else if (path.residual) {
     detail.push_back(
         fmt::format("for all times at once, from any of its starts: a residual of {:.2g} is left; "
                     "try another number of steps, another end or other coefficients",

@@ -116,12 +116,12 @@ bool in_missing_home(const std::filesystem::path& folder) {
 TimedTable table_of(const Problem& problem) {
   const double start = thread_seconds();
   auto panels =
-      is_two_sided(problem) ? reference::two_sided_table(problem) : reference::reference_table(problem);
+      has_right_rows(problem) ? reference::two_sided_table(problem) : reference::reference_table(problem);
   return {std::move(panels), thread_seconds() - start};
 }
 
 reference::Reference from_table(TimedTable table, const Problem& problem) {
-  reference::Reference reference = is_two_sided(problem)
+  reference::Reference reference = has_right_rows(problem)
                                        ? two_sided_reference(std::move(table.panels), problem)
                                        : reference_from_table(std::move(table.panels), problem);
   reference.evidence = reference::Evidence::two_methods;

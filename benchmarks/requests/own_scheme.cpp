@@ -13,6 +13,7 @@
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
+#include "fdebench/schemes/stepping/with_conditions.hpp"
 
 namespace fde::bench {
 namespace {
@@ -50,10 +51,11 @@ OwnScheme::OwnScheme(std::string id, StatesOfRun states, const Capabilities& cap
               .title = id_,
               .source = "the caller",
               .capabilities = capabilities,
-              .solve = on_grid([this, states = std::move(states)](const Problem& problem, const Grid& grid,
-                                                                  const Options& options) {
-                return run_of(id_, states, problem, grid, options);
-              })} {}
+              .solve = with_conditions(
+                  on_grid([this, states = std::move(states)](const Problem& problem, const Grid& grid,
+                                                             const Options& options) {
+                    return run_of(id_, states, problem, grid, options);
+                  }))} {}
 
 void require_own_ids(const std::vector<const Scheme*>& own) {
   std::set<std::string_view> ids;

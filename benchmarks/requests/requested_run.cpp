@@ -139,11 +139,17 @@ void require_field(const Scene& scene, const SolveRequest& request, const std::v
        RequestField{"at"}, ", ", RequestField{"every"}, " and ", RequestField{"points"}, " choose times"});
 }
 
-// Throws Refusal if all solutions are requested of an initial value problem, or with a comparison of one.
+// Throws Refusal if all solutions are requested of a problem that is solved by initial value problems, or
+// with a comparison of one.
 void require_several(const Scene& scene, const SolveRequest& request) {
   if (!request.all_solutions) return;
   if (!is_two_sided(scene.problem))
     throw Refusal({RequestField{"all"}, ": is only taken of problems at both ends"});
+  if (!has_right_rows(scene.problem)) {
+    throw Refusal(
+        {RequestField{"all"},
+         ": is only taken of problems with right derivatives, which are solved at all times at once"});
+  }
   if (request.check) throw Refusal({RequestField{"all"}, ": is not taken with ", RequestField{"check"}});
 }
 

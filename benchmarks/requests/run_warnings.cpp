@@ -91,7 +91,8 @@ std::vector<Warning> accuracy_warnings(const Scene& scene, const RequestedRun& r
   other.options.budget = std::max(most_times * seconds, min_seconds);
   other.options.output_times = times_to_return(scene, other);
   Problem problem = scene.problem;
-  if (path.status == SolveStatus::terminal_event) problem.end = other.options.output_times.back();
+  if (path.status == SolveStatus::terminal_event && !is_two_sided(problem))
+    problem.end = other.options.output_times.back();
   const auto compute = [&](const Tolerance& requested) -> std::optional<Rows> {
     const auto solved = run.scheme.solve(problem, requested, other.options);
     if (solved.status != SolveStatus::finished) return std::nullopt;

@@ -37,6 +37,7 @@ double Constraint::terms(double t, In columns) const {
 }
 
 void set_end(Scene& scene, double end) {
+  if (scene.reference_to && end != scene.problem.end) scene.reference = scene.reference_to(end);
   scene.problem.end = end;
   if (scene.load_times) {
     auto times = scene.load_times(end);

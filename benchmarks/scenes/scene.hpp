@@ -137,7 +137,9 @@ struct Scene {
   Smoothness smoothness{};
   Outputs outputs{};
   reference::Reference reference{};  // of the columns
-  bool from_file = false;            // from an equation file: its reference is checked against two schemes
+  // The reference for another end, if it depends on that; empty: it does not.
+  std::function<reference::Reference(double end)> reference_to{};
+  bool from_file = false;  // from an equation file: its reference is checked against two schemes
   std::optional<PosedProblem> reference_problem{};  // another formulation for the reference; empty: `problem`
   Energy energy{};
   Constraint constraint{};

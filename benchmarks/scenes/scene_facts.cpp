@@ -23,7 +23,7 @@ std::string text_of(const EquationFormula::Term& term, const std::string& unknow
 }  // namespace
 
 DisplayEquation displayed(const EquationFormula& equation) {
-  const auto& [unknown, terms, rhs, initial] = equation;
+  const auto& [unknown, terms, rhs, initial, final] = equation;
   if (std::ranges::all_of(terms, [](const auto& term) { return term.order == "0"; })) return {"0", rhs};
   std::vector<std::string> sum;
   for (const auto& term : terms) sum.push_back(text_of(term, unknown));

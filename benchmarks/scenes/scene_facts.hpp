@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fde::bench {
@@ -31,6 +32,7 @@ struct EquationFormula {
   std::vector<Term> terms;
   std::string rhs;
   std::vector<std::string> initial;
+  std::vector<std::pair<std::string, std::string>> final{};  // columns and their values at the end
 };
 
 // The terms on the left; 0 = rhs where all have order 0.

@@ -116,7 +116,7 @@ namespace {
 Scene with_end(Scene scene, const SceneVariant& variant) {
   if (!variant.until) return scene;
   const double end = scene.problem.end;
-  if (is_two_sided(scene.problem) && *variant.until != end) {
+  if (has_right_rows(scene.problem) && *variant.until != end) {
     reject("until", *variant.until,
            fmt::format("{}: scene {} is posed at both ends", end, variant.factory->id));
   }

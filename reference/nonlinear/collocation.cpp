@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "fdebench/schemes/problem/delays.hpp"
 #include "fdebench/schemes/problem/multipliers.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
+#include "fdebench/schemes/problem/shooting.hpp"
 
 namespace fde::reference {
 
@@ -176,28 +178,85 @@ struct OwnProblem {
   BoundProblem* looking_back = nullptr;
 };
 
-PanelTable table_of(const Problem& problem, const CollocationOptions& options) {
-  OwnProblem first(problem), again(problem), last(problem);
-  const InitialLengths starts = initial_lengths(first.problem);
-  const auto solve = [&](const OwnProblem& own, int points, double shortest) -> PiecewiseSolution {
-    return {own.problem,
-            {.points = points,
-             .first_panel = shortest * starts.panel,
-             .first_after_jump = shortest * first_after_jump,
-             .tolerance = options.tolerance,
-             .negligible_before = starts.weightless,
-             .looking_back = own.looking_back}};
-  };
-  const auto solution = solve(first, 20, 1.0);
-  require_small_residual(first.problem, solution);
-  const auto other = solve(again, 16, 3.0);
-  DiffusiveOptions second_options{
-      .first_step = starts.step, .negligible_before = starts.weightless, .looking_back = last.looking_back};
+PiecewiseSolution collocation(const OwnProblem& own, int points, double shortest, double tolerance) {
+  const InitialLengths starts = initial_lengths(own.problem);
+  return {own.problem,
+          {.points = points,
+           .first_panel = shortest * starts.panel,
+           .first_after_jump = shortest * first_after_jump,
+           .tolerance = tolerance,
+           .negligible_before = starts.weightless,
+           .looking_back = own.looking_back}};
+}
+
+DiffusiveSolution diffusive(const OwnProblem& own) {
+  const InitialLengths starts = initial_lengths(own.problem);
+  DiffusiveOptions options{
+      .first_step = starts.step, .negligible_before = starts.weightless, .looking_back = own.looking_back};
   // Within a step y is less accurate than at its end, and f depends on it.
   constexpr double within_steps = 1e-13;
-  if (last.looking_back != nullptr) second_options.tolerance = within_steps;
-  const auto second = diffusive_solution(last.problem, second_options);
-  const auto estimates = error_estimates(first.problem, solution, other, second);
+  if (own.looking_back != nullptr) options.tolerance = within_steps;
+  return diffusive_solution(own.problem, options);
+}
+
+// A problem with conditions at both ends as one of the methods after the other solves it. Each finds the
+// unknown initial values by its own runs, from those of the method before, so that their differences contain
+// the condition of the problem.
+class CompleteProblems {
+ public:
+  explicit CompleteProblems(const Problem& given) : given_(given) {}
+
+  // The initial value problem of a method, of which `end` gives y(end). Throws std::runtime_error if it does
+  // not find the initial values, or if they are not those of the method before.
+  template <class End>
+  Problem found_by(const End& end) {
+    if (!is_solved_by_shooting(given_)) return given_;
+    const EndOfRun run = [&](const Problem& complete) -> std::optional<Vec> {
+      try {
+        return end(OwnProblem(complete));
+      } catch (const std::runtime_error&) {
+        return std::nullopt;
+      }
+    };
+    if (missing_.converged && !are_determined(given_, missing_, run))
+      throw std::runtime_error(
+          "two methods: the values at the end do not determine the missing initial values");
+    constexpr double noise = 1e-14;
+    missing_ = find_missing_values(given_, run, noise, std::move(missing_));
+    if (std::isinf(missing_.missed))
+      throw std::runtime_error(
+          "two methods: with 0 for the missing initial values they do not reach the end");
+    if (!missing_.converged) {
+      throw std::runtime_error(fmt::format(
+          "two methods: Newton's method did not converge for the missing initial values: the values "
+          "at the end are missed by {:.2g}",
+          missing_.missed));
+    }
+    return with_initial_values(given_, missing_.values);
+  }
+
+ private:
+  const Problem& given_;
+  MissingValues missing_{};
+};
+
+PanelTable table_of(const Problem& problem, const CollocationOptions& options) {
+  constexpr int many = 20, fewer = 16;
+  constexpr double usual = 1.0, longer = 3.0;  // first panels
+  CompleteProblems problems(problem);
+  const auto by_collocation = [&](int points, double shortest) {
+    return problems.found_by([&](const OwnProblem& own) {
+      return collocation(own, points, shortest, options.tolerance).at(own.problem.end);
+    });
+  };
+  const Problem of_first = by_collocation(many, usual), of_again = by_collocation(fewer, longer);
+  const Problem of_last =
+      problems.found_by([](const OwnProblem& own) { return diffusive(own).values.back(); });
+  const OwnProblem first(of_first), again(of_again), last(of_last);
+  const auto solution = collocation(first, many, usual, options.tolerance);
+  require_small_residual(first.problem, solution);
+  const auto other = collocation(again, fewer, longer, options.tolerance);
+  const auto estimates = error_estimates(first.problem, solution, other, diffusive(last));
   PanelTable table;
   for (const Panel& panel : solution.panels()) {
     table.panels.push_back(
@@ -206,14 +265,23 @@ PanelTable table_of(const Problem& problem, const CollocationOptions& options) {
   return table;
 }
 
+// The bound of the initial values, where unknown ones have that of the first panel.
+Vec initial_bound(const Problem& problem, const PanelTable& table) {
+  Vec bound = initial_bound(BoundProblem(with_some_initial_values(problem)).problem());
+  for (Eigen::Index i = 0; i < problem.size(); ++i)
+    if (problem.component(i).initial.empty()) bound[i] = table.panels.front().bound[i];
+  return bound;
+}
+
 }  // namespace
 
 Reference reference_from_table(PanelTable table, const Problem& problem) {
-  return reference_from_panels(std::move(table), initial_bound(BoundProblem(problem).problem()));
+  Vec at_start = initial_bound(problem, table);
+  return reference_from_panels(std::move(table), std::move(at_start));
 }
 
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
-  require_supported(problem);
+  require_supported(with_some_initial_values(problem));
   require_affordable(problem);
   return table_of(problem, options);
 }

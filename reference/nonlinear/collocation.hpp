@@ -18,7 +18,9 @@ struct CollocationOptions {
 // Orders are in [0, 2], those of algebraic rows 0; f is continuous except at problem.jump_times and for terms
 // with unknowns of algebraic rows, and smooth for other t > 0. ReferenceValue::bound is an estimate. Throws
 // std::runtime_error if one of the two methods does not converge (naming the method and the time), if an
-// order is too small for a problem with algebraic rows, or if there are more than 200 unknowns. Throws
+// order is too small for a problem with algebraic rows, or if there are more than 200 unknowns. With
+// conditions at both ends each method finds the unknown initial values by its own runs (shooting.hpp);
+// std::runtime_error is thrown also where one finds none, or others than the method before. Throws
 // std::invalid_argument for a problem that require_supported() rejects and, from Reference::at, for a time
 // outside [0, problem.end].
 Reference reference_solution(const Problem& problem, const CollocationOptions& options = {});

@@ -69,6 +69,7 @@ const statements = {
   outcome: {
     not_finite: "not finite",
     not_converged: "Newton's method did not converge",
+    undetermined: "the values at the end do not determine the missing initial values",
     step_too_large: "steps are too long for a mode that grows",
     step_too_small: "the error test failed down to the smallest step",
     blow_up: "the solution grows without bound: it blows up",

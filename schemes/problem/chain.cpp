@@ -131,11 +131,19 @@ std::vector<Component> Chain::components() const {
   std::vector<Component> components;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const double next = i + 1 < nodes_.size() ? nodes_[i + 1] : leading_.order;
-    const double start =
-        std::floor(nodes_[i]) == nodes_[i] ? initial_[static_cast<std::size_t>(std::lround(nodes_[i]))] : 0.0;
-    components.push_back({next - nodes_[i], {start}});
+    components.push_back({next - nodes_[i], {0.0}});
+    if (std::floor(nodes_[i]) != nodes_[i]) continue;
+    const auto whole = static_cast<std::size_t>(std::lround(nodes_[i]));
+    components.back().initial =
+        whole < initial_.size() ? std::vector{initial_[whole]} : std::vector<double>{};
   }
   return components;
+}
+
+Chain Chain::with_some_initial_values() const {
+  Chain chain = *this;
+  chain.initial_.resize(initial_count(leading_.order), 1.0);
+  return chain;
 }
 
 Smoothness smoothness_of_chains(const std::vector<Chain>& chains) {

@@ -18,8 +18,8 @@ namespace fde {
 // carry the initial values.
 class Chain {
  public:
-  // initial[k] = u^(k)(0) for k < ceil(leading). Throws std::invalid_argument when a term's order is outside
-  // [0, leading) or the coefficient of D^leading u is 0.
+  // initial[k] = u^(k)(0) for k < ceil(leading); the last ones may be missing (Problem::conditions). Throws
+  // std::invalid_argument when a term's order is outside [0, leading) or the coefficient of D^leading u is 0.
   Chain(Term leading, const std::vector<Term>& terms, std::vector<double> initial,
         Eigen::Index first_row = 0);
   // D^leading u = force as a single row, also for a leading order above 1.
@@ -42,6 +42,9 @@ class Chain {
   // The rows as components, with the initial values at the integer nodes and 0 elsewhere (eq. 2.2). A single
   // row has all of them.
   [[nodiscard]] std::vector<Component> components() const;
+
+  // The chain with 1 for each missing initial value.
+  [[nodiscard]] Chain with_some_initial_values() const;
 
  private:
   Term leading_;

@@ -9,8 +9,9 @@
 namespace fde {
 namespace {
 
-// Whether y jumps at 0.
+// Whether y jumps at 0: with unknown initial values it does in general.
 bool jumps_at_start(const Problem& problem) {
+  if (unknown_count(problem) > 0) return true;
   Vec before(problem.size());
   problem.delays.before(0.0, before);
   return before != taylor_part(problem, 0.0);

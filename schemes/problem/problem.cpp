@@ -91,11 +91,14 @@ double smallest_order(const Problem& problem) {
   return order;
 }
 
-bool is_two_sided(const Problem& problem) {
-  return problem.conditions || std::ranges::any_of(problem.components, [](const auto& component) {
-           return component.side == Side::right;
-         });
+bool has_right_rows(const Problem& problem) {
+  return std::ranges::any_of(problem.components,
+                             [](const auto& component) { return component.side == Side::right; });
 }
+
+bool is_two_sided(const Problem& problem) { return problem.conditions || has_right_rows(problem); }
+
+bool is_solved_by_shooting(const Problem& problem) { return problem.conditions && !has_right_rows(problem); }
 
 Eigen::Index unknown_count(const Problem& problem) {
   Eigen::Index count = 0;
@@ -104,6 +107,18 @@ Eigen::Index unknown_count(const Problem& problem) {
     if (given < needed) count += static_cast<Eigen::Index>(needed - given);
   }
   return count;
+}
+
+Problem with_initial_values(Problem problem, In unknown) {
+  Eigen::Index next = 0;
+  for (auto& [order, initial, side] : problem.components)
+    while (initial.size() < initial_count(order)) initial.push_back(unknown[next++]);
+  problem.conditions = {};
+  return problem;
+}
+
+Problem with_some_initial_values(const Problem& problem) {
+  return with_initial_values(problem, Vec::Ones(unknown_count(problem)));
 }
 
 TaylorPart::TaylorPart(const Problem& problem) {

@@ -200,11 +200,22 @@ std::size_t initial_count(double order);
 // The smallest order of the rows that are not algebraic, at most 1.
 double smallest_order(const Problem& problem);
 
-// Whether the problem has a right derivative or boundary conditions: it cannot be solved by time stepping.
+// Whether the problem has a right derivative: it cannot be solved by time stepping. Whether it has one or
+// boundary conditions: its solution depends on its end. Whether it has conditions alone: initial value
+// problems are solved to find the unknown initial values (shooting.hpp).
+bool has_right_rows(const Problem& problem);
 bool is_two_sided(const Problem& problem);
+bool is_solved_by_shooting(const Problem& problem);
 
 // Number of unknown initial values.
 Eigen::Index unknown_count(const Problem& problem);
+
+// The initial value problem with these unknown initial values, row by row and by increasing derivative, and
+// without conditions. Precondition: there are unknown_count(problem) values.
+Problem with_initial_values(Problem problem, In unknown);
+
+// The same with 1 for each, where only the form of the problem counts: values that are not 0.
+Problem with_some_initial_values(const Problem& problem);
 
 // The Taylor part sum_k initial[k] t^k / k!, k < ceil(order), of every component, with 0 for unknown initial
 // values; for an algebraic row the value at t = 0. t is the distance from the base point of the row: for

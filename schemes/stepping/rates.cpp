@@ -182,7 +182,12 @@ std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& prob
                                        const Smoothness& smoothness, double grading, Norm norm) {
   const bool declared = smoothness.powers.size() == problem.components.size();
   if (!scheme.expected_rate || !declared) return std::nullopt;
-  return scheme.expected_rate(problem, smoothness, grading, norm);
+  if (!is_solved_by_shooting(problem)) return scheme.expected_rate(problem, smoothness, grading, norm);
+  const auto rate = [&, complete = with_some_initial_values(problem)](Norm of) {
+    return scheme.expected_rate(complete, smoothness, grading, of);
+  };
+  // The missing values have the error at the end.
+  return std::min(rate(norm), rate(Norm::end));
 }
 
 bool has_breaking_points(const Problem& problem, const Grid& grid) {
@@ -205,7 +210,8 @@ Smoothness generic_smoothness(const Problem& problem) {
 }
 
 double optimal_grading(const Scheme& scheme, const Problem& problem) {
-  if (!scheme.expected_rate || is_two_sided(problem)) return 1.0;
+  if (!scheme.expected_rate || has_right_rows(problem)) return 1.0;
+  if (problem.conditions) return optimal_grading(scheme, with_some_initial_values(problem));
   if (unsupported_reason(scheme, problem, Grid{.end = problem.end, .steps = 2, .grading = 2.0})) return 1.0;
   const Smoothness smoothness = generic_smoothness(problem);
   const auto rate = [&](double grading) {

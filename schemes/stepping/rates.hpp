@@ -59,7 +59,8 @@ ExpectedRate expected_rate(const RateTheory& theory);
 ExpectedRate expected_rate(const RateTheory& theory, OrderSplitting (*splitting)(const Problem& problem));
 
 // The theoretical rate of a scheme, Scheme::expected_rate; nullopt where it has none, or where `smoothness`
-// does not give the powers of every component.
+// does not give the powers of every component. With unknown initial values it is that of an initial value
+// problem, and at the first step at most that at the end.
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
                                        const Smoothness& smoothness, double grading, Norm norm);
 
@@ -78,7 +79,7 @@ Smoothness generic_smoothness(const Problem& problem);
 // The smallest grading exponent with which the scheme has its largest rate in the maximum norm for
 // generic_smoothness(problem): the smooth rate over the rate at the start (rates.hpp), rounded up to
 // hundredths, at most 10. 1 where the scheme refuses the problem or graded grids, or has no rate, and for
-// two-sided problems. It depends on the orders only, not on the solution.
+// problems with right derivatives. It depends on the orders only, not on the solution.
 double optimal_grading(const Scheme& scheme, const Problem& problem);
 
 }  // namespace fde

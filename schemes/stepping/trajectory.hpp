@@ -48,6 +48,7 @@ enum class SolveStatus {
   finished,
   non_finite,
   not_converged,   // Newton's method did not converge
+  undetermined,    // the conditions at both ends do not determine the unknown initial values
   step_too_large,  // the step is too large for a growing mode: its amplification passes through infinity
   step_too_small,  // the error test failed down to the smallest step size
   blow_up,         // the solution grows without bound as time nears a finite one
@@ -79,8 +80,8 @@ struct Trajectory {
   SolveStatus status = SolveStatus::finished;
   double last_time = 0.0;                // the last time with a result, also where it is no output time
   std::optional<double> failure_time{};  // the end of the step that failed; nullopt: none did
-  std::optional<double> residual{};      // the last residual, where Newton's method for all times failed
-  std::int64_t steps = 0;                // number of steps with a result
+  std::optional<double> residual{};  // the last one of Newton's method for all times, or of the conditions
+  std::int64_t steps = 0;            // number of steps with a result
   Cost cost{};
   std::vector<Trajectory> other_solutions{};  // further solutions with Options::all_solutions
 

@@ -15,7 +15,7 @@ std::optional<std::string> unsupported_delays_reason(const Scheme& scheme, const
                                                      const Resolution& resolution) {
   if (problem.delays.lags.empty()) return std::nullopt;
   if (scheme.capabilities.discretises_equations) return "takes no delays";
-  if (is_two_sided(problem)) return "takes no delays in a problem that it solves at all times at once";
+  if (has_right_rows(problem)) return "takes no delays in a problem that it solves at all times at once";
   const double lag = problem.delays.lags.front();
   const auto* grid = std::get_if<Grid>(&resolution);
   if (grid == nullptr) {

@@ -104,6 +104,12 @@ class Examples(unittest.TestCase):
             self.assert_near(y0, transformed(lambda s: 1 / (0.8 * s**2.2 + 0.5 * s**0.9 + 1) / s, t), 1e-13)
             self.assert_near(y, transformed(controlled, t), 1e-13)
 
+    def test_plate_is_its_transform_scaled_to_its_place_at_the_end(self):
+        known = exact("plate.toml", 0.5, 1.5, 3)
+        values = [transformed(lambda s: (1 + s**-0.5 / 2) / (s * s + s**1.5 / 2 + 0.5), t) for t in known["t"]]
+        for found, value in zip(known["y"], values):
+            self.assert_near(found, value / values[-1], 1e-13)
+
     def test_subdiffusion_is_a_sum_over_modes(self):
         """Mode k of n cells decays like E_alpha(-4 sin^2(pi k / 2n) t^alpha)."""
         n, t = 11, 2.5

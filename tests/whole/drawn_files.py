@@ -26,6 +26,14 @@ def earlier(random: Random, names: list[str], parameters: list[str]) -> list[str
     return [f"{random.choice(names)}(t - {random.choice([number(random), number(random), *parameters])})" for _ in range(random.randint(1, 2))]
 
 
+def at_end(random: Random, name: str, initial: list[str]) -> str:
+    """Values at the end in place of the last initial values, which are removed."""
+    columns = [name, *(f"D({name}, {k})" for k in range(1, len(initial)))]
+    given = random.sample(columns, random.randint(1, len(initial) - 1))
+    values = [initial.pop() for _ in given]
+    return f"final = [{values[0]}]" if given == [name] else f"final = {{ {', '.join(f'{chr(34)}{c}{chr(34)} = {v}' for c, v in zip(given, values))} }}"
+
+
 def unknown(random: Random, name: str, names: list[str], parameters: list[str], several: bool, delays: bool) -> list[str]:
     leading, lines, nodes = order(random), [f"[unknown.{name}]"], []
     terms = [[number(random) if several else "1", typed(leading)]]
@@ -39,6 +47,8 @@ def unknown(random: Random, name: str, names: list[str], parameters: list[str], 
         known.append(f"D({name}, {random.randint(1, math.ceil(leading) - 1)})(t - {number(random)})")
     lines.append(f'rhs = "{right_side(random, name, known, parameters)}"')
     initial = [random.choice(["0", "1", signed(random)]) for _ in range(max(1, math.ceil(leading)))]
+    if len(initial) > 1 and random.random() < 0.12:
+        lines.append(at_end(random, name, initial))
     lines.append(f"initial = [{', '.join(initial)}]")
     if delays:
         lines.append(f'before = "{random.choice([initial[0], initial[0], f"{initial[0]}*cos(t)", "0", f"{initial[0]} + t"])}"')

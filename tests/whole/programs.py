@@ -62,7 +62,8 @@ def the_task_of_a_program_is_the_scene(program: Program, case: Case, lists: List
     if not program.run(*words, seconds=90).done:
         return
     task = json.loads((program.folder / "task.json").read_text())
-    if "system" not in task or any(row["side"] == "right" for row in task["rows"]):
+    at_both_ends = any(row["side"] == "right" for row in task["rows"]) or any("final" in one for one in task.get("equations", []))
+    if "system" not in task or at_both_ends:
         return
     (program.folder / "rows.toml").write_text(file_of(task))
     solve = ("--scheme", case.scheme, *case.given(), "--budget", "5")

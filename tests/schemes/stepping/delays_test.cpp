@@ -183,8 +183,7 @@ TEST(Delays, AreRefusedWhereASchemeHasNone) {
   EXPECT_EQ(unsupported_reason(*find_scheme("multi_term_pc"), problem, Grid{problem.end, 100}),
             "takes no delays");
   problem.equations.clear();
-  problem.conditions = [](In, In, Out) {};
-  problem.components[0].initial.clear();
+  problem.components[0].side = Side::right;
   EXPECT_EQ(unsupported_reason(*find_scheme("product_trapezoidal"), problem, Grid{problem.end, 100}),
             "takes no delays in a problem that it solves at all times at once");
 }
