@@ -191,10 +191,11 @@ void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& pool, std:
 void require_no_earlier_switch(const EquationSystem& system, std::size_t u, FileFormulas& formulas) {
   const auto& pool = formulas.pool();
   const auto row = system.rows[system.unknowns[u].last_row()];
-  for (const auto argument : pool.arguments({row}, {Operation::sign, Operation::step})) {
+  for (const auto argument : pool.arguments({row}, jumps)) {
     const auto variables = pool.variables_in(argument);
     if (!variables.empty() && *variables.rbegin() > system.size())
-      formulas.reject(formulas.text().unknowns[u].rhs, "sign and step of an earlier value are not supported");
+      formulas.reject(formulas.text().unknowns[u].rhs,
+                      "sign, step and tables with jumps of an earlier value are not supported");
   }
 }
 
@@ -220,10 +221,11 @@ std::vector<Expression> values_before(const EquationSystem& system, FileFormulas
                                             "known before t = 0",
                                             text.name, order, lag));
     }
-    auto value = formulas.read(*text.before, {});
+    auto value = formulas.read(*text.before, {.is_before_start = true});
     for (double k = 0.0; k < order; ++k) value = pool.derivative(value, 0);
-    if (!pool.arguments({value}, {Operation::sign, Operation::step}).empty())
-      formulas.reject(*text.before, "before: must not jump; sign and step are not supported in it");
+    if (!pool.arguments({value}, jumps).empty())
+      formulas.reject(*text.before,
+                      "before: must not jump; sign, step and tables with jumps are not supported in it");
     values[static_cast<std::size_t>(row)] = value;
   }
   return values;
@@ -286,7 +288,7 @@ EquationSystem read_system(FileFormulas& formulas) {
     add_rows(unknown, formulas.pool(), system.rows);
   }
   for (const auto& unknown : text.unknowns)
-    if (unknown.before) formulas.read(*unknown.before, {});
+    if (unknown.before) formulas.read(*unknown.before, {.is_before_start = true});
   if (system.earlier.values.empty()) return system;
   for (std::size_t u = 0; u < system.unknowns.size(); ++u) require_no_earlier_switch(system, u, formulas);
   system.earlier.before = values_before(system, formulas);
