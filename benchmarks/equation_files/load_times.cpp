@@ -69,6 +69,16 @@ std::vector<Expression> table_values(const std::vector<Expression>& rows, const 
   return found;
 }
 
+// Whether it is a polynomial of t of low degree between the samples of tables, where it then hides nothing.
+bool is_polynomial(Expression of_time, ExpressionPool& pool) {
+  constexpr int most = 5;
+  for (int degree = 0; degree <= most; ++degree) {
+    of_time = pool.derivative(of_time, 0);
+    if (of_time == pool.number(0)) return true;
+  }
+  return false;
+}
+
 // Functions of t whose sign changes are kinks of the rows.
 std::vector<Expression> kinks_in(const std::vector<Expression>& rows, ExpressionPool& pool) {
   std::vector<Expression> found;
@@ -231,9 +241,8 @@ std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& r
   std::vector<Curve> curves;
   for (const auto part : time_parts(rows, pool)) {
     try {
+      if (!table_values({part}, pool).empty() && is_polynomial(part, pool)) continue;
       const auto slope = pool.derivative(part, 0), curvature = pool.derivative(slope, 0);
-      // Between its samples a table hides nothing where its second derivative is 0.
-      if (curvature == pool.number(0) && !table_values({part}, pool).empty()) continue;
       const TimeFunction value(part, pool), first(slope, pool), second(curvature, pool);
       curves.push_back({value, first});
       curves.push_back({first, second});
