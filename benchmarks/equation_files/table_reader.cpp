@@ -44,8 +44,10 @@ void add_sample(Samples& samples, const std::string& file, const std::array<Text
 std::vector<std::string> cells_of(const std::string& file, int line, std::string_view text) {
   auto cells = split_list(text);
   if (cells.size() != 2)
-    reject_at(file, {line, 1},
-              fmt::format("has {} cells: must have 2, an argument and a value", cells.size()));
+    reject_at(
+        file, {line, 1},
+        fmt::format("the number of cells is {}: must be 2, an argument and a value with a comma between",
+                    cells.size()));
   return cells;
 }
 
@@ -126,7 +128,7 @@ class TableReader : DeclarationReader {
       samples = samples_of(*listed);
     }
     if (samples.arguments.size() < SampledFunction::fewest(between)) {
-      reject(entry.position, fmt::format("{}: has {} samples: must have at least {}", name,
+      reject(entry.position, fmt::format("{}: the number of samples is {}: must be at least {}", name,
                                          samples.arguments.size(), SampledFunction::fewest(between)));
     }
     return SampledFunction::through(entry.name, source, between, std::move(samples.arguments),

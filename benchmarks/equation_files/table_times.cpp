@@ -33,15 +33,17 @@ struct Excess {
   std::string table, text, allowed;
   FormulaText formula;
   std::size_t byte;
+  bool is_constant;
 };
 
 void require_none(const std::string& file, const Excess& excess, double margin, double end) {
   for (const auto& piece : excess.beyond.signs(0.0, end, margin)) {
     if (piece.sign <= 0.0) continue;
     const double t = excess.beyond(piece.to) >= excess.beyond(piece.from) ? piece.to : piece.from;
-    const auto place = excess.text == "t"
-                           ? fmt::format("t = {}", t)
-                           : fmt::format("{} = {} at t = {}", excess.text, excess.argument(t), t);
+    const double value = excess.argument(t);
+    const auto place = excess.is_constant   ? fmt::format("{}", value)
+                       : excess.text == "t" ? fmt::format("t = {}", t)
+                                            : fmt::format("{} = {} at t = {}", excess.text, value, t);
     reject_in(file, excess.formula, excess.byte,
               fmt::format("{}({}): {}: must be {}", excess.table, excess.text, place, excess.allowed));
   }
@@ -104,7 +106,7 @@ std::function<void(double end)> samples_check(FileFormulas& formulas) {
       const auto allowed = fmt::format("at {} {}, the {} sample of {}", is_last ? "most" : "least", sample,
                                        is_last ? "last" : "first", table->source());
       all.push_back({{TimeFunction(argument, pool), TimeFunction(beyond, pool), table->name(), text, allowed,
-                      formula, byte},
+                      formula, byte, !pool.depends_on(argument, 0)},
                      table->margin()});
     };
     add(table->last(), true);
