@@ -18,6 +18,7 @@ draw subdiffusion --kind solution --columns u6,u5,u4,u2
 draw epidemic --kind solution --columns S,I,R
 draw delayed_growth --kind solution
 draw radiation --kind solution --x-axis log
+draw measured_load --kind solution --columns x
 draw roessler --kind phase --columns x,y
 draw multi_order --kind solution
 draw sleigh --kind motion

@@ -162,10 +162,10 @@ class FormulaParser {
     if (token.text == "D") return derivative(token);
     const auto table =
         std::ranges::find(names_.tables, token.text, [](const auto& one) { return one->name(); });
-    if (table != names_.tables.end()) return sampled(*table, token);
     const auto function = function_named(token.text);
     const bool named_alike =
         token_.text != "(" && names_.resolve && names_.resolve(token.text);  // e.g. gamma as an order
+    if (table != names_.tables.end() && !named_alike) return sampled(*table, token);
     if (function && !named_alike) return call(*function);
     if (token.text == "pi") return into_.pi();
     if (names_.resolve) {

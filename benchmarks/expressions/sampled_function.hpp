@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -131,7 +132,8 @@ Real SampledFunction::at(const Real& x) const {
 template <class Real>
 std::pair<Real, Real> SampledFunction::at_with_size(const Real& x) const {
   using std::abs;
-  const auto number = [](double sample) { return reference::from_shortest_decimal<Real>(sample); };
+  using Decimal = std::conditional_t<std::is_floating_point_v<Real>, long double, Real>;
+  const auto number = [](double sample) { return Real(reference::from_shortest_decimal<Decimal>(sample)); };
   const auto nearest = static_cast<double>(x);
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   if (!contains(nearest)) return {nan, nan};

@@ -90,10 +90,10 @@ std::optional<Expression> with_limit(Expression of, ExpressionPool& pool) {
   if (operation != Operation::divide || pool.depends_on_unknowns(of) || !pool.depends_on(of, 0))
     return std::nullopt;
   const auto [a, b, none] = arguments;
+  if (value_at_start(a, pool) != 0.0L || value_at_start(b, pool) != 0.0L) return std::nullopt;
   // The Taylor series of a table says nothing of it behind its first samples.
   const auto is_table = [](const ExpressionPool::Node& node) { return node.function != nullptr; };
   if (!pool.arguments({of}, is_table).empty()) return std::nullopt;
-  if (value_at_start(a, pool) != 0.0L || value_at_start(b, pool) != 0.0L) return std::nullopt;
   const Series q = quotient(taylor_series(a, most, pool), taylor_series(b, most, pool));
   return q.empty() ? std::nullopt : std::optional(continued(of, q, pool));
 }
