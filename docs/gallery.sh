@@ -20,6 +20,7 @@ draw epidemic --kind solution --columns S,I,R
 draw delayed_growth --kind solution
 draw radiation --kind solution --x-axis log
 draw control --kind solution
+draw measured_load --kind solution --columns x
 draw roessler --kind phase --columns x,y
 draw multi_order --kind solution
 draw sleigh --kind motion

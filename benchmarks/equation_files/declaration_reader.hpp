@@ -31,13 +31,13 @@ class DeclarationReader : protected TomlReader {
   // The condition `unless` of a table; empty if it has none.
   [[nodiscard]] ParameterValues unless_of(const toml::table& of,
                                           const std::vector<ParameterText>& known) const;
+  [[nodiscard]] double number_of(const toml::node& node, std::string_view name) const;
 
  private:
   [[nodiscard]] ParameterText parameter_of(const TomlEntry& entry) const;
   [[nodiscard]] ParameterText described_parameter(const TomlEntry& entry) const;
   [[nodiscard]] std::vector<std::string> choices_of(const toml::node& node) const;
   [[nodiscard]] Range range_of(const toml::table& of) const;
-  [[nodiscard]] double number_of(const toml::node& node, std::string_view name) const;
   [[nodiscard]] RequirementText requirement_of(const toml::node& node,
                                                const std::vector<ParameterText>& known) const;
   [[nodiscard]] const Parameter& known_parameter(const TomlEntry& entry,

@@ -24,6 +24,7 @@
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
+#include "fdebench/benchmarks/equation_files/table_times.hpp"
 #include "fdebench/benchmarks/equation_files/transfer_function.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
@@ -33,6 +34,17 @@
 
 namespace fde::bench {
 namespace {
+
+// Refuses arguments of tables that leave their samples, now and wherever another end is set.
+void check_samples(Scene& scene, FileFormulas& formulas) {
+  const auto check = samples_check(formulas);
+  if (!check) return;
+  check(scene.problem.end);
+  scene.load_times = [check, times = scene.load_times](double end) {
+    check(end);
+    return times(end);
+  };
+}
 
 // Formulas of the columns, and of t if `time`.
 Program program_of(const std::vector<FormulaText>& texts, const std::vector<SystemColumn>& columns,
@@ -106,6 +118,7 @@ Scene mechanical_scene_of(const EquationText& text, const Parameters& parameters
   for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
   if (!text.path.empty()) scene.display_path = path_of(text.path, columns, formulas);
   if (!text.exact.empty()) scene.reference = exact_columns(text, parameters, columns, columns);
+  check_samples(scene, formulas);
   return scene;
 }
 
@@ -130,6 +143,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   formulas.require_parameters();
   const auto system = read_system(formulas);
   const auto columns = output_columns(system, formulas);
+  if (const auto check = samples_check(formulas)) check(system.end);
   Scene scene{.problem = problem_of(system, formulas), .from_file = !text.is_built_in};
   if (text.domain) scene.problem.domain = domain_of(*text.domain, system, formulas);
   const auto started = with_some_initial_values(system);
@@ -149,6 +163,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
     scene.constraint = {.size = std::ssize(f), .value = program_of(f, columns, formulas)};
   if (!text.path.empty()) scene.display_path = path_of(text.path, columns, formulas);
   scene.discontinuities = file_discontinuities(started, formulas);
+  check_samples(scene, formulas);
   return scene;
 }
 

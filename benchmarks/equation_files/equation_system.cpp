@@ -200,10 +200,11 @@ void add_rows(const EquationSystem::Unknown& unknown, ExpressionPool& pool, std:
 void require_no_earlier_switch(const EquationSystem& system, std::size_t u, FileFormulas& formulas) {
   const auto& pool = formulas.pool();
   const auto row = system.rows[system.unknowns[u].last_row()];
-  for (const auto argument : pool.arguments({row}, {Operation::sign, Operation::step})) {
+  for (const auto argument : pool.arguments({row}, jumps)) {
     const auto variables = pool.variables_in(argument);
     if (!variables.empty() && *variables.rbegin() > system.size())
-      formulas.reject(formulas.text().unknowns[u].rhs, "sign and step of an earlier value are not supported");
+      formulas.reject(formulas.text().unknowns[u].rhs,
+                      "sign, step and tables with jumps of an earlier value are not supported");
   }
 }
 
@@ -246,15 +247,16 @@ std::vector<Expression> values_before(const EquationSystem& system, FileFormulas
     }
     const double order =
         unknown.chain ? unknown.chain->nodes()[static_cast<std::size_t>(row - unknown.first)] : 0.0;
-    auto value = formulas.read(*text.before, {});
+    auto value = formulas.read(*text.before, {.is_before_start = true});
     if (!is_integer_order(order) && pool.value(value) != 0.0L) {
       formulas.reject(text.rhs, fmt::format("D({0}, {1})(t - {2}): must be of a whole order, others are not "
                                             "known before t = 0",
                                             text.name, order, lag));
     }
     for (double k = 0.0; k < order; ++k) value = pool.derivative(value, 0);
-    if (!pool.arguments({value}, {Operation::sign, Operation::step}).empty())
-      formulas.reject(*text.before, "before: must not jump; sign and step are not supported in it");
+    if (!pool.arguments({value}, jumps).empty())
+      formulas.reject(*text.before,
+                      "before: must not jump; sign, step and tables with jumps are not supported in it");
     values[static_cast<std::size_t>(row)] = value;
   }
   return values;
@@ -322,7 +324,7 @@ EquationSystem read_system(FileFormulas& formulas) {
                       std::back_inserter(system.final));
   }
   for (const auto& unknown : text.unknowns)
-    if (unknown.before) formulas.read(*unknown.before, {});
+    if (unknown.before) formulas.read(*unknown.before, {.is_before_start = true});
   if (system.earlier.values.empty()) return system;
   for (std::size_t u = 0; u < system.unknowns.size(); ++u) require_no_earlier_switch(system, u, formulas);
   system.earlier.before = values_before(system, formulas);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,8 @@
 #include "fdebench/schemes/stepping/trajectory.hpp"
 
 namespace fde::bench {
+
+class SampledFunction;
 
 // A position in a file: line and column, from 1.
 struct TextPosition {
@@ -127,6 +130,7 @@ struct EquationText {
   FormulaText end{};
   std::vector<ParameterText> parameters{};  // parameters and unknowns are in file order
   std::vector<RequirementText> requirements{};
+  std::vector<std::shared_ptr<const SampledFunction>> tables{};
   std::vector<UnknownText> unknowns{};
   std::vector<OutputText> outputs{};
   std::optional<MechanicsText> mechanics{};    // then the unknowns are coordinates
@@ -139,7 +143,7 @@ struct EquationText {
   std::vector<FormulaText> constraints{};
   std::vector<FormulaText> jumps{};
   std::vector<EventText> events{};
-  std::string meaning{};   // all fields except title and source, normalised
+  std::string meaning{};   // all fields except title and source, normalised, with the samples of files
   std::string contents{};  // as read
 };
 

@@ -63,6 +63,13 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
   if (variables.earlier) {
     names.earlier = [&](Expression of, Expression time) { return earlier(of, time, variables); };
   }
+  names.tables = text_.tables;
+  if (!variables.is_before_start) {
+    names.on_sampled = [&](Expression value, std::size_t byte) {
+      if (std::ranges::find(sampled_values_, value, &SampledValue::value) == sampled_values_.end())
+        sampled_values_.push_back({value, formula, byte});
+    };
+  }
   names.resolve = [&, absent](std::string_view name) -> std::optional<Expression> {
     if (name == "t" && variables.time) return pool_.variable(0);
     for (const auto& known : text_.parameters)
@@ -126,11 +133,10 @@ Expression FileFormulas::time_derivative(Expression of, Expression order) {
   if (!value || *value < 0.0L || *value > most || *value != std::floor(*value))
     refuse(fmt::format("its order must be in [0, {}], and whole but in right-hand sides", most));
   const auto depends_on_time = [&](Expression one) { return pool_.depends_on(one, 0); };
-  if (std::ranges::any_of(pool_.arguments({of}, {Operation::sign, Operation::step}), depends_on_time))
-    refuse("must not contain the sign or step of t, which have no derivative");
-  const std::set<Operation> kinks{Operation::abs, Operation::min, Operation::max};
-  if (*value > 1.0L && std::ranges::any_of(pool_.arguments({of}, kinks), depends_on_time))
-    refuse("must not contain abs, min or max of t, which have no second derivative");
+  if (std::ranges::any_of(pool_.arguments({of}, jumps), depends_on_time))
+    refuse("must not contain the sign or step of t, or a table that jumps, which have no derivative");
+  if (*value > 1.0L && std::ranges::any_of(pool_.arguments({of}, has_kink), depends_on_time))
+    refuse("must not contain abs, min or max of t, or a table with kinks, which have no second derivative");
   Expression derivative = of;
   for (int i = 0; i < static_cast<int>(*value); ++i) derivative = pool_.derivative(derivative, 0);
   return derivative;
@@ -167,8 +173,8 @@ Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVa
   const auto rate = pool_.depends_on_unknowns(time) ? std::nullopt : value(pool_.derivative(time, 0));
   const auto at_start = value(pool_.without_variables(time, 0));
   // sign and step have the derivative 0.
-  const bool jumps = !pool_.arguments({time}, {Operation::sign, Operation::step}).empty();
-  if (rate != 1.0L || jumps || !at_start || !(*at_start < 0.0L))
+  const bool may_jump = !pool_.arguments({time}, jumps).empty();
+  if (rate != 1.0L || may_jump || !at_start || !(*at_start < 0.0L))
     throw std::invalid_argument("its time must be t - tau, tau a formula of the parameters above 0");
   if (of == pool_.variable(absent_variable)) return of;
   return variables.earlier(of, static_cast<double>(-*at_start));

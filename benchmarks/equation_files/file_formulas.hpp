@@ -16,7 +16,8 @@ namespace fde::bench {
 
 // The variables of a formula of a file.
 struct FormulaVariables {
-  bool time = true;  // whether t is allowed
+  bool time = true;              // whether t is allowed
+  bool is_before_start = false;  // whether t is below 0
   // The variable of D^order of an unknown, order 0 being the unknown itself; throws std::invalid_argument if
   // there is none. Empty: unknowns are not allowed.
   std::function<Expression(std::size_t unknown, double order)> resolve_unknown{};
@@ -30,6 +31,13 @@ struct FormulaVariables {
   // The value of a further name; nullopt if there is none.
   std::function<std::optional<Expression>(std::string_view name)> resolve_other{};
   std::vector<std::string_view> other_names{};  // those of them that messages list
+};
+
+// The value of a table in a formula, and the place of its name there.
+struct SampledValue {
+  Expression value;
+  FormulaText formula;
+  std::size_t byte;
 };
 
 // Parses the formulas of a file for given values of its parameters. Each function throws
@@ -60,6 +68,9 @@ class FileFormulas {
   // Throws std::invalid_argument "NAME = VALUE: must be ..." if a requirement of the file does not hold.
   void require_parameters();
 
+  // The values of tables in the formulas that were read, each once, but not in those of t < 0.
+  [[nodiscard]] const std::vector<SampledValue>& sampled_values() const { return sampled_values_; }
+
   [[nodiscard]] ExpressionPool& pool() { return pool_; }
   [[nodiscard]] const EquationText& text() const { return text_; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
@@ -89,6 +100,7 @@ class FileFormulas {
   ParametersAs as_;
   ExpressionPool pool_;
   std::map<double, std::string> order_texts_{};
+  std::vector<SampledValue> sampled_values_{};
 };
 
 }  // namespace fde::bench

@@ -82,12 +82,13 @@ std::optional<Smoothness> series_smoothness(const EquationSystem& system, const 
   return linear_smoothness(system.components, linear->matrix, loads);
 }
 
-// The last rows of chains that contain a sign or step of t alone, or t if the file declares jumps.
+// The last rows of chains that jump where a function of t alone does, or contain t if the file declares
+// jumps.
 std::vector<Eigen::Index> jumping_rows(const EquationSystem& system, const ExpressionPool& pool) {
   std::vector<Eigen::Index> rows;
   for (const auto& unknown : system.unknowns) {
     const auto row = system.rows[unknown.last_row()];
-    const auto switches = pool.arguments({row}, {Operation::sign, Operation::step});
+    const auto switches = pool.arguments({row}, jumps);
     const bool is_switched = std::ranges::any_of(
         switches, [&](Expression e) { return pool.depends_on(e, 0) && !pool.depends_on_unknowns(e); });
     if (is_switched || (!system.jumps.empty() && pool.depends_on(row, 0)))

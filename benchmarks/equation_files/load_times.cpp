@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "fdebench/benchmarks/equation_files/table_times.hpp"
+#include "fdebench/benchmarks/expressions/sampled_function.hpp"
 #include "fdebench/benchmarks/expressions/time_function.hpp"
 
 namespace fde::bench {
@@ -51,12 +54,38 @@ std::vector<Expression> time_parts(const std::vector<Expression>& rows, const Ex
   return parts;
 }
 
+bool jumps_by_sign(const ExpressionPool::Node& node) {
+  return node.operation == Operation::sign || node.operation == Operation::step;
+}
+
+// The values of tables in the rows whose arguments depend on t alone.
+std::vector<Expression> table_values(const std::vector<Expression>& rows, const ExpressionPool& pool) {
+  std::vector<Expression> found;
+  const auto used = pool.subexpressions(rows);
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    const auto value = static_cast<Expression>(e);
+    if (used[e] && pool[value].function && !pool.depends_on_unknowns(value)) found.push_back(value);
+  }
+  return found;
+}
+
+// Whether it is a polynomial of t of low degree between the samples of tables, where it then hides nothing.
+bool is_polynomial(Expression of_time, ExpressionPool& pool) {
+  constexpr int most = 5;
+  for (int degree = 0; degree <= most; ++degree) {
+    of_time = pool.derivative(of_time, 0);
+    if (of_time == pool.number(0)) return true;
+  }
+  return false;
+}
+
 // Functions of t whose sign changes are kinks of the rows.
 std::vector<Expression> kinks_in(const std::vector<Expression>& rows, ExpressionPool& pool) {
   std::vector<Expression> found;
   const auto used = pool.subexpressions(rows);
   for (std::size_t e = 0; e < used.size(); ++e) {
-    const auto [operation, arguments, value, text, variable] = pool[static_cast<Expression>(e)];
+    const auto [operation, arguments] =
+        std::pair(pool[static_cast<Expression>(e)].operation, pool[static_cast<Expression>(e)].arguments);
     if (!used[e] || pool.depends_on_unknowns(static_cast<Expression>(e))) continue;
     if (operation == Operation::abs) found.push_back(arguments[0]);
     if (operation == Operation::min || operation == Operation::max)
@@ -166,10 +195,16 @@ void add_limits(const Curve& curve, double from, double to, std::vector<StepLimi
   add_limits(runs_of(curve.value, ends, negligible * size), limits);
 }
 
+// The functions of t whose changes of sign are jumps or kinks of the rows, and the tables that have these.
+struct Breaks {
+  std::vector<TimeFunction> functions{};
+  std::vector<TableTimes> tables{};
+};
+
 // The given times, and those at which a function changes its sign.
-std::vector<double> sign_changes_until(double end, const std::vector<TimeFunction>& arguments,
-                                       std::vector<double> times) {
-  for (const auto& argument : arguments) {
+std::vector<double> times_until(double end, const Breaks& breaks, std::vector<double> times) {
+  for (const auto& table : breaks.tables) std::ranges::copy(table.until(end), std::back_inserter(times));
+  for (const auto& argument : breaks.functions) {
     const auto pieces = argument.signs(first_part * end, end);
     for (std::size_t k = 1; k < pieces.size(); ++k)
       if (pieces[k - 1].to == pieces[k].from) times.push_back(pieces[k].from);
@@ -178,15 +213,15 @@ std::vector<double> sign_changes_until(double end, const std::vector<TimeFunctio
 }
 
 std::vector<StepLimit> limits_until(double end, const std::vector<Curve>& curves,
-                                    const std::vector<double>& jumps) {
+                                    const std::vector<double>& breaks) {
   std::vector<StepLimit> limits;
   double from = first_part * end;
   const auto add_until = [&](double to) {
     for (const auto& curve : curves) add_limits(curve, from, std::nextafter(to, 0.0), limits);
     from = std::nextafter(to, end);
   };
-  for (const double jump : jumps)
-    if (jump > from && jump < end) add_until(jump);
+  for (const double time : breaks)
+    if (time > from && time < end) add_until(time);
   add_until(end);
   return limits;
 }
@@ -195,13 +230,18 @@ std::vector<StepLimit> limits_until(double end, const std::vector<Curve>& curves
 
 std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& rows,
                                                 std::vector<double> declared_jumps, ExpressionPool& pool) {
-  std::vector<TimeFunction> of_jumps, of_kinks;
-  for (const auto argument : pool.arguments(rows, {Operation::sign, Operation::step}))
-    if (!pool.depends_on_unknowns(argument)) of_jumps.emplace_back(argument, pool);
-  for (const auto argument : kinks_in(rows, pool)) of_kinks.emplace_back(argument, pool);
+  Breaks of_jumps, of_kinks;
+  for (const auto argument : pool.arguments(rows, jumps_by_sign))
+    if (!pool.depends_on_unknowns(argument)) of_jumps.functions.emplace_back(argument, pool);
+  for (const auto argument : kinks_in(rows, pool)) of_kinks.functions.emplace_back(argument, pool);
+  for (const auto value : table_values(rows, pool)) {
+    const bool is_jump = pool[value].function->jumping_derivative() == 0;
+    (is_jump ? of_jumps : of_kinks).tables.emplace_back(value, pool);
+  }
   std::vector<Curve> curves;
   for (const auto part : time_parts(rows, pool)) {
     try {
+      if (!table_values({part}, pool).empty() && is_polynomial(part, pool)) continue;
       const auto slope = pool.derivative(part, 0), curvature = pool.derivative(slope, 0);
       const TimeFunction value(part, pool), first(slope, pool), second(curvature, pool);
       curves.push_back({value, first});
@@ -211,9 +251,8 @@ std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& r
     }
   }
   return [=, declared = std::move(declared_jumps)](double end) {
-    LoadTimes times{.jumps = sign_changes_until(end, of_jumps, declared),
-                    .kinks = sign_changes_until(end, of_kinks, {})};
-    times.limits = limits_until(end, curves, times.jumps);
+    LoadTimes times{.jumps = times_until(end, of_jumps, declared), .kinks = times_until(end, of_kinks, {})};
+    times.limits = limits_until(end, curves, times_until(end, {.tables = of_kinks.tables}, times.jumps));
     return times;
   };
 }

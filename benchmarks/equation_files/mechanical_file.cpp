@@ -69,9 +69,10 @@ void read_constraints(MechanicalSystem& system, FileFormulas& formulas, const Fo
   system.constraints.clear();
   for (const auto& constraint : formulas.text().mechanics->constraints) {
     system.constraints.push_back(formulas.read(constraint, variables));
-    if (!formulas.pool().arguments({system.constraints.back()}, {Operation::sign, Operation::step}).empty()) {
+    if (!formulas.pool().arguments({system.constraints.back()}, jumps).empty()) {
       formulas.reject(constraint,
-                      "has a sign or a step: must be continuous, for the velocity would jump with it");
+                      "has a sign, a step or a table that jumps: must be continuous, for the velocity would "
+                      "jump with it");
     }
   }
 }

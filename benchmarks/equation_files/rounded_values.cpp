@@ -64,11 +64,12 @@ reference::ConditionedValue<reference::BigReal> mittag_leffler_of(const referenc
 
 // The value of an operation and its size (closed_form.hpp): the sizes of the arguments times the derivatives.
 template <class Real>
-reference::ConditionedValue<Real> rounded_apply(Operation operation,
+reference::ConditionedValue<Real> rounded_apply(const ExpressionPool::Node& node,
                                                 const reference::ConditionedValue<Real>& a,
                                                 const reference::ConditionedValue<Real>& b,
                                                 const reference::ConditionedValue<Real>& c) {
   using std::abs, std::cos, std::log, std::sin, std::sqrt;
+  const auto operation = node.operation;
   if (operation == Operation::mittag_leffler) {
     auto f = mittag_leffler_of(a.value, b.value, c.value);
     // z E' = (E_(a,b-1) - (b-1) E_(a,b)) / a
@@ -78,7 +79,7 @@ reference::ConditionedValue<Real> rounded_apply(Operation operation,
     f.size += abs(slope) * relative + abs(f.value);
     return f;
   }
-  const Real f = apply<Real>(operation, a.value, b.value, c.value);
+  const Real f = apply<Real>(node, a.value, b.value, c.value);
   const Real x = a.value;
   const auto handed = [&](const Real& slope) { return Real(abs(slope) * a.size); };
   Real size = abs(f);
@@ -127,6 +128,10 @@ reference::ConditionedValue<Real> rounded_apply(Operation operation,
       size += handed(Real(f * (abs(Real(log(abs(x)))) + abs(Real(1 / x)) + 1)));
       break;
     }
+    case Operation::sampled:
+      size = node.function->at_with_size(x).second;
+      if (const auto& slope = node.function->derivative()) size += handed(slope->at(x));
+      break;
     case Operation::sign:
     case Operation::step:
     case Operation::pi:
@@ -153,7 +158,7 @@ std::vector<reference::ConditionedValue<Real>> values_at(
                                     : rows.at(static_cast<std::size_t>(node.variable) - 1);
         }
         if (node.operation != Operation::number)
-          return rounded_apply<Real>(node.operation, parts(0), parts(1), parts(2));
+          return rounded_apply<Real>(node, parts(0), parts(1), parts(2));
         const Real number = node.text.empty()      ? Real(node.value)
                             : pool.has_fractions() ? reference::rounded<Real>(reference::Rational(node.text))
                                                    : reference::parse<Real>(node.text);

@@ -9,6 +9,7 @@
 #include "fdebench/benchmarks/equation_files/declaration_reader.hpp"
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
 #include "fdebench/benchmarks/equation_files/mechanics_reader.hpp"
+#include "fdebench/benchmarks/equation_files/table_reader.hpp"
 
 namespace fde::bench {
 namespace {
@@ -23,12 +24,12 @@ class EquationReader : DeclarationReader {
     const bool mechanical = all.get("mechanics") != nullptr || all.get("coordinate") != nullptr;
     if (mechanical) {
       require_keys(all, "a file with [mechanics]",
-                   {"title", "source", "end", "parameters", "require", "coordinate", "mechanics", "columns",
-                    "domain", "path", "exact", "jump", "event"});
+                   {"title", "source", "end", "parameters", "require", "table", "coordinate", "mechanics",
+                    "columns", "domain", "path", "exact", "jump", "event"});
     } else {
       require_keys(all, "the file",
-                   {"title", "source", "end", "parameters", "require", "unknown", "columns", "domain", "path",
-                    "exact", "energy", "constraint", "jump", "event"});
+                   {"title", "source", "end", "parameters", "require", "table", "unknown", "columns",
+                    "domain", "path", "exact", "energy", "constraint", "jump", "event"});
     }
     EquationText read{.file = file()};
     if (const auto* title = all.get("title")) read.title = printable_text(*title, "title");
@@ -44,6 +45,7 @@ class EquationReader : DeclarationReader {
           read_mechanics(file(), text(), required(all, {}, "the file", "mechanics"), read.unknowns);
       require_parameter_names(read);
     }
+    if (const auto* tables = all.get("table")) read.tables = read_tables(file(), text(), *tables, read);
     if (const auto* columns = all.get("columns")) read.columns = columns_of(*columns, read.parameters);
     if (const auto* domain = all.get("domain")) read.domain = domain_of(*domain);
     if (const auto* path = all.get("path")) read.path = path_of(*path);
@@ -269,6 +271,7 @@ class EquationReader : DeclarationReader {
 std::string meaning_of(toml::table all, const EquationText& text) {
   all.erase("title");
   all.erase("source");
+  write_samples(all, text.tables);
   std::ostringstream meaning;
   meaning << toml::toml_formatter(all);
   for (const auto& unknown : text.unknowns) meaning << "\nunknown " << unknown.name;

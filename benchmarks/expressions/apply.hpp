@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fdebench/benchmarks/expressions/expressions.hpp"
+#include "fdebench/benchmarks/expressions/sampled_function.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "fdebench/schemes/problem/interval.hpp"
 
@@ -60,9 +61,10 @@ inline Interval sign_of(const Interval& x) { return sign(x); }
 inline Interval smaller_of(const Interval& a, const Interval& b) { return min(a, b); }
 inline Interval larger_of(const Interval& a, const Interval& b) { return max(a, b); }
 
-// The value of an operation on its arguments; number and variable are not operations.
+// The value of an operation on its arguments; number and variable are not operations. `function`: of a table.
 template <class Real>
-Real apply(Operation operation, const Real& a, const Real& b, const Real& c) {
+Real apply(Operation operation, const Real& a, const Real& b, const Real& c,
+           const SampledFunction* function = nullptr) {
   using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,
       std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
   switch (operation) {
@@ -77,6 +79,10 @@ Real apply(Operation operation, const Real& a, const Real& b, const Real& c) {
       break;
   }
   return Real(0);
+}
+template <class Real>
+Real apply(const ExpressionPool::Node& node, const Real& a, const Real& b, const Real& c) {
+  return apply(node.operation, a, b, c, node.function.get());
 }
 
 }  // namespace fde::bench

@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "fdebench/benchmarks/expressions/expressions.hpp"
+#include "fdebench/benchmarks/expressions/sampled_function.hpp"
 
 namespace fde::bench {
 
@@ -44,6 +45,10 @@ Expression ExpressionPool::derivative_of(Expression self, const Node& node,
       const auto at = [&](Operand beta) { return a.of(Operation::mittag_leffler, beta.value, c.value); };
       const Operand higher = a + b;
       return ((at(higher - 1) - (b - 1) * at(higher)) / a * dc).value;
+    }
+    case Operation::sampled: {
+      const auto& slope = node.function->derivative();
+      return slope ? (operand(sampled(slope, a.value)) * da).value : zero.value;
     }
 #define FDE_SLOPE(name, of_a, slope) \
   case Operation::name:              \

@@ -48,18 +48,18 @@ std::vector<Entry> derivatives_of(const std::vector<Expression>& rows, Expressio
   return entries;
 }
 
-// The arguments of sign and step in the rows that depend on unknowns.
-std::vector<Expression> switches_of(const std::vector<Expression>& rows, const ExpressionPool& pool) {
+// Expressions of unknowns with the sign of which a row jumps.
+std::vector<Expression> switches_of(const std::vector<Expression>& rows, ExpressionPool& pool) {
   std::vector<Expression> found;
-  for (const auto argument : pool.arguments(rows, {Operation::sign, Operation::step}))
-    if (pool.depends_on_unknowns(argument)) found.push_back(argument);
+  for (const auto one : pool.switches(rows))
+    if (pool.depends_on_unknowns(one)) found.push_back(one);
   return found;
 }
 
 // Whether a row has a kink or a jump in the unknowns; its derivative may be constant elsewhere.
 bool piecewise(const std::vector<Expression>& rows, const ExpressionPool& pool) {
-  const auto arguments = pool.arguments(
-      rows, {Operation::abs, Operation::sign, Operation::step, Operation::min, Operation::max});
+  const auto arguments =
+      pool.arguments(rows, [](const ExpressionPool::Node& node) { return jumps(node) || has_kink(node); });
   return std::ranges::any_of(arguments, [&](Expression e) { return pool.depends_on_unknowns(e); });
 }
 
@@ -70,8 +70,8 @@ std::optional<double> constant_of(Expression value, Eigen::Index variables, Expr
   if (const auto known = pool.value(value)) return static_cast<double>(*known);
   const auto zero = pool.number(0);
   // sign and step have derivative 0 but are not constant
-  const bool jumps = !pool.arguments({value}, {Operation::sign, Operation::step}).empty();
-  if (variables > few || jumps) return std::nullopt;
+  const bool may_jump = !pool.arguments({value}, jumps).empty();
+  if (variables > few || may_jump) return std::nullopt;
   for (int variable = 0; variable <= variables; ++variable) {
     const auto slope = pool.derivative(value, variable);
     if (slope != zero && pool.value(slope) != 0.0L) return std::nullopt;

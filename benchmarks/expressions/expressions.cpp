@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/expressions/apply.hpp"
+#include "fdebench/benchmarks/expressions/sampled_function.hpp"
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 
 namespace fde::bench {
@@ -126,7 +127,7 @@ Expression ExpressionPool::pi() {
 }
 
 Expression ExpressionPool::variable(int index) {
-  const auto [place, is_new] = known_.try_emplace(Key{Operation::variable, index, none, none}, none);
+  const auto [place, is_new] = known_.try_emplace(Key{Operation::variable, index, none, none, nullptr}, none);
   if (is_new) place->second = add({.operation = Operation::variable, .variable = index});
   return place->second;
 }
@@ -196,10 +197,29 @@ Expression ExpressionPool::make_expression(Operation operation, Expression a, Ex
   if (a != none) {
     if (const auto known = simplified(operation, a, b)) return *known;
   }
-  const Key key{operation, a, b, c};
+  return kept({.operation = operation, .arguments = of});
+}
+
+// The expression of this node, which may be there already.
+Expression ExpressionPool::kept(Node entry) {
+  const auto [a, b, c] = entry.arguments;
+  const Key key{entry.operation, a, b, c, entry.function.get()};
   const auto found = known_.find(key);
   if (found != known_.end()) return found->second;
-  return known_[key] = add({.operation = operation, .arguments = of});
+  return known_[key] = add(std::move(entry));
+}
+
+Expression ExpressionPool::sampled(const std::shared_ptr<const SampledFunction>& function,
+                                   Expression argument) {
+  if (numbers_ == NumberStorage::values && (*this)[argument].operation == Operation::number) {
+    if (const long double value = function->at((*this)[argument].value); std::isfinite(value))
+      return folded(value);
+  }
+  return kept({.operation = Operation::sampled, .arguments = {argument, none, none}, .function = function});
+}
+
+Expression ExpressionPool::with_arguments(const Node& node, Expression a, Expression b, Expression c) {
+  return node.function ? sampled(node.function, a) : make_expression(node.operation, a, b, c);
 }
 
 std::vector<bool> ExpressionPool::subexpressions(const std::vector<Expression>& of) const {
@@ -219,7 +239,7 @@ std::vector<bool> ExpressionPool::subexpressions(Expression of) const {
 }
 
 bool ExpressionPool::depends_on(Expression of, int variable) const {
-  const auto found = known_.find(Key{Operation::variable, variable, none, none});
+  const auto found = known_.find(Key{Operation::variable, variable, none, none, nullptr});
   return found != known_.end() && found->second <= of &&
          subexpressions(of)[static_cast<std::size_t>(found->second)];
 }
@@ -241,14 +261,26 @@ bool ExpressionPool::depends_on_unknowns(Expression of) const {
 }
 
 std::vector<Expression> ExpressionPool::arguments(const std::vector<Expression>& in,
-                                                  const std::set<Operation>& operations) const {
+                                                  const std::function<bool(const Node& node)>& is_one) const {
   const auto used = subexpressions(in);
   std::set<Expression> found;
   for (std::size_t e = 0; e < used.size(); ++e) {
     const auto& part = (*this)[static_cast<Expression>(e)];
-    if (!used[e] || !operations.contains(part.operation)) continue;
+    if (!used[e] || !is_one(part)) continue;
     for (const auto argument : part.arguments)
       if (argument != none) found.insert(argument);
+  }
+  return {found.begin(), found.end()};
+}
+
+std::vector<Expression> ExpressionPool::switches(const std::vector<Expression>& in) {
+  const auto used = subexpressions(in);
+  std::set<Expression> found;
+  for (std::size_t e = 0; e < used.size(); ++e) {
+    const auto& part = (*this)[static_cast<Expression>(e)];
+    if (!used[e] || !jumps(part)) continue;
+    found.insert(part.function ? sampled(part.function->alternation(), part.arguments[0])
+                               : part.arguments[0]);
   }
   return {found.begin(), found.end()};
 }
@@ -265,7 +297,7 @@ std::optional<long double> ExpressionPool::value(Expression of) const {
       return entry.arguments[i] == none ? 0.0L : values[static_cast<std::size_t>(entry.arguments[i])];
     };
     values[static_cast<std::size_t>(e)] =
-        entry.operation == Operation::number ? entry.value : apply(entry.operation, at(0), at(1), at(2));
+        entry.operation == Operation::number ? entry.value : apply(entry, at(0), at(1), at(2));
   }
   return values.back();
 }
@@ -274,12 +306,22 @@ std::vector<Expression> ExpressionPool::substituted(const std::vector<Expression
                                                     const std::function<Expression(int variable)>& value) {
   return values_from_parts(*this, of, none, [&](Expression e, const Node& node, const auto& parts) {
     if (node.operation == Operation::variable) return value(node.variable);
-    return parts(0) == none ? e : make_expression(node.operation, parts(0), parts(1), parts(2));
+    return parts(0) == none ? e : with_arguments(node, parts(0), parts(1), parts(2));
   });
 }
 
 Expression ExpressionPool::without_variables(Expression of, int first) {
   return substituted({of}, [&](int i) { return i >= first ? number(0) : variable(i); }).front();
+}
+
+bool jumps(const ExpressionPool::Node& node) {
+  return node.operation == Operation::sign || node.operation == Operation::step ||
+         (node.function && node.function->jumping_derivative() == 0);
+}
+
+bool has_kink(const ExpressionPool::Node& node) {
+  return node.operation == Operation::abs || node.operation == Operation::min ||
+         node.operation == Operation::max || (node.function && node.function->jumping_derivative() == 1);
 }
 
 }  // namespace fde::bench

@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,6 +15,8 @@
 #include <vector>
 
 namespace fde::bench {
+
+class SampledFunction;
 
 enum class Operation : unsigned char {
   number,
@@ -57,6 +60,7 @@ class ExpressionPool {
     long double value = 0.0L;  // of a number
     std::string text{};        // of a number stored as written or as a fraction
     int variable = 0;
+    std::shared_ptr<const SampledFunction> function{};  // of a table
   };
   static constexpr Expression none = -1;
 
@@ -70,6 +74,10 @@ class ExpressionPool {
   Expression variable(int index);
   // Throws std::invalid_argument if there are more than most_expressions expressions.
   Expression make_expression(Operation operation, Expression a, Expression b = none, Expression c = none);
+  // The function of a table at an argument.
+  Expression sampled(const std::shared_ptr<const SampledFunction>& function, Expression argument);
+  // The operation of a node with other arguments.
+  Expression with_arguments(const Node& node, Expression a, Expression b = none, Expression c = none);
 
   // d/dx for x the variable; 0 for abs and step at their kink or jump. Throws std::invalid_argument if x
   // occurs in the argument of gamma or in one of the first two arguments of mittag_leffler.
@@ -87,9 +95,12 @@ class ExpressionPool {
   [[nodiscard]] std::set<int> variables_in(Expression of) const;
   // Whether it depends on a variable other than t, variable 0.
   [[nodiscard]] bool depends_on_unknowns(Expression of) const;
-  // The arguments of these operations in the expressions, each once, in increasing order.
+  // The arguments of the operations in the expressions of which this is true, each once, in increasing order.
   [[nodiscard]] std::vector<Expression> arguments(const std::vector<Expression>& in,
-                                                  const std::set<Operation>& operations) const;
+                                                  const std::function<bool(const Node& node)>& is_one) const;
+  // Expressions at whose changes of sign the given ones jump: the arguments of sign and step, and the
+  // alternation of a table, in increasing order.
+  std::vector<Expression> switches(const std::vector<Expression>& in);
   // The value, if the expression contains no variable.
   [[nodiscard]] std::optional<long double> value(Expression of) const;
   // Element e, up to the largest index in `of`: whether expression e is a subexpression of one of these.
@@ -101,9 +112,10 @@ class ExpressionPool {
   static constexpr std::size_t most_expressions = 200'000;
 
  private:
-  using Key = std::tuple<Operation, Expression, Expression, Expression>;
+  using Key = std::tuple<Operation, Expression, Expression, Expression, const SampledFunction*>;
 
   Expression add(Node entry);
+  Expression kept(Node entry);
   Expression folded(long double value, const std::string& text = "");
   std::optional<Expression> folded_fraction(Operation operation, Expression a, Expression b);
   Expression integer_power(Expression base, int exponent);
@@ -118,6 +130,11 @@ class ExpressionPool {
   std::map<std::pair<long double, std::string>, Expression> known_numbers_{};
   std::map<double, Expression> constants_{};
 };
+
+// Whether an operation jumps for some argument: sign, step and tables between whose samples it is constant.
+bool jumps(const ExpressionPool::Node& node);
+// Whether it has a kink: abs, min, max and tables between whose samples it is linear.
+bool has_kink(const ExpressionPool::Node& node);
 
 // An expression and its pool, for formulas that are written with operators and functions.
 struct Operand {

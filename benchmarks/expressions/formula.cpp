@@ -9,6 +9,7 @@
 
 #include "fdebench/benchmarks/expressions/foreign_notation.hpp"
 #include "fdebench/benchmarks/expressions/formula_tokens.hpp"
+#include "fdebench/benchmarks/expressions/sampled_function.hpp"
 #include "fdebench/benchmarks/text/entry_named.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 
@@ -159,9 +160,12 @@ class FormulaParser {
 
   Expression named(const FormulaToken& token) {
     if (token.text == "D") return derivative(token);
+    const auto table =
+        std::ranges::find(names_.tables, token.text, [](const auto& one) { return one->name(); });
     const auto function = function_named(token.text);
     const bool named_alike =
         token_.text != "(" && names_.resolve && names_.resolve(token.text);  // e.g. gamma as an order
+    if (table != names_.tables.end() && !named_alike) return sampled(*table, token);
     if (function && !named_alike) return call(*function);
     if (token.text == "pi") return into_.pi();
     if (names_.resolve) {
@@ -178,6 +182,8 @@ class FormulaParser {
       hint = "; a fractional integral J(f, q) is allowed in the right-hand side of an unknown only";
     if (hint.empty()) {
       auto known = is_call ? function_names() : names_.accepted_names;
+      for (const auto& table : names_.tables)
+        if (is_call) known.emplace_back(table->name());
       if (!is_call) known.emplace_back("pi");
       hint = fmt::format("{}; there are {}{}", did_you_mean(token.text, known), fmt::join(known, ", "),
                          is_call ? "" : " and functions");
@@ -221,6 +227,14 @@ class FormulaParser {
       }
     }
     return made(operation, arguments[0], arguments[1], arguments[2]);
+  }
+
+  Expression sampled(const std::shared_ptr<const SampledFunction>& table, const FormulaToken& token) {
+    if (!take("(")) expected(fmt::format("'(', {} being a table, as in {}(t)", token.text, token.text));
+    const auto value = into_.sampled(table, sum());
+    if (!take(")")) expected(fmt::format("')', {} taking 1 argument", token.text));
+    if (names_.on_sampled) names_.on_sampled(value, token.byte_offset);
+    return value;
   }
 
   // The value, or, with a time in brackets behind it, the value at that time. x(t) and x(0) are refused with

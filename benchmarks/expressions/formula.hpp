@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,6 +27,9 @@ struct FormulaNames {
   // x(time), where `of` is the variable of an unknown or of a derivative. Empty: earlier values are not
   // allowed. Throws std::invalid_argument with the reason if there is no such value.
   std::function<Expression(Expression of, Expression time)> earlier{};
+  std::span<const std::shared_ptr<const SampledFunction>> tables{};  // functions of one argument
+  // Called for each value of a table, with the place of its name.
+  std::function<void(Expression value, std::size_t byte_offset)> on_sampled{};
   std::vector<std::string_view> accepted_names{};  // the names that `resolve` accepts, for messages
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/expressions/formula.hpp"
+#include "fdebench/benchmarks/expressions/sampled_function.hpp"
 
 namespace fde::bench {
 namespace {
@@ -50,7 +51,7 @@ Text call(const ExpressionPool::Node& entry, const std::vector<Text>& texts) {
   std::string arguments;
   for (std::size_t i = 0; i < function.arguments; ++i)
     arguments += (i > 0 ? "," : "") + texts[static_cast<std::size_t>(entry.arguments[i])].formula;
-  return {fmt::format("{}({})", function.name, arguments)};
+  return {fmt::format("{}({})", entry.function ? entry.function->name() : function.name, arguments)};
 }
 
 }  // namespace

@@ -51,7 +51,8 @@ InstructionList instructions_of(const ExpressionPool& pool, const std::vector<Ex
       return entry.arguments[i] == ExpressionPool::none ? 0
                                                         : slots[static_cast<std::size_t>(entry.arguments[i])];
     };
-    list.instructions.push_back({entry.operation, slot(0), slot(1), slot(2)});
+    list.instructions.push_back({entry.operation, slot(0), slot(1), slot(2), entry.function.get()});
+    if (entry.function) list.functions.push_back(entry.function);
   }
   for (const auto result : results) list.results.push_back(slots[static_cast<std::size_t>(result)]);
   return list;
@@ -66,8 +67,8 @@ void interpret(const InstructionList& list, double t, const double* y, std::span
   values[0] = t;
   std::copy_n(y, list.inputs - 1, values + 1);
   double* next = std::ranges::copy(list.numbers, values + list.inputs).out;
-  for (const auto& [operation, a, b, c] : list.instructions)
-    *next++ = apply<double>(operation, values[a], values[b], values[c]);
+  for (const auto& [operation, a, b, c, function] : list.instructions)
+    *next++ = apply<double>(operation, values[a], values[b], values[c], function);
   for (std::size_t i = 0; i < list.results.size(); ++i)
     results[static_cast<std::size_t>(list.places[i])] = values[list.results[i]];
 }
@@ -78,11 +79,12 @@ void interpret(const InstructionList& list, const Interval& t, const Interval* y
   values[0] = t;
   std::copy_n(y, list.inputs - 1, values.begin() + 1);
   auto next = std::ranges::copy(list.numbers, values.begin() + list.inputs).out;
-  for (const auto& [operation, a, b, c] : list.instructions) {
+  for (const auto& [operation, a, b, c, function] : list.instructions) {
     const auto at = [&](int slot) { return values[static_cast<std::size_t>(slot)]; };
     // Both factors are the same number: x x has no negative values.
-    *next++ = operation == Operation::multiply && a == b ? square(at(a))
-                                                         : apply<Interval>(operation, at(a), at(b), at(c));
+    *next++ = operation == Operation::multiply && a == b
+                  ? square(at(a))
+                  : apply<Interval>(operation, at(a), at(b), at(c), function);
   }
   for (std::size_t i = 0; i < list.results.size(); ++i)
     results[static_cast<std::size_t>(list.places[i])] = values[static_cast<std::size_t>(list.results[i])];
@@ -97,12 +99,13 @@ std::string formula_number(double value) {
 
 std::vector<std::string> texts_of(const InstructionList& list) {
   constexpr std::size_t most_bytes = std::size_t{1} << 20;
+  if (!list.functions.empty()) return {};
   if (!std::ranges::all_of(list.numbers, [](double value) { return std::isfinite(value); })) return {};
   std::vector<std::string> texts{"t"};
   for (int i = 1; i < list.inputs; ++i) texts.push_back(fmt::format("y{}", i));
   for (const double value : list.numbers) texts.push_back(formula_number(value));
   const auto text = [&](int slot) -> const std::string& { return texts[static_cast<std::size_t>(slot)]; };
-  for (const auto& [operation, a, b, c] : list.instructions) {
+  for (const auto& [operation, a, b, c, function] : list.instructions) {
     texts.push_back(operation_text(operation, {text(a), text(b), text(c)}));
     if (texts.back().size() > most_bytes) return {};
   }

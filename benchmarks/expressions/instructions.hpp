@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,10 +13,11 @@
 
 namespace fde::bench {
 
-// One operation and the slots of its arguments.
+// One operation and the slots of its arguments; the function of a table, which the list owns.
 struct Instruction {
   Operation operation;
   int a, b, c;
+  const SampledFunction* function;
 };
 
 // Expressions of t (variable 0) and y_i (variable i + 1) as operations in the order of their evaluation. The
@@ -26,6 +28,7 @@ struct InstructionList {
   std::vector<Instruction> instructions{};
   std::vector<int> results{};          // slots of the results
   std::vector<Eigen::Index> places{};  // result i is element places[i] of what is written
+  std::vector<std::shared_ptr<const SampledFunction>> functions{};
 
   [[nodiscard]] int first() const { return inputs + static_cast<int>(numbers.size()); }
   [[nodiscard]] std::size_t slots() const { return static_cast<std::size_t>(first()) + instructions.size(); }
@@ -46,7 +49,8 @@ void interpret(const InstructionList& list, const Interval& t, const Interval* y
 std::string formula_number(double value);
 
 // The results as formulas of t and y1, y2, ..., in their order, as ProblemText has them. Common parts are
-// repeated. Empty if they are together longer than a megabyte or contain a number that is not finite.
+// repeated. Empty if they are together longer than a megabyte or contain a table or a number that is not
+// finite.
 std::vector<std::string> texts_of(const InstructionList& list);
 
 }  // namespace fde::bench

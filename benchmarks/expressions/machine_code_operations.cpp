@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/expressions/machine_code_writer.hpp"
+#include "fdebench/benchmarks/expressions/sampled_function.hpp"
 
 namespace fde::bench {
 
@@ -132,6 +133,16 @@ Register MachineCodeWriter::call(double (*function)(double, double), int a, int 
   auto& made = called(compiler_, function);
   made.setArg(0, x);
   made.setArg(1, y);
+  made.setRet(0, value);
+  return value;
+}
+
+Register MachineCodeWriter::call(const SampledFunction& function, int a) {
+  const auto x = loaded(a), value = compiler_.newXmmSd();
+  auto& made = called<double, const SampledFunction*, double>(
+      compiler_, +[](const SampledFunction* of, double at) { return of->at(at); });
+  made.setArg(0, asmjit::imm(&function));
+  made.setArg(1, x);
   made.setRet(0, value);
   return value;
 }

@@ -20,7 +20,7 @@ double (*function_of(Operation operation))(double) {
   switch (operation) {
 #define FDE_OPERATION(name, arguments, value) \
   case Operation::name:                       \
-    return [](double a) { return apply<double>(Operation::name, a, 0.0, 0.0); };
+    return [](double a) { return apply<double>(Operation::name, a, 0.0, 0.0, nullptr); };
 #include "fdebench/benchmarks/expressions/operations.def"
     default:
       return nullptr;
@@ -44,7 +44,7 @@ MachineCodeWriter::MachineCodeWriter(const InstructionList& list, x86::Compiler&
 
 void MachineCodeWriter::count_uses() {
   uses_[0] = static_cast<int>(list_.slots());  // t is not overwritten
-  for (const auto& [operation, a, b, c] : list_.instructions) {
+  for (const auto& [operation, a, b, c, function] : list_.instructions) {
     if (signature(operation).arguments > 0) ++uses_[static_cast<std::size_t>(a)];
     if (signature(operation).arguments > 1) ++uses_[static_cast<std::size_t>(b)];
   }
@@ -54,7 +54,7 @@ void MachineCodeWriter::count_uses() {
 void MachineCodeWriter::find_pairs() {
   std::unordered_map<int, int> sines, cosines;
   for (std::size_t i = 0; i < list_.instructions.size(); ++i) {
-    const auto& [operation, a, b, c] = list_.instructions[i];
+    const auto& [operation, a, b, c, function] = list_.instructions[i];
     if (operation == Operation::sin) sines[a] = list_.first() + static_cast<int>(i);
     if (operation == Operation::cos) cosines[a] = list_.first() + static_cast<int>(i);
   }
@@ -89,7 +89,7 @@ void MachineCodeWriter::write_instruction(const Instruction& instruction, int sl
 }
 
 MachineCodeWriter::Register MachineCodeWriter::value_of(const Instruction& instruction, int slot) {
-  const auto& [operation, a, b, c] = instruction;
+  const auto& [operation, a, b, c, function] = instruction;
   switch (operation) {
     case Operation::add:
       return commuting(x86::Inst::kIdAddsd, a, b);
@@ -120,6 +120,8 @@ MachineCodeWriter::Register MachineCodeWriter::value_of(const Instruction& instr
       return call(std::pow, a, b);
     case Operation::atan2:
       return call(std::atan2, a, b);
+    case Operation::sampled:
+      return call(*function, a);
     case Operation::sin:
     case Operation::cos:
       if (const int partner = partners_[static_cast<std::size_t>(slot)]; partner != 0) {

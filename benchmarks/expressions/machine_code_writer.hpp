@@ -41,6 +41,7 @@ class MachineCodeWriter {
   Register step(int a);
   Register call(double (*function)(double), int a);
   Register call(double (*function)(double, double), int a, int b);
+  Register call(const SampledFunction& function, int a);
   void call_sine_and_cosine(int a, int sine, int cosine);
   void store(int slot);
 

@@ -18,8 +18,8 @@ double sign(double value) { return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : valu
 }  // namespace
 
 TimeFunction::TimeFunction(Expression of, ExpressionPool& pool) : value_(pool, {of}, 0) {
-  // Derivatives leave out what a step or a sign adds where it jumps.
-  if (!pool.arguments({of}, {Operation::sign, Operation::step}).empty()) return;
+  // Derivatives leave out what a step, a sign or a table adds where it jumps.
+  if (!pool.arguments({of}, jumps).empty()) return;
   try {
     slope_ = Program(pool, {pool.derivative(of, 0)}, 0);
   } catch (const std::invalid_argument&) {

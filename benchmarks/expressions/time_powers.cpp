@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "fdebench/benchmarks/expressions/program.hpp"
+#include "fdebench/benchmarks/expressions/sampled_function.hpp"
 
 namespace fde::bench {
 namespace {
 
-// Whether an operation is smooth at the arguments a, b.
-bool is_smooth(Operation operation, double a, double b) {
-  switch (operation) {
+// Whether the operation of a node is smooth at the arguments a, b.
+bool is_smooth(const ExpressionPool::Node& node, double a, double b) {
+  switch (node.operation) {
     case Operation::divide:
       return b != 0.0;
     case Operation::power:
@@ -28,6 +29,8 @@ bool is_smooth(Operation operation, double a, double b) {
     case Operation::min:
     case Operation::max:
       return a != b;
+    case Operation::sampled:
+      return node.function->is_smooth_at(a);
     default:
       return true;
   }
@@ -74,7 +77,7 @@ std::optional<std::set<double>> time_powers(const ExpressionPool& pool, Expressi
                  ? 0.0
                  : values[static_cast<std::size_t>(entry.arguments[i])];
     };
-    if (!is_smooth(entry.operation, at(0), at(1)) && !pool.variables_in(e).empty()) return std::nullopt;
+    if (!is_smooth(entry, at(0), at(1)) && !pool.variables_in(e).empty()) return std::nullopt;
   }
   return powers;
 }

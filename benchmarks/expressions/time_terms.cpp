@@ -7,13 +7,14 @@
 #include <tuple>
 #include <utility>
 
+#include "fdebench/benchmarks/expressions/sampled_function.hpp"
+
 namespace fde::bench {
 namespace {
 
 using Terms = std::optional<std::vector<TimeTerm>>;
 
-constexpr std::size_t most_terms = 2000;      // of a sum
-constexpr std::size_t most_part_terms = 500;  // of a part of a product
+constexpr std::size_t most_terms = 2000;
 
 // Computes the terms of an expression from those of its arguments, by rules for sums, products and powers.
 class TimeTermRules {
@@ -44,6 +45,38 @@ class TimeTermRules {
     }
   }
 
+  // A table of a + b t: the polynomial in which t = 0 is, and at each later sample the change to the next
+  // one.
+  Terms sampled(const SampledFunction& function, const Terms& argument) {
+    const auto line = affine(argument);
+    if (!line || function.pieces() > most_terms) return std::nullopt;
+    const auto [start, rate] = *line;
+    const auto first = pool_.value(start.value), slope = pool_.value(rate.value);
+    if (!first || !slope || !(*first >= function.first() && *first <= function.last())) return std::nullopt;
+    std::size_t piece = function.pieces() - 1;
+    while (piece > 0 && function.start(piece) > static_cast<double>(*first)) --piece;
+    std::vector<TimeTerm> terms;
+    const auto add = [&](const std::vector<Operand>& taylor, std::optional<Expression> from) {
+      Operand scale = number(1.0);
+      for (std::size_t k = 0; k < taylor.size(); ++k, scale = scale * rate) {
+        const auto coefficient = taylor[k] * scale;
+        if (pool_.value(coefficient.value) != 0.0L)
+          terms.push_back({coefficient.value, pool_.number(static_cast<int>(k)), from});
+      }
+    };
+    add(moved(taylor_of(function, piece), start - number(function.start(piece))), std::nullopt);
+    while (*slope > 0.0L ? piece + 1 < function.pieces() : *slope < 0.0L && piece > 0) {
+      const std::size_t upper = *slope > 0.0L ? ++piece : piece--, lower = upper - 1;
+      const Operand sample = number(function.start(upper));
+      auto change = taylor_of(function, upper);
+      const auto below = moved(taylor_of(function, lower), sample - number(function.start(lower)));
+      for (std::size_t k = 0; k < change.size(); ++k)
+        change[k] = *slope > 0.0L ? change[k] - below[k] : below[k] - change[k];
+      add(change, ((sample - start) / rate).value);
+    }
+    return terms;
+  }
+
   [[nodiscard]] Terms constant(Expression value) { return one(value, pool_.number(0)); }
   [[nodiscard]] Terms time() { return one(pool_.number(1), pool_.number(1)); }
 
@@ -59,13 +92,13 @@ class TimeTermRules {
   }
 
   static Terms sum(Terms a, const Terms& b) {
-    if (!a || !b || a->size() + b->size() > most_part_terms) return std::nullopt;
+    if (!a || !b || a->size() + b->size() > most_terms) return std::nullopt;
     a->insert(a->end(), b->begin(), b->end());
     return a;
   }
 
   Terms product(const Terms& a, const Terms& b) {
-    if (!a || !b || a->size() * b->size() > most_part_terms) return std::nullopt;
+    if (!a || !b || a->size() * b->size() > most_terms) return std::nullopt;
     std::vector<TimeTerm> terms;
     for (const auto& x : *a) {
       for (const auto& y : *b) {
@@ -112,19 +145,38 @@ class TimeTermRules {
     return one(made(Operation::power, coefficient, exponent), made(Operation::multiply, power, exponent));
   }
 
-  // step(a0 + a1 t): 1 after the zero of its argument if a1 > 0, before it if a1 < 0.
-  Terms step(const Terms& a) {
-    if (!a) return std::nullopt;
-    auto constant_part = pool_.number(0), slope = pool_.number(0);
-    for (const auto& term : *a) {
+  Operand number(double value) { return {&pool_, pool_.number(fmt::format("{}", value))}; }
+
+  std::vector<Operand> taylor_of(const SampledFunction& function, std::size_t piece) {
+    return function.coefficients(piece, [&](double sample) { return number(sample); });
+  }
+
+  // The coefficients of a polynomial of x as those of the same one of x - by.
+  static std::vector<Operand> moved(std::vector<Operand> taylor, Operand by) {
+    for (std::size_t i = 0; i + 1 < taylor.size(); ++i)
+      for (std::size_t k = taylor.size() - 1; k-- > i;) taylor[k] = taylor[k] + by * taylor[k + 1];
+    return taylor;
+  }
+
+  // a and b of the sum a + b t; nullopt for another one.
+  std::optional<std::pair<Operand, Operand>> affine(const Terms& of) {
+    if (!of) return std::nullopt;
+    Operand constant_part = number(0.0), slope = number(0.0);
+    for (const auto& term : *of) {
       const auto power = pool_.value(term.power);
       if (term.from || (power != 0.0L && power != 1.0L)) return std::nullopt;
-      auto& of = power == 0.0L ? constant_part : slope;
-      of = made(Operation::add, of, term.coefficient);
+      auto& part = power == 0.0L ? constant_part : slope;
+      part = part + Operand{&pool_, term.coefficient};
     }
-    const auto rise = pool_.value(slope);
+    return std::pair(constant_part, slope);
+  }
+
+  // step(a0 + a1 t): 1 after the zero of its argument if a1 > 0, before it if a1 < 0.
+  Terms step(const Terms& a) {
+    const auto line = affine(a);
+    const auto rise = line ? pool_.value(line->second.value) : std::nullopt;
     if (!rise || *rise == 0.0L) return std::nullopt;
-    const auto from = pool_.make_expression(Operation::negate, made(Operation::divide, constant_part, slope));
+    const auto from = (-(line->first / line->second)).value;
     const bool rises = *rise > 0.0L;
     if (pool_.value(from) <= 0.0L) return constant(pool_.number(rises ? 1 : 0));
     const TimeTerm behind{pool_.number(rises ? 1 : -1), pool_.number(0), from};
@@ -144,8 +196,10 @@ Terms terms_of_part(Expression of, ExpressionPool& pool) {
   const auto part_of = [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
     if (node.operation == Operation::variable) return Part{node.variable == 0 ? rules.time() : Terms(), true};
     const bool varies = parts(0).varies || parts(1).varies || parts(2).varies;
-    return Part{varies ? rules.of(node.operation, parts(0).terms, parts(1).terms) : rules.constant(e),
-                varies};
+    if (!varies) return Part{rules.constant(e), false};
+    return Part{node.function ? rules.sampled(*node.function, parts(0).terms)
+                              : rules.of(node.operation, parts(0).terms, parts(1).terms),
+                true};
   };
   return values_from_parts(pool, {of}, Part{}, part_of).front().terms;
 }

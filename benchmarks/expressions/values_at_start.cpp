@@ -91,6 +91,9 @@ std::optional<Expression> with_limit(Expression of, ExpressionPool& pool) {
     return std::nullopt;
   const auto [a, b, none] = arguments;
   if (value_at_start(a, pool) != 0.0L || value_at_start(b, pool) != 0.0L) return std::nullopt;
+  // The Taylor series of a table says nothing of it behind its first samples.
+  const auto is_table = [](const ExpressionPool::Node& node) { return node.function != nullptr; };
+  if (!pool.arguments({of}, is_table).empty()) return std::nullopt;
   const Series q = quotient(taylor_series(a, most, pool), taylor_series(b, most, pool));
   return q.empty() ? std::nullopt : std::optional(continued(of, q, pool));
 }
@@ -137,7 +140,7 @@ class Rewriting {
       default:
         break;
     }
-    return {pool_.make_expression(node.operation, whole(of[0]), whole(of[1]), whole(of[2])), 0.0L};
+    return {pool_.with_arguments(node, whole(of[0]), whole(of[1]), whole(of[2])), 0.0L};
   }
 
  private:
@@ -171,14 +174,12 @@ class Rewriting {
 
 std::vector<Expression> with_limits_at_start(const std::vector<Expression>& of, ExpressionPool& pool) {
   constexpr auto none = ExpressionPool::none;
-  return values_from_parts(pool, of, none,
-                           [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
-                             const std::array replaced{parts(0), parts(1), parts(2)};
-                             if (const auto limit = with_limit(e, pool)) return *limit;
-                             return replaced == node.arguments
-                                        ? e
-                                        : pool.make_expression(node.operation, parts(0), parts(1), parts(2));
-                           });
+  return values_from_parts(
+      pool, of, none, [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
+        const std::array replaced{parts(0), parts(1), parts(2)};
+        if (const auto limit = with_limit(e, pool)) return *limit;
+        return replaced == node.arguments ? e : pool.with_arguments(node, parts(0), parts(1), parts(2));
+      });
 }
 
 std::optional<Expression> not_a_number(Expression of, double t, In y, const ExpressionPool& pool) {
@@ -189,7 +190,7 @@ std::optional<Expression> not_a_number(Expression of, double t, In y, const Expr
             node.operation == Operation::variable
                 ? (node.variable == 0 ? static_cast<long double>(t) : y[node.variable - 1])
             : node.operation == Operation::number ? node.value
-                                                  : apply(node.operation, parts(0), parts(1), parts(2));
+                                                  : apply(node, parts(0), parts(1), parts(2));
         if (std::isnan(value) && !first) first = e;
         return value;
       });

@@ -202,7 +202,7 @@ Expressions Algebra::simplified(const Expressions& of) const {
       if (const auto known = simplified(node.operation, a, b)) return *known;
     if (node.operation == Operation::add) return sum(a, b);
     if (node.operation == Operation::subtract) return difference(a, b);
-    return pool_.make_expression(node.operation, a, b, parts(2));
+    return pool_.with_arguments(node, a, b, parts(2));
   };
   return values_from_parts(pool_, of, ExpressionPool::none, simple);
 }

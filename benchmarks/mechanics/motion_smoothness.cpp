@@ -195,10 +195,10 @@ Smoothness powers_at_start(const Dynamics& dynamics, const PosedEquations& equat
   return smoothness;
 }
 
-// Whether a right-hand side contains the sign or step of a function of t alone; that of t itself jumps at 0
-// only.
+// Whether a right-hand side jumps where a function of t alone does: its sign or step, or a table of it. The
+// sign of t itself jumps at 0 only.
 bool jumps_in_time(Expression rhs, const ExpressionPool& pool) {
-  return std::ranges::any_of(pool.arguments({rhs}, {Operation::sign, Operation::step}), [&](Expression e) {
+  return std::ranges::any_of(pool.arguments({rhs}, jumps), [&](Expression e) {
     return pool[e].operation != Operation::variable && pool.depends_on(e, 0) && !pool.depends_on_unknowns(e);
   });
 }

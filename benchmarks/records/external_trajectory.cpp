@@ -17,9 +17,9 @@
 #include <string_view>
 #include <utility>
 
+#include "fdebench/benchmarks/files/lines.hpp"
 #include "fdebench/benchmarks/measures/accuracy.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
-#include "fdebench/benchmarks/records/lines.hpp"
 #include "fdebench/benchmarks/records/well_formed.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/text/entry_named.hpp"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/files/lines.hpp"
 #include "fdebench/benchmarks/measures/error_kind.hpp"
 #include "fdebench/benchmarks/records/description_text.hpp"
 #include "fdebench/benchmarks/records/key_text.hpp"
-#include "fdebench/benchmarks/records/lines.hpp"
 #include "fdebench/benchmarks/records/record_validation.hpp"
 
 namespace fde::bench {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "fdebench/benchmarks/records/lines.hpp"
+#include "fdebench/benchmarks/files/lines.hpp"
 #include "fdebench/benchmarks/records/record_text.hpp"
 
 namespace fde::bench {

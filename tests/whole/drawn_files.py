@@ -94,14 +94,29 @@ def made(random: Random) -> tuple[str, ...]:
 
 
 def example(random: Random, events: bool) -> tuple[str, ...]:
-    """One of docs/examples, with random parameters and a random end, without comments; without events unless `events`."""
-    lines = random.choice(sorted(EXAMPLES.glob("*.toml"))).read_text().splitlines()
+    """One of docs/examples that needs no other file, with random parameters and a random end, without comments; without events unless
+    `events`."""
+    texts = [path.read_text() for path in sorted(EXAMPLES.glob("*.toml"))]
+    lines = random.choice([text for text in texts if "[table." not in text]).splitlines()
     if not events and (first := [k for k, line in enumerate(lines) if line.startswith("[event")]):
         lines = lines[: first[0]]
     lines = [line.split("   #")[0].rstrip() for line in lines if line and not line.startswith("#")]
     scaled = re.compile(r"(\w+) = (\d+\.?\d*)$")
     return tuple(f"{m[1]} = {typed(float(m[2]) * spread(random, 0.3, 6 if m[1] == 'end' else 2), 3)}"
                  if (m := scaled.match(line)) and random.random() < 0.6 and m[1] != "order" else line for line in lines)
+
+
+def with_table(random: Random, lines: list[str], names: list[str]) -> list[str]:
+    """The lines with a table u, of samples far beyond the end, and a term with it in a right-hand side."""
+    times = [-4.0]
+    for _ in range(random.choice([3, 5, 30])):
+        times.append(times[-1] + spread(random, 0.05, 2))
+    samples = ", ".join(f"[{typed(t, 5)}, {typed(random.uniform(-2, 2), 3)}]" for t in [*times, 1e4])
+    argument = random.choice(["t", f"{number(random)}*t", f"t + {number(random)}", "3*sin(t)", f"3*tanh({random.choice(names)})"])
+    value = random.choice([f"u({argument})", f"u({argument})", f"J(u({argument}), {typed(random.uniform(0.1, 1.5), 2)})"])
+    row = random.choice([k for k, line in enumerate(lines) if line.startswith("rhs")])
+    changed = [line[:-1] + f' + {typed(random.uniform(-1, 1), 2)}*{value}"' if k == row else line for k, line in enumerate(lines)]
+    return [*changed, "[table.u]", f'between = "{random.choice(["constant", "linear", "cubic"])}"', f"samples = [{samples}]"]
 
 
 def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str, ...]:
@@ -119,6 +134,8 @@ def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str,
     several, delays = random.random() < 0.25, random.random() < 0.2
     for name in names:
         lines += unknown(random, name, names, parameters, several, delays)
+    if random.random() < 0.15:
+        lines = with_table(random, lines, names)
     if len(names) > 1 and random.random() < 0.2:
         lines += ["[unknown.w]", "order = 0", f'rhs = "{typed(random.uniform(0.5, 2), 2)}*w - {random.choice(names)} - {random.choice(["0", "t", "sin(t)"])}"', "initial = [0]"]
     if not rows and random.random() < 0.12:

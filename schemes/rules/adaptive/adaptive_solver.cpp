@@ -27,11 +27,12 @@ double time_after(double t, double length) {
 }
 
 // The ends of the intervals on which the right-hand side is smooth; the last is the end. An interval ends one
-// floating-point number before its breaking point.
+// floating-point number before its breaking point, also before a jump at the end.
 std::vector<double> stretches(const Problem& problem) {
   std::vector<double> ends;
-  for (const double jump : breaking_points(problem)) {
-    if (jump < problem.end) ends.push_back(std::nextafter(jump, 0.0));
+  for (const double time : breaking_points(problem)) {
+    if (time < problem.end || (time == problem.end && std::ranges::binary_search(problem.jump_times, time)))
+      ends.push_back(std::nextafter(time, 0.0));
   }
   ends.push_back(problem.end);
   return ends;

@@ -88,7 +88,8 @@ void PanelCollocation::finish(Trajectory& path) {
 void PanelCollocation::begin_segment() {
   const double start = next_start_, end = interval_ends_.front();
   const double first = start > 0.0 ? std::nextafter(start, infinity) : 0.0;
-  const double last = end < problem_.end ? std::nextafter(end, 0.0) : infinity;
+  const bool breaks = end < problem_.end || std::ranges::binary_search(problem_.jump_times, end);
+  const double last = breaks ? std::nextafter(end, 0.0) : infinity;
   solution_->segments.push_back({start, end - start, first, last});
   segment_ends_ = false;
   width_ = 1.0;

@@ -19,6 +19,7 @@
 
 #include "fdebench/benchmarks/expressions/formula.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
+#include "fdebench/benchmarks/expressions/sampled_function.hpp"
 
 #ifdef __x86_64__
 
@@ -185,6 +186,17 @@ TEST(MachineCode, HasTheBitsOfSineAndCosine) {
       list_of(pool, {pool.make_expression(Operation::cos, x), pool.make_expression(Operation::sin, x)});
   RandomNumbers random(4);
   expect_same(list, random, 1'000'000);
+}
+
+TEST(MachineCode, HasTheBitsOfTables) {
+  ExpressionPool pool(NumberStorage::values);
+  const auto table =
+      SampledFunction::through("u", "u", Interpolation::cubic, {-2, -1, 0, 1.5, 3}, {1, 0.3, -1, 2, 0.7});
+  const auto x = pool.variable(1), sine = pool.make_expression(Operation::sin, pool.variable(2));
+  const auto product =
+      pool.make_expression(Operation::multiply, pool.sampled(table, sine), pool.sampled(table, x));
+  RandomNumbers random(6);
+  expect_same(list_of(pool, {product, pool.derivative(product, 1), pool.sampled(table, x)}), random, 100'000);
 }
 
 // More values at a time than there are registers, and calls between them.

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "benchmarks/records/results_file_test.hpp"
-#include "fdebench/benchmarks/records/lines.hpp"
+#include "fdebench/benchmarks/files/lines.hpp"
 
 namespace fde::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/benchmarks/records/lines.hpp"
+#include "fdebench/benchmarks/files/lines.hpp"
 
 #include <fmt/format.h>
 
