@@ -43,7 +43,8 @@ class Shooting {
     if (!now) return start;
     derivative_ = std::move(start.derivative);
     constexpr int most_steps = 50;
-    for (int step = 0; step < most_steps && !is_within(at_rounding(), *now); ++step) {
+    constexpr double at_rounding = 4.0 * unit_rounding;
+    for (int step = 0; step < most_steps && !is_within(at_rounding, *now); ++step) {
       const bool is_new = derivative_.size() == 0;
       if (is_new && !differentiate(*now)) break;
       auto next = nearer(*now);
@@ -59,10 +60,6 @@ class Shooting {
   }
 
  private:
-  [[nodiscard]] double at_rounding() const {
-    constexpr double far_below = 1e-2;
-    return std::max(4.0 * unit_rounding, far_below * noise_);
-  }
   [[nodiscard]] double met() const { return std::max(std::sqrt(unit_rounding), noise_); }
 
   // Whether F and the step that Newton's method would take are so small relative to y.

@@ -29,8 +29,8 @@ struct MissingValues {
 //
 // Starts from `start`, by default from 0. `noise` is the error of y(end) relative to y that is no smooth
 // function of s: of rounding, or of a tolerance. The method stops where F no longer falls, or where F and the
-// next step are far below the noise; it has converged if both are at most sqrt(eps), or the noise, relative
-// to y. Preconditions: no right rows, as many conditions as unknown initial values.
+// next step are rounding; it has converged if both are at most sqrt(eps), or the noise, relative to y.
+// Preconditions: no right rows, as many conditions as unknown initial values.
 MissingValues find_missing_values(const Problem& problem, const EndOfRun& run, double noise,
                                   MissingValues start = {});
 
