@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
 constexpr double rounding = 1e-16;
@@ -112,4 +112,4 @@ TEST(Shooting, ADerivativeThatIsAllErrorDeterminesNothing) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench
