@@ -11,7 +11,7 @@
 namespace fde::bench {
 namespace {
 
-constexpr double rounding = 1e-16;
+constexpr Tolerance rounding{1e-16, 0.0};
 
 // y' = v, v' = f(t, y, v) with y(0) = 0 and y(end) = last.
 Problem with_slope(double end, double last, Derivatives derivatives = {}) {
