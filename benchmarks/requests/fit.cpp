@@ -400,14 +400,6 @@ void require_enough(const ExternalTrajectory& measured, const std::vector<std::s
                              estimated ? ", and one more without standard deviations" : "")});
 }
 
-// Throws Refusal if measurements are after the end of a solution that depends on its end.
-void require_times_in(const Scene& scene, const ExternalTrajectory& measured) {
-  const double last = measured.times.back(), end = scene.problem.end;
-  if (!is_two_sided(scene.problem) || last <= end) return;
-  throw Refusal({RequestField{"data"},
-                 fmt::format(": ends at t = {}, the scene is posed at both ends, 0 and {}", last, end)});
-}
-
 }  // namespace
 
 FittedScene fit(const FitRequest& request, const FitProgress& progress) {
@@ -417,7 +409,6 @@ FittedScene fit(const FitRequest& request, const FitProgress& progress) {
   const Scene scene = make_scene(request.variant);
   const Scheme& scheme = adaptive_scheme_for(scene.problem, request.scheme);
   auto measured = request.data(scene);
-  require_times_in(scene, measured);
   require_enough(measured, scene.outputs.names, parameters.size());
   return Fitter(request, progress, scene, std::move(parameters), std::move(measured), scheme).run();
 }

@@ -221,7 +221,7 @@ class CompleteProblems {
     if (missing_.converged && !are_determined(given_, missing_, run))
       throw std::runtime_error(
           "two methods: the values at the end do not determine the missing initial values");
-    constexpr double noise = 1e-14;
+    constexpr Tolerance noise{1e-14, 0.0};
     missing_ = find_missing_values(given_, run, noise, std::move(missing_));
     if (std::isinf(missing_.missed))
       throw std::runtime_error(

@@ -34,8 +34,8 @@ std::optional<Shot> shot(const Problem& problem, const EndOfRun& run, Vec values
 
 class Shooting {
  public:
-  Shooting(const Problem& problem, const EndOfRun& run, double noise)
-      : problem_(problem), run_(run), noise_(std::max(noise, unit_rounding)) {}
+  Shooting(const Problem& problem, const EndOfRun& run, const Tolerance& noise)
+      : problem_(problem), run_(run), noise_(noise) {}
 
   MissingValues find(MissingValues start) {
     if (start.values.size() == 0) start.values = Vec::Zero(unknown_count(problem_));
@@ -43,7 +43,7 @@ class Shooting {
     if (!now) return start;
     derivative_ = std::move(start.derivative);
     constexpr int most_steps = 50;
-    for (int step = 0; step < most_steps && !is_within(at_rounding(), *now); ++step) {
+    for (int step = 0; step < most_steps && !is_within(at_rounding, *now); ++step) {
       const bool is_new = derivative_.size() == 0;
       if (is_new && !differentiate(*now)) break;
       auto next = nearer(*now);
@@ -59,22 +59,24 @@ class Shooting {
   }
 
  private:
-  [[nodiscard]] double at_rounding() const {
-    constexpr double far_below = 1e-2;
-    return std::max(4.0 * unit_rounding, far_below * noise_);
+  static constexpr Tolerance at_rounding{4.0 * unit_rounding, 0.0};
+  [[nodiscard]] Tolerance met() const {
+    return {std::max(std::sqrt(unit_rounding), noise_.rtol), noise_.atol};
   }
-  [[nodiscard]] double met() const { return std::max(std::sqrt(unit_rounding), noise_); }
 
-  // Whether F and the step that Newton's method would take are so small relative to y.
-  [[nodiscard]] bool is_within(double part, const Shot& at) const {
+  // Whether F and the step that Newton's method would take are so small.
+  [[nodiscard]] bool is_within(const Tolerance& tolerance, const Shot& at) const {
+    const double largest = tolerance.rtol * at.size + tolerance.atol;
     if (at.missed() == 0.0) return true;
-    if (derivative_.size() == 0 || at.missed() > part * at.size) return false;
-    return derivative_.fullPivLu().solve(at.residual).lpNorm<Eigen::Infinity>() <= part * at.size;
+    if (derivative_.size() == 0 || at.missed() > largest) return false;
+    return derivative_.fullPivLu().solve(at.residual).lpNorm<Eigen::Infinity>() <= largest;
   }
 
   // One-sided differences, or those to the other side where a run does not reach the end.
   bool differentiate(const Shot& now) {
-    const double relative = is_linear(problem_) ? 1.0 : std::sqrt(noise_);
+    const double noise =
+        std::max(noise_.rtol, unit_rounding) + (now.size > 0.0 ? noise_.atol / now.size : 0.0);
+    const double relative = is_linear(problem_) ? 1.0 : std::sqrt(std::min(noise, 1.0));
     derivative_.resize(now.residual.size(), now.values.size());
     for (Eigen::Index j = 0; j < now.values.size(); ++j) {
       const double shift = relative * std::max(1.0, std::abs(now.values[j]));
@@ -117,13 +119,13 @@ class Shooting {
 
   const Problem& problem_;
   const EndOfRun& run_;
-  double noise_;
+  Tolerance noise_;
   Matrix derivative_{};
 };
 
 }  // namespace
 
-MissingValues find_missing_values(const Problem& problem, const EndOfRun& run, double noise,
+MissingValues find_missing_values(const Problem& problem, const EndOfRun& run, const Tolerance& noise,
                                   MissingValues start) {
   return Shooting(problem, run, noise).find(std::move(start));
 }

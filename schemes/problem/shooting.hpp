@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fdebench/schemes/problem/problem.hpp"
+#include "fdebench/schemes/problem/resolution.hpp"
 
 namespace fde {
 
@@ -27,11 +28,11 @@ struct MissingValues {
 // values nearer, or whose run does not reach the end, is halved (Deuflhard, Numer. Math. 22 (1974)). Of a
 // linear problem with linear conditions F is affine, and one step is exact.
 //
-// Starts from `start`, by default from 0. `noise` is the error of y(end) relative to y that is no smooth
-// function of s: of rounding, or of a tolerance. The method stops where F no longer falls, or where F and the
-// next step are far below the noise; it has converged if both are at most sqrt(eps), or the noise, relative
-// to y. Preconditions: no right rows, as many conditions as unknown initial values.
-MissingValues find_missing_values(const Problem& problem, const EndOfRun& run, double noise,
+// Starts from `start`, by default from 0. `noise` bounds the error of y(end) that is no smooth function of s:
+// of rounding, or of a tolerance. The method stops where F no longer falls, or where F and the next step are
+// rounding; it has converged if both are within the noise, or at most sqrt(eps) relative to y. Preconditions:
+// no right rows, as many conditions as unknown initial values.
+MissingValues find_missing_values(const Problem& problem, const EndOfRun& run, const Tolerance& noise,
                                   MissingValues start = {});
 
 // Whether the missing values are known: false where another method, or another resolution, changes them by

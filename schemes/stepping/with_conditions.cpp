@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -60,16 +61,18 @@ class Probes {
 };
 
 // The part of y(end) that is no smooth function of the initial values.
-double noise_of(const Resolution& resolution, const Options& options) {
+Tolerance noise_of(const Resolution& resolution, const Options& options) {
   const auto* tolerance = std::get_if<Tolerance>(&resolution);
-  return tolerance == nullptr ? options.newton_tolerance : std::max(tolerance->rtol, tolerance->atol);
+  return tolerance == nullptr ? Tolerance{options.newton_tolerance, 0.0} : *tolerance;
 }
 
 // A grid that every scheme takes which takes this one; a tolerance that is not below rounding.
 Resolution other_resolution(const Resolution& resolution) {
   constexpr double looser = 16.0;
-  if (const auto* grid = std::get_if<Grid>(&resolution))
-    return Grid{grid->end, 2 * grid->steps, grid->grading};
+  if (const auto* grid = std::get_if<Grid>(&resolution)) {
+    constexpr int most = std::numeric_limits<int>::max() / 2;
+    return Grid{grid->end, grid->steps > most ? grid->steps / 2 : 2 * grid->steps, grid->grading};
+  }
   const auto& [rtol, atol] = std::get<Tolerance>(resolution);
   return Tolerance{looser * rtol, looser * atol};
 }

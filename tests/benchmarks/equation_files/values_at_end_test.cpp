@@ -126,6 +126,47 @@ TEST(ValuesAtEnd, OfOneUnknownOfTwo) {
   EXPECT_NEAR(path.y(0, 0), std::sin(0.5), 1e-8);
 }
 
+class ValuesAtEndWith : public testing::TestWithParam<KnownEnds> {};
+
+TEST_P(ValuesAtEndWith, AreMetBySchemesOfEveryKind) {
+  const auto& [text, t, value] = GetParam();
+  const Scene scene = scene_of_text(text);
+  EXPECT_NEAR(
+      solve("spectral_collocation", scene.problem, Tolerance{1e-10, 1e-10}, {.output_times = {t}}).y(0, 0),
+      value, 1e-9);
+  const auto path = solve("product_trapezoidal", scene.problem, 4000, {.output_times = {t}});
+  EXPECT_NEAR(path.y(0, 0), value, 1e-6);
+  const auto [known, bound] = reference_of(scene).at(t);
+  EXPECT_LE(std::abs(known[0] - value), bound[0] + 1e-15);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OtherParts, ValuesAtEndWith,
+    testing::Values(
+        // The cubic equation with its unknown in an algebraic row, and as one row of order 1.5.
+        KnownEnds{ends_file("1", "1.5", "-y^3", "0", "[1]") +
+                      "[unknown.y]\norder = 0\nrhs = \"w + w^3 - y - y^3\"\ninitial = [0]\n",
+                  0.5, cubic_half},
+        KnownEnds{cubic + "chain = false\n", 0.5, cubic_half},
+        // w = sin t, also at earlier times: w'' = w(t - pi).
+        KnownEnds{ends_file("4", "2", "w(t - pi)", "0", "[\"sin(4)\"]") + "before = \"sin(t)\"\n", 2.0,
+                  std::sin(2.0)},
+        // w'' = -J^1/2 D^3/2 t^2 = -2t: w = (4 t - t^3) / 3 with w'(1) = 1/3.
+        KnownEnds{ends_file("1", "2", "-J(D(t^2, 1.5), 0.5)", "0", "{ \"D(w,1)\" = \"1/3\" }"), 0.5, 0.625}));
+
+TEST(ValuesAtEnd, OnlyTheLastRunIsObserved) {
+  const Scene scene = scene_of_text(cubic);
+  std::vector<double> times;
+  const auto path = solve("l1", scene.problem, 8, {.observer = [&](double t, In) { times.push_back(t); }});
+  EXPECT_EQ(times, path.times);
+  EXPECT_EQ(times.size(), 9U);
+  const auto alone = solve("l1", with_initial_values(scene.problem, path.y.col(0).tail(1)), 8);
+  EXPECT_EQ(path.y, alone.y);
+  EXPECT_GT(*path.cost.rhs_calls, 3 * *alone.cost.rhs_calls);
+  const auto stopped = solve("l1", scene.problem, 100000, {.budget = 1e-6});
+  EXPECT_EQ(stopped.status, SolveStatus::out_of_budget);
+}
+
 TEST(ValuesAtEnd, MoveWithTheEnd) {
   const std::string text = ends_file("2", "2", "-w", "0", "[1]");  // w = sin t / sin end
   EXPECT_THAT(printed(run_file(text, {"exact", "--at", "0.5"}, ":until=1")), HasSubstr("0.5,0.56974696366"));

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace fde {
+namespace fde::bench {
 namespace {
 
-constexpr double rounding = 1e-16;
+constexpr Tolerance rounding{1e-16, 0.0};
 
 // y' = v, v' = f(t, y, v) with y(0) = 0 and y(end) = last.
 Problem with_slope(double end, double last, Derivatives derivatives = {}) {
@@ -112,4 +112,4 @@ TEST(Shooting, ADerivativeThatIsAllErrorDeterminesNothing) {
 }
 
 }  // namespace
-}  // namespace fde
+}  // namespace fde::bench
