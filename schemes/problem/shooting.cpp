@@ -109,12 +109,13 @@ class Shooting {
     return std::nullopt;
   }
 
-  // Broyden's update.
+  // Broyden's update, unless F has changed by noise alone.
   void update(const Shot& before, const Shot& now) {
-    const Vec step = now.values - before.values;
-    const double size = step.squaredNorm();
-    if (size == 0.0) return;
-    derivative_ += (now.residual - before.residual - derivative_ * step) * step.transpose() / size;
+    constexpr double some_roundings = 100.0 * unit_rounding;
+    const Vec step = now.values - before.values, change = now.residual - before.residual;
+    const double noise = std::max(noise_.rtol, some_roundings) * now.size + noise_.atol;
+    if (change.lpNorm<Eigen::Infinity>() <= noise) return;
+    derivative_ += (change - derivative_ * step) * step.transpose() / step.squaredNorm();
   }
 
   const Problem& problem_;
