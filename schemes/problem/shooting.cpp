@@ -134,7 +134,8 @@ MissingValues find_missing_values(const Problem& problem, const EndOfRun& run, c
 bool are_determined(const Problem& problem, const MissingValues& found, const EndOfRun& other) {
   if (found.derivative.size() == 0) return true;  // the conditions hold from the start
   constexpr double large = 0.25;
-  const auto again = shot(problem, other, found.values);
+  // Values that differ by some roundings, so that two runs do not round alike.
+  const auto again = shot(problem, other, (1.0 + 64.0 * unit_rounding) * found.values);
   if (!again) return false;
   const Vec change = found.derivative.fullPivLu().solve(again->residual);
   return change.lpNorm<Eigen::Infinity>() < large * again->size;
