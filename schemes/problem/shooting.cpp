@@ -109,12 +109,13 @@ class Shooting {
     return std::nullopt;
   }
 
-  // Broyden's update.
+  // Broyden's update, unless F has changed by noise alone.
   void update(const Shot& before, const Shot& now) {
-    const Vec step = now.values - before.values;
-    const double size = step.squaredNorm();
-    if (size == 0.0) return;
-    derivative_ += (now.residual - before.residual - derivative_ * step) * step.transpose() / size;
+    constexpr double some_roundings = 100.0 * unit_rounding;
+    const Vec step = now.values - before.values, change = now.residual - before.residual;
+    const double noise = std::max(noise_.rtol, some_roundings) * now.size + noise_.atol;
+    if (change.lpNorm<Eigen::Infinity>() <= noise) return;
+    derivative_ += (change - derivative_ * step) * step.transpose() / step.squaredNorm();
   }
 
   const Problem& problem_;
@@ -133,7 +134,8 @@ MissingValues find_missing_values(const Problem& problem, const EndOfRun& run, c
 bool are_determined(const Problem& problem, const MissingValues& found, const EndOfRun& other) {
   if (found.derivative.size() == 0) return true;  // the conditions hold from the start
   constexpr double large = 0.25;
-  const auto again = shot(problem, other, found.values);
+  // Values that differ by some roundings, so that two runs do not round alike.
+  const auto again = shot(problem, other, (1.0 + 64.0 * unit_rounding) * found.values);
   if (!again) return false;
   const Vec change = found.derivative.fullPivLu().solve(again->residual);
   return change.lpNorm<Eigen::Infinity>() < large * again->size;

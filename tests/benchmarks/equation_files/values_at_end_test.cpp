@@ -182,8 +182,10 @@ TEST(ValuesAtEnd, AProblemWithoutASolutionHasNone) {
   for (const auto& how : {std::vector<std::string>{"l1", "--steps", "64"},
                           {"product_trapezoidal", "--steps", "64"},
                           {"bdf4", "--steps", "200"},
+                          {"bdf4", "--steps", "1024"},
                           {"radau_exponentials", "--accuracy", "1e-6"},
-                          {"spectral_collocation", "--accuracy", "1e-10"}}) {
+                          {"spectral_collocation", "--accuracy", "1e-10"},
+                          {"spectral_collocation", "--accuracy", "1e-13"}}) {
     std::vector<std::string> words{"solve", "--scheme"};
     words.insert(words.end(), how.begin(), how.end());
     EXPECT_THAT(run_file(text, words), fails_with(3, HasSubstr("the values at the end"))) << how.front();
