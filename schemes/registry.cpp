@@ -11,6 +11,7 @@
 #include "fdebench/schemes/stepping/scheme.hpp"
 #include "fdebench/schemes/stepping/with_conditions.hpp"
 #include "fdebench/schemes/stepping/with_delays.hpp"
+#include "fdebench/schemes/stepping/with_resets.hpp"
 
 namespace fde {
 namespace {
@@ -78,6 +79,7 @@ std::optional<std::string> unsupported_reason(const Capabilities& capabilities, 
 
 std::optional<std::string> unsupported_checkpoints_reason(const Scheme& scheme, const Problem& problem) {
   if (!scheme.capabilities.checkpoints) return "keeps no checkpoints";
+  if (!problem.resets.empty()) return "keeps no checkpoints where events set unknowns";
   if (has_right_rows(problem)) return "keeps no checkpoints of a problem that it solves at all times at once";
   if (is_solved_by_shooting(problem)) return "keeps no checkpoints of a problem that it solves several times";
   return std::nullopt;
@@ -95,7 +97,7 @@ std::span<const Scheme> schemes() {
 #include "fdebench/schemes/list.def"
 #undef FDE_SCHEME
     };
-    for (auto& scheme : listed) scheme.solve = with_conditions(with_delays(std::move(scheme.solve)));
+    for (auto& scheme : listed) scheme.solve = with_conditions(with_resets(with_delays(std::move(scheme.solve))));
     return listed;
   }();
   return all;
@@ -125,6 +127,7 @@ std::optional<std::string> unsupported_reason(const Scheme& scheme, const Proble
                            : unsupported_reason(scheme.capabilities, std::get<Tolerance>(resolution));
   if (of_resolution) return of_resolution;
   if (auto reason = unsupported_delays_reason(scheme, problem, resolution)) return reason;
+  if (auto reason = unsupported_resets_reason(scheme, problem)) return reason;
   if (scheme.capabilities.discretises_equations && problem.equations.empty())
     return "discretises multi-term equations, and the problem is not given in multi-term form";
   if (has_sparse_jacobian(problem) && has_algebraic_rows(problem)) {

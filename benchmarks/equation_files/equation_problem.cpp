@@ -85,6 +85,35 @@ std::function<double(double t, In y)> factor_of(const EquationSystem::Unknown& u
   return Program(pool, {*unknown.factor}, size);
 }
 
+// The row that a key of `set` names.
+Eigen::Index row_to_set(const NamedFormula& set, const EquationSystem& system, FileFormulas& formulas) {
+  const FormulaText name{.text = set.name, .position = set.position};
+  const auto node = formulas.read(name, variables_of(system, formulas.pool()));
+  const auto row = static_cast<Eigen::Index>(formulas.pool()[node].variable) - 1;  // -1: no variable, or t
+  if (row < 0 || is_algebraic(system.components[static_cast<std::size_t>(row)]))
+    formulas.reject(
+        name, fmt::format("set: {}: must be an unknown with a derivative, or a node of its chain", set.name));
+  return row;
+}
+
+Reset reset_of(const EventText& event, const EquationSystem& system, FileFormulas& formulas) {
+  const auto variables = variables_of(system, formulas.pool());
+  std::vector<Eigen::Index> rows;
+  std::vector<Expression> values;
+  for (const auto& set : event.set) {
+    rows.push_back(row_to_set(set, system, formulas));
+    values.push_back(formulas.read(set.formula, variables));
+  }
+  return {
+      .value = Program(formulas.pool(), {formulas.read(event.zero, variables)}, system.size()),
+      .crossing = event.crossing,
+      .state = [rows, program = Program(formulas.pool(), values, system.size())](double t, In y, Out state) {
+        Vec set(std::ssize(rows));
+        program(t, y, set);
+        state(rows) = set;
+      }};
+}
+
 // A right-hand side as a sum: the loads c t^-p, and the rest.
 struct SplitRow {
   std::vector<TimeTerm> singular{};
@@ -153,6 +182,8 @@ Problem problem_of(const EquationSystem& system, FileFormulas& formulas) {
   problem.conditions = conditions_of(system);
   require_numbers_at_start(system, problem, formulas);
   require_start_on_constraints(system, problem, formulas);
+  for (const auto& event : formulas.text().events)
+    if (!event.set.empty()) problem.resets.push_back(reset_of(event, system, formulas));
   if (!system.earlier.values.empty()) return problem;  // a force of t and y could not look back
   for (const auto& unknown : system.unknowns) {
     if (!unknown.chain || unknown.chain->size() == 1) continue;

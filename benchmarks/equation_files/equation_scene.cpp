@@ -155,7 +155,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   scene.reference = file_reference(system, scene.problem, columns, formulas);
   if (scene.reference.at && !system.final.empty())
     scene.reference_to = [text, parameters](double end) { return reference_to(end, text, parameters); };
-  if (!scene.reference.at)
+  if (!scene.reference.at && scene.problem.resets.empty())
     scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
   for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));

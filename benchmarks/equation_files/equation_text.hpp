@@ -101,12 +101,13 @@ struct DomainText {
   FormulaText positive{};
 };
 
-// [event.NAME]: a function whose zeros along the trajectory are located.
+// [event.NAME]: a function whose zeros along the trajectory are located, and unknowns that are set there.
 struct EventText {
   std::string name{};
   FormulaText zero{};
   Crossing crossing = Crossing::either;
   bool terminal = false;
+  std::vector<NamedFormula> set{};  // what becomes of unknowns and of nodes of their chains
 };
 
 // [mechanics]: a Lagrangian with forces and constraints; the coordinates are the unknowns of the file.

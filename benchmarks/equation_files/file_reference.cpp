@@ -101,7 +101,7 @@ reference::Reference known_derivatives(const EquationSystem& system, const Probl
     require_exact_end(system, columns, formulas, known);
     return known;
   }
-  if (!system.earlier.values.empty()) return {};
+  if (!system.earlier.values.empty() || !problem.resets.empty()) return {};
   if (auto known = linear_file_reference(text, formulas.parameters(), problem, columns)) return *known;
   return free_pendulum(system, columns, formulas.pool());
 }

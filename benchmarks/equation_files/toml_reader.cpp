@@ -56,7 +56,7 @@ class EquationReader : DeclarationReader {
     if (const auto* constraint = all.get("constraint")) read.constraints = constraints_of(*constraint);
     if (const auto* jump = all.get("jump")) read.jumps = jumps_of(*jump);
     if (const auto* event = all.get("event")) {
-      for (const auto& entry : entries(*event, "event")) read.events.push_back(event_of(entry));
+      for (const auto& entry : entries(*event, "event")) read.events.push_back(event_of(entry, mechanical));
     }
     return read;
   }
@@ -245,14 +245,19 @@ class EquationReader : DeclarationReader {
     return jumps;
   }
 
-  [[nodiscard]] EventText event_of(const TomlEntry& entry) const {
+  [[nodiscard]] EventText event_of(const TomlEntry& entry, bool mechanical) const {
     const auto name = fmt::format("event {}", entry.name);
     require_name(entry, "event");
     const auto& of = table(*entry.node, name);
-    require_keys(of, name, {"zero", "crossing", "ends"});
+    require_keys(of, name, {"zero", "crossing", "ends", "set"});
     EventText event{.name = entry.name, .zero = formula(required(of, entry.position, name, "zero"), "zero")};
     if (const auto* crossing = of.get("crossing")) event.crossing = crossing_of(*crossing);
     if (const auto* ends = of.get("ends")) event.terminal = flag_of(*ends, "ends");
+    if (const auto* set = of.get("set")) {
+      if (mechanical) reject(position_of(*set), "set: is not available with [mechanics]");
+      if (event.terminal) reject(position_of(*set), "set: must not be given with ends = true");
+      event.set = formulas_of(*set, "set");
+    }
     return event;
   }
 

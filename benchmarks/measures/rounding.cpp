@@ -81,6 +81,14 @@ Problem rescaled_problem(double unit, const Problem& problem) {
   for (auto& equation : other.equations) equation = equation_in_units_of(unit, equation);
   if (const Delays& given = problem.delays; !given.lags.empty())
     other.delays = delays_in_units_of(unit, given);
+  for (Reset& reset : other.resets) {
+    reset.value = [unit, value = reset.value](double t, In u) { return value(t, unit * u); };
+    reset.state = [unit, state = reset.state](double t, In u, Out after) {
+      Vec y = unit * u;
+      state(t, unit * u, y);
+      after = y / unit;
+    };
+  }
   if (problem.conditions) {
     other.conditions = [unit, conditions = problem.conditions](In start, In end, Out residual) {
       conditions(unit * start, unit * end, residual);

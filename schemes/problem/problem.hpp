@@ -124,6 +124,18 @@ struct Delays {
   std::function<void(double t, In y, const Past& past, OutMatrix jacobian)> jacobian{};
 };
 
+// The direction in which an event function passes through 0.
+enum class Crossing { either, rising, falling };
+
+// An event at which y jumps: where `value` changes its sign along the solution, but not at t = 0, y becomes
+// `state`. The history goes on: with the jumps d_k at the times t_k,
+//   y(t) = Taylor part + sum over t_k < t of d_k + 1/Gamma(g) int_0^t (t - s)^(g-1) f(s, y(s)) ds.
+struct Reset {
+  std::function<double(double t, In y)> value{};
+  Crossing crossing = Crossing::either;                    // zeros in the other direction do not count
+  std::function<void(double t, In y, Out state)> state{};  // changes some entries of y, none of algebraic rows
+};
+
 // Intervals that contain f_i(t, y) for all t and y of the given intervals.
 using RangeOfRhs = std::function<void(const Interval& t, std::span<const Interval> y, std::span<Interval> f)>;
 
@@ -159,6 +171,7 @@ struct Problem {
   std::vector<SwitchingFunction> switching_functions{};
   RangeOfRhs range{};  // empty: f is known at points only
   Delays delays{};
+  std::vector<Reset> resets{};  // for schemes with adaptive step size, which locate events
 
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(components.size()); }
   [[nodiscard]] const Component& component(Eigen::Index i) const {

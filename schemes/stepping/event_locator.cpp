@@ -163,6 +163,7 @@ std::vector<EventOccurrence> EventLocator::step(double t, In y, const StepInterp
   std::vector<EventOccurrence> found;
   for (std::size_t e = 0; e < events_.size(); ++e) {
     const Value value = [&](double at) { return events_[e].value(at, at == t ? Vec(y) : within.at(at)); };
+    if (const auto& jump = events_[e].last_jump; jump && jump() >= time_) values_[e] = value(time_);
     std::vector<Sample> samples{{time_, values_[e]}};
     for (std::size_t k = 1; k < times.size(); ++k)
       samples.push_back({times[k], events_[e].value(times[k], states[k])});

@@ -55,13 +55,15 @@ def unknown(random: Random, name: str, names: list[str], parameters: list[str], 
     return lines
 
 
-def event(random: Random, name: str) -> list[str]:
+def event(random: Random, name: str, resets: bool = False) -> list[str]:
     zero = random.choice([f"{name} - {number(random)}", f"sin({frequency(random)}*t)", f"{name}*cos({frequency(random)}*t)"])
     lines = [f"[event.{random.choice('abc')}]", f'zero = "{zero}"']
     if random.random() < 0.3:
         lines.append(f'crossing = "{random.choice(["rising", "falling"])}"')
-    if random.random() < 0.2:
+    if (chance := random.random()) < 0.2:
         lines.append("ends = true")
+    elif chance < 0.4 and resets:
+        lines.append(f'set = {{ {name} = "{random.choice([number(random), f"{name}/2", f"{name} - 1", f"-0.8*{name}"])}" }}')
     return lines
 
 
@@ -143,5 +145,5 @@ def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str,
     if random.random() < 0.15:
         lines += ["[[jump]]", f"at = {number(random)}"]
     if events and random.random() < 0.15:
-        lines += event(random, names[0])
+        lines += event(random, names[0], resets=not rows and not delays)
     return tuple(lines)

@@ -117,6 +117,7 @@ class ControlledStepper final : public Stepper {
   void restart() {
     constexpr double short_step = 1e-6;
     rule_->restart(run_);
+    sides_ = switch_signs(problem_, time_, rule_->result());  // y may have jumped
     blow_up_.restart();
     is_first_step_ = true;
     control_ = PiController(rule_->rate(), short_step * time_);

@@ -94,6 +94,7 @@ void PanelCollocation::begin_segment() {
   segment_ends_ = false;
   width_ = 1.0;
   last_rejected_ = {0.0, 1.0, infinity};
+  if (start > 0.0 && start == last_switch_time_) sides_ = switch_signs(problem_, start, result_);
   last_unknowns_ = start == 0.0 ? solver_.initial_unknowns(run_) : Vec();
   Sources before;
   for (const auto& tree : solution_->trees) before.push_back(tree.get());

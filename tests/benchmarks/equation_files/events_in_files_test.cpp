@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Events of equation files: zeros that `solve` locates and that may end it.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
+#include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "support/command_line_result.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/testing.hpp"
@@ -100,6 +103,54 @@ TEST(EventsOfAFile, AreRefusedInOneLine) {
   EXPECT_THAT(line("zero = \"x\"\ncrossing = 1"), StartsWith(": line 8, column 12: crossing"));
   EXPECT_THAT(line("zero = \"x\"\nends = 1"), StartsWith(": line 8, column 8: ends"));
   EXPECT_THAT(line("zero = \"x\"\nat = 1"), HasSubstr("line 8"));
+}
+
+std::string dosed(const std::string& set) {
+  return "end = 2\n[unknown.x]\norder = 0.6\nrhs = \"-x\"\ninitial = [1]\n[event.dose]\nzero = \"t - 1\"\n" +
+         set;
+}
+
+// Half of x is taken at t = 1, which decays as x does: x(2) = E(-2^0.6) - E(-1) E(-1)/2, E(z) = E_0.6,1(z).
+TEST(EventsOfAFile, SetUnknowns) {
+  const TemporaryFolder folder;
+  folder.write("dose.toml", dosed("set = { x = \"x/2\" }\n"));
+  const std::string file = folder.path() / "dose.toml";
+  const auto decay = [](double z) { return reference::mittag_leffler(0.6, 1.0, z); };
+  const double expected = decay(-std::pow(2.0, 0.6)) - decay(-1.0) * decay(-1.0) / 2.0;
+  for (const auto* scheme : {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal"}) {
+    const auto answer = fdebench({"solve", file, "--scheme", scheme, "--accuracy", "1e-7", "--at", "2"});
+    EXPECT_EQ(answer.err, "") << scheme;
+    EXPECT_NEAR(csv_rows(answer.out).back()[1], expected, 2e-6) << scheme;
+  }
+  const auto events =
+      fdebench({"solve", file, "--scheme", "spectral_collocation", "--accuracy", "1e-9", "--events"});
+  EXPECT_THAT(events.out, AllOf(StartsWith("event,t,x\ndose,"),
+                                HasSubstr(fmt::format(",{:.8f}", decay(-1.0)).substr(0, 8))));
+  EXPECT_THAT(fdebench({"exact", file, "--at", "2"}).err,
+              HasSubstr("there is no reference where events set unknowns"));
+  EXPECT_THAT(fdebench({"solve", file, "--scheme", "l1", "--steps", "8"}).err,
+              HasSubstr("locates no events"));
+  const auto choice = fdebench({"choose", file, "--error", "1e-4"});
+  EXPECT_EQ(choice.code, 0) << choice.err;
+  EXPECT_THAT(choice.out, StartsWith("run: fdebench solve"));
+}
+
+TEST(EventsOfAFile, SetOnlyRowsWithDerivatives) {
+  const auto refusal = [](const std::string& set) {
+    const TemporaryFolder folder;
+    folder.write("dose.toml", dosed(set));
+    return fdebench(
+               {"solve", folder.path() / "dose.toml", "--scheme", "radau_exponentials", "--accuracy", "1e-3"})
+        .err;
+  };
+  EXPECT_THAT(refusal("set = { y = 1 }\n"), HasSubstr("line 8, column 9: y: no such name here"));
+  EXPECT_THAT(refusal("set = { t = 1 }\n"), HasSubstr("set: t: must be an unknown with a derivative"));
+  EXPECT_THAT(refusal("set = { \"D(x, 0.3)\" = 1 }\n"), HasSubstr("must be of an order of its chain"));
+  EXPECT_THAT(refusal("set = { x = 1 }\nends = true\n"),
+              HasSubstr("set: must not be given with ends = true"));
+  EXPECT_THAT(refusal("set = { x = 1 }\n[unknown.w]\norder = 0\nrhs = \"w - x\"\ninitial = [1]\n[event.b]\n"
+                      "zero = \"t - 1.5\"\nset = { w = 1 }\n"),
+              HasSubstr("set: w: must be an unknown with a derivative"));
 }
 
 }  // namespace

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "fdebench/schemes/stepping/with_resets.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace fde {
+namespace {
+
+// The jumps of y so far.
+class Jumps {
+ public:
+  explicit Jumps(Eigen::Index size) : sums_{Vec::Zero(size)} {}
+
+  // The sum of the jumps up to t, and of those before t.
+  [[nodiscard]] const Vec& until(double t) const {
+    return sums_[static_cast<std::size_t>(std::ranges::upper_bound(times_, t) - times_.begin())];
+  }
+  [[nodiscard]] const Vec& before(double t) const {
+    return sums_[static_cast<std::size_t>(std::ranges::lower_bound(times_, t) - times_.begin())];
+  }
+  [[nodiscard]] double last_time() const { return times_.empty() ? -1.0 : times_.back(); }
+
+  void add(double t, const Vec& jump) {
+    times_.push_back(t);
+    sums_.push_back(sums_.back() + jump);
+  }
+
+ private:
+  std::vector<double> times_{};  // increasing
+  std::vector<Vec> sums_;        // one more
+};
+
+// df/dy of y as one of u.
+template <class Dependent>
+Derivatives of_u(const Dependent& derivatives, const std::shared_ptr<Jumps>& jumps) {
+  if constexpr (std::is_same_v<Dependent, DenseJacobian> || std::is_same_v<Dependent, SparseJacobian>) {
+    return Dependent{[at = derivatives.at, jumps](double t, In u, auto&& jacobian) {
+      at(t, u + jumps->until(t), std::forward<decltype(jacobian)>(jacobian));
+    }};
+  } else {
+    return derivatives;
+  }
+}
+
+// The function of y as one of u; empty if it is.
+template <class Value>
+std::function<Value(double, In)> of_u(const std::function<Value(double, In)>& function,
+                                      const std::shared_ptr<Jumps>& jumps) {
+  if (!function) return {};
+  return [function, jumps](double t, In u) { return function(t, u + jumps->until(t)); };
+}
+
+// The problem for u, whose f jumps at the zeros of the event functions.
+Problem problem_of_u(const Problem& problem, const std::shared_ptr<Jumps>& jumps) {
+  Problem of{
+      .components = problem.components,
+      .rhs = [rhs = problem.rhs, jumps](double t, In u, Out f) { rhs(t, u + jumps->until(t), f); },
+      .derivatives = std::visit([&](const auto& given) { return of_u(given, jumps); }, problem.derivatives),
+      .end = problem.end,
+      .outputs = of_u(problem.outputs, jumps),
+      .domain = {.edge = problem.domain.edge, .margin = of_u(problem.domain.margin, jumps)},
+      .jump_times = problem.jump_times,
+      .kink_times = problem.kink_times,
+      .step_limits = problem.step_limits};
+  for (const auto& function : problem.switching_functions)
+    of.switching_functions.push_back(of_u(function, jumps));
+  for (const auto& reset : problem.resets) of.switching_functions.push_back(of_u(reset.value, jumps));
+  return of;
+}
+
+// Follows a run step by step and adds the jumps.
+class ResetsOfRun {
+ public:
+  ResetsOfRun(const Problem& problem, std::shared_ptr<Jumps> jumps)
+      : resets_(problem.resets), jumps_(std::move(jumps)) {}
+
+  // u at the end of the step to t; a switch is at the end of a step.
+  void accept_step(double t, In u) {
+    const Vec y = u + jumps_->until(t);
+    const auto values = values_at(t, y);
+    Vec after = y;
+    for (std::size_t k = 0; k < resets_.size() && t > 0.0; ++k)
+      if (is_crossed(k, values[k])) resets_[k].state(t, y, after);
+    const bool any = after != y;
+    if (any) jumps_->add(t, after - y);
+    last_ = any ? values_at(t, after) : values;
+  }
+
+ private:
+  [[nodiscard]] bool is_crossed(std::size_t k, double value) const {
+    const bool rises = last_[k] < 0.0 && value > 0.0, falls = last_[k] > 0.0 && value < 0.0;
+    const auto crossing = resets_[k].crossing;
+    return (rises && crossing != Crossing::falling) || (falls && crossing != Crossing::rising);
+  }
+
+  // At a zero the sign before it is kept.
+  [[nodiscard]] std::vector<double> values_at(double t, const Vec& y) const {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < resets_.size(); ++k) {
+      const double value = resets_[k].value(t, y);
+      values.push_back(value == 0.0 && !last_.empty() ? last_[k] : value);
+    }
+    return values;
+  }
+
+  const std::vector<Reset>& resets_;
+  std::shared_ptr<Jumps> jumps_;
+  std::vector<double> last_{};  // the values of the event functions at the end of the last step
+};
+
+Options options_of_u(const Options& options, const std::shared_ptr<Jumps>& jumps, ResetsOfRun& resets) {
+  Options of = options;
+  of.observer = [&options, &resets, jumps](double t, In u) {
+    resets.accept_step(t, u);
+    if (options.observer) options.observer(t, u + jumps->until(t));
+  };
+  for (auto& event : of.events) {
+    event.value = of_u(event.value, jumps);
+    event.last_jump = [jumps] { return jumps->last_time(); };
+  }
+  if (options.wants_past) {
+    of.wants_past = [&options, jumps](const Past& solution) {
+      options.wants_past([&solution, jumps](double t, Out y) {
+        solution(t, y);
+        y += jumps->until(t);
+      });
+    };
+  }
+  return of;
+}
+
+}  // namespace
+
+std::optional<std::string> unsupported_resets_reason(const Scheme& scheme, const Problem& problem) {
+  if (problem.resets.empty()) return std::nullopt;
+  if (!scheme.capabilities.is_adaptive()) return "locates no events, at which unknowns are set";
+  if (is_two_sided(problem) || !problem.delays.lags.empty())
+    return "takes events that set unknowns only without delays and conditions at both ends";
+  return std::nullopt;
+}
+
+Solve with_resets(Solve solve) {
+  return [solve = std::move(solve)](const Problem& problem, const Resolution& resolution,
+                                    const Options& options) {
+    if (problem.resets.empty()) return solve(problem, resolution, options);
+    const auto jumps = std::make_shared<Jumps>(problem.size());
+    ResetsOfRun resets(problem, jumps);
+    Trajectory path = solve(problem_of_u(problem, jumps), resolution, options_of_u(options, jumps, resets));
+    for (Eigen::Index c = 0; c < path.y.cols(); ++c) path.y.col(c) += jumps->until(path.time(c));
+    for (auto& event : path.events) event.y += jumps->before(event.t);
+    if (path.dense_output) {
+      path.dense_output = [jumps, of_u = std::move(path.dense_output)](double t) -> Vec {
+        return of_u(t) + jumps->until(t);
+      };
+    }
+    return path;
+  };
+}
+
+}  // namespace fde
