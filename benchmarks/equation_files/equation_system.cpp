@@ -204,7 +204,7 @@ void require_no_earlier_switch(const EquationSystem& system, std::size_t u, File
     const auto variables = pool.variables_in(argument);
     if (!variables.empty() && *variables.rbegin() > system.size())
       formulas.reject(formulas.text().unknowns[u].rhs,
-                      "sign, step and tables with jumps of an earlier value are not supported");
+                      "sign and step of an earlier value are not supported, nor tables with jumps");
   }
 }
 
@@ -256,7 +256,7 @@ std::vector<Expression> values_before(const EquationSystem& system, FileFormulas
     for (double k = 0.0; k < order; ++k) value = pool.derivative(value, 0);
     if (!pool.arguments({value}, jumps).empty())
       formulas.reject(*text.before,
-                      "before: must not jump; sign, step and tables with jumps are not supported in it");
+                      "before: must not jump; sign and step are not supported in it, nor tables with jumps");
     values[static_cast<std::size_t>(row)] = value;
   }
   return values;

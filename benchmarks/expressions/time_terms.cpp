@@ -46,10 +46,10 @@ class TimeTermRules {
   }
 
   // A table of a + b t: the polynomial in which t = 0 is, and at each later sample the change to the next
-  // one.
+  // one. Of cubic pieces these changes grow far beyond the table, so that their sum has few digits.
   Terms sampled(const SampledFunction& function, const Terms& argument) {
     const auto line = affine(argument);
-    if (!line || function.pieces() > most_terms) return std::nullopt;
+    if (!line || function.jumping_derivative() > 1 || function.pieces() > most_terms) return std::nullopt;
     const auto [start, rate] = *line;
     const auto first = pool_.value(start.value), slope = pool_.value(rate.value);
     if (!first || !slope || !(*first >= function.first() && *first <= function.last())) return std::nullopt;

@@ -67,7 +67,8 @@ class Examples(unittest.TestCase):
     def test_two_schemes_give_the_reference(self):
         for name in EXAMPLES:
             scene = f"{name}.toml" + (":until=1.5" if name == "falling" else "")  # before it is on the ground
-            grid = ["bdf4", "--steps", "8000" if name == "control" else "4000"]
+            # Starting weights are exact for few of the powers of control, and a kink leaves order 2.
+            grid = ["bdf4", "--steps", {"control": "8000", "measured_load": "16000"}.get(name, "4000")]
             if name == "radiation":  # an algebraic row
                 grid = ["product_trapezoidal", "--steps", "4000", "--grid", "graded:4"]
             for words, error in [(["spectral_collocation", "--accuracy", "1e-9"], 1e-8), (grid, 1e-6)]:

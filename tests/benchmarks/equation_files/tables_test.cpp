@@ -117,14 +117,17 @@ const std::vector<KnownSolution> known_solutions{
     {"cubic", {0.48054901435026126, 0.51401814302821863, 0.085570813845018265, -1.8765998589625865}}};
 constexpr std::array known_times{0.3, 1.0, 2.5, 4.0};
 
-TEST(Tables, HaveTheExactReferenceOfPolynomialsSwitchedByStep) {
+// Exact to any number of digits for jumps and kinks, by two methods for a spline.
+TEST(Tables, HaveAReferenceWithinItsBound) {
   for (const auto& [between, values] : known_solutions) {
     const Scene scene = scene_of_text(table_file(between));
-    ASSERT_TRUE(scene.reference.digits) << between;
+    EXPECT_EQ(static_cast<bool>(scene.reference.digits), between != "cubic");
+    const auto reference = reference_of(scene);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const auto [value, bound] = scene.reference.at(known_times[i]);
-      EXPECT_NEAR(value[0], values[i], bound[0] + 2e-16) << between << ' ' << known_times[i];
-      EXPECT_LT(bound[0], 1e-15);
+      const auto [value, bound] = reference.at(known_times[i]);
+      EXPECT_NEAR(value[0], values[i], bound[0] + 2e-16 * std::abs(values[i]))
+          << between << ' ' << known_times[i];
+      EXPECT_LT(bound[0], between == "cubic" ? 1e-13 : 1e-15);
     }
   }
 }
@@ -145,7 +148,7 @@ TEST(Tables, AreSolvedWithinTheToleranceByAdaptiveSchemes) {
 double error_at_end(const Scene& scene, const std::string& scheme, int steps) {
   const auto path =
       find_scheme(scheme)->solve(scene.problem, Grid{.end = scene.problem.end, .steps = steps}, {});
-  return std::abs(path.y(0, path.y.cols() - 1) - scene.reference.at(scene.problem.end).value[0]);
+  return std::abs(path.y(0, path.y.cols() - 1) - reference_of(scene).at(scene.problem.end).value[0]);
 }
 
 struct TableRate {
