@@ -64,7 +64,9 @@ class AdaptiveRule {
   virtual Vec extrapolate(double t) = 0;
 
   // Replaces attempt() for a step over a jump of f that is too short to change y: f is extrapolated over it.
-  virtual void extrapolate_over_jump(Run& run, double t) = 0;
+  virtual void extrapolate_over_jump(double t) = 0;
+  // Evaluates f behind the jump, where the rule needs it before accept().
+  virtual void evaluate_behind_jump(Run& /*run*/) {}
 
   // Accepts the last attempt: adds it to the history.
   virtual void accept() = 0;

@@ -79,6 +79,7 @@ class ControlledStepper final : public Stepper {
   }
 
   void accept(double t) {
+    if (crosses_jump_) rule_->evaluate_behind_jump(run_);
     rule_->accept();
     is_first_step_ = false;
     if (dense_) dense_->add(t, rule_->derivative_polynomials(), rule_->interpolated_rows());
@@ -108,7 +109,7 @@ class ControlledStepper final : public Stepper {
 
   // Steps over a jump to t, where accept() restarts the rule.
   StepOutcome cross_jump(double t) {
-    rule_->extrapolate_over_jump(run_, t);
+    rule_->extrapolate_over_jump(t);
     crosses_jump_ = true;
     return {t};
   }
@@ -117,7 +118,7 @@ class ControlledStepper final : public Stepper {
   void restart() {
     constexpr double short_step = 1e-6;
     rule_->restart(run_);
-    sides_ = switch_signs(problem_, time_, rule_->result());  // y may have jumped
+    sides_ = sides_after_jump();
     blow_up_.restart();
     is_first_step_ = true;
     control_ = PiController(rule_->rate(), short_step * time_);
@@ -219,6 +220,15 @@ class ControlledStepper final : public Stepper {
     if (problem_.switching_functions.empty() || !switched(t, ahead(t)))
       return std::numeric_limits<double>::infinity();
     return bisect(switched, ahead, t).first - time_;
+  }
+
+  // The side of each switch: y may have jumped. Where it has jumped to a switch, the side that it moves to.
+  std::vector<bool> sides_after_jump() {
+    const Vec& y = rule_->result();
+    const auto is_on = [&](const SwitchingFunction& value) { return value(time_, y) == 0.0; };
+    if (std::ranges::none_of(problem_.switching_functions, is_on)) return switch_signs(problem_, time_, y);
+    const double later = std::min(time_ + switch_tolerance(), problem_.end);
+    return switch_signs(problem_, later, rule_->extrapolate(later));
   }
 
   // Steps over a switch next to the last accepted time and restarts the rule.

@@ -382,7 +382,7 @@ Vec RadauRule::extrapolate(double t) {
   return integrated(t, polynomials);
 }
 
-void RadauRule::extrapolate_over_jump(Run& /*run*/, double t) {
+void RadauRule::extrapolate_over_jump(double t) {
   result_ = extrapolate(t);
   prepare(t);
   derivatives_.colwise() = derivatives_at_start_;

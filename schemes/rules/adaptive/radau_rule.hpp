@@ -30,7 +30,7 @@ class RadauRule final : public AdaptiveRule {
   [[nodiscard]] const Vec& result() const override { return result_; }
   Vec dense_output(double t) override;
   Vec extrapolate(double t) override;
-  void extrapolate_over_jump(Run& run, double t) override;
+  void extrapolate_over_jump(double t) override;
   void accept() override;
   [[nodiscard]] DerivativePolynomials derivative_polynomials() const override { return previous_parabolas_; }
   [[nodiscard]] const InterpolatedRows& interpolated_rows() const override { return interpolated_; }

@@ -273,11 +273,13 @@ Vec TrapezoidalRule::dense_output(double t) {
   return y;
 }
 
-void TrapezoidalRule::extrapolate_over_jump(Run& run, double t) {
+void TrapezoidalRule::extrapolate_over_jump(double t) {
   y_ = extrapolate(t);
-  next_ = {t, run.rhs(t, y_)};
+  next_ = {t, extrapolated_rhs(t)};
   interpolated_.clear();
 }
+
+void TrapezoidalRule::evaluate_behind_jump(Run& run) { next_.f = run.rhs(next_.t, y_); }
 
 void TrapezoidalRule::accept() {
   history_->push(next_.t, next_.f);

@@ -66,7 +66,8 @@ class TrapezoidalRule final : public AdaptiveRule {
   [[nodiscard]] Vec limits() const override { return limit_; }
   Vec dense_output(double t) override;
   Vec extrapolate(double t) override;
-  void extrapolate_over_jump(Run& run, double t) override;
+  void extrapolate_over_jump(double t) override;
+  void evaluate_behind_jump(Run& run) override;
   void accept() override;
   [[nodiscard]] DerivativePolynomials derivative_polynomials() const override;
   [[nodiscard]] const InterpolatedRows& interpolated_rows() const override { return interpolated_; }
