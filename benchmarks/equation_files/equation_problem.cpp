@@ -90,9 +90,10 @@ Eigen::Index row_to_set(const NamedFormula& set, const EquationSystem& system, F
   const FormulaText name{.text = set.name, .position = set.position};
   const auto node = formulas.read(name, variables_of(system, formulas.pool()));
   const auto row = static_cast<Eigen::Index>(formulas.pool()[node].variable) - 1;  // -1: no variable, or t
-  if (row < 0 || is_algebraic(system.components[static_cast<std::size_t>(row)]))
+  if (row < 0 || is_algebraic(system.components[static_cast<std::size_t>(row)])) {
     formulas.reject(
         name, fmt::format("set: {}: must be an unknown with a derivative, or a node of its chain", set.name));
+  }
   return row;
 }
 

@@ -190,7 +190,7 @@ std::optional<reference::Reference> single_equation_reference(const EquationSyst
   for (const double order : orders) wanted.push_back(numbers.of(order));
   for (const auto& [row, value] : system.final)
     given_at_end.push_back(numbers.of(chain.nodes()[static_cast<std::size_t>(row)]));
-  const auto solution = [&equation](std::vector<Rational> derivatives) {
+  const auto solution = [&equation](const std::vector<Rational>& derivatives) {
     return [equation, derivatives](const std::vector<Rational>& missing) {
       auto complete = equation;
       std::ranges::copy(missing, std::back_inserter(complete.initial));

@@ -27,9 +27,10 @@ struct Samples {
 // Adds a sample after those before. Throws FileError.
 void add_sample(Samples& samples, const std::string& file, const std::array<TextPosition, 2>& places,
                 const std::array<double, 2>& sample) {
-  for (std::size_t i = 0; i < sample.size(); ++i)
+  for (std::size_t i = 0; i < sample.size(); ++i) {
     if (!std::isfinite(sample[i]))
       reject_at(file, places[i], fmt::format("{}: must be a finite number", sample[i]));
+  }
   if (!samples.arguments.empty() && sample[0] <= samples.arguments.back()) {
     reject_at(file, places[0],
               fmt::format("{}: must be above {}, the argument before", sample[0], samples.arguments.back()));
@@ -43,11 +44,12 @@ void add_sample(Samples& samples, const std::string& file, const std::array<Text
 // Two cells. Throws FileError.
 std::vector<std::string> cells_of(const std::string& file, int line, std::string_view text) {
   auto cells = split_list(text);
-  if (cells.size() != 2)
+  if (cells.size() != 2) {
     reject_at(
         file, {line, 1},
         fmt::format("the number of cells is {}: must be 2, an argument and a value with a comma between",
                     cells.size()));
+  }
   return cells;
 }
 
@@ -66,10 +68,11 @@ Samples read_samples(const std::string& file) {
     for (std::size_t i = 0; i < sample.size(); ++i) {
       const auto cell = trimmed(cells[i]);
       const auto number = try_parse_number(cell);
-      if (!number)
+      if (!number) {
         reject_at(file, places[i],
                   fmt::format("{}: {}must be a number", is_printable(cell) ? cell : "a cell",
                               double_range_message(cell)));
+      }
       sample[i] = *number;
     }
     add_sample(samples, file, places, sample);
@@ -84,9 +87,10 @@ class TableReader : DeclarationReader {
   [[nodiscard]] std::vector<SampledFunction::Pointer> read(const toml::node& node,
                                                            const EquationText& others) const {
     const auto found = entries(node, "table");
-    if (found.size() > most_tables)
+    if (found.size() > most_tables) {
       reject(position_of(node),
              fmt::format("there are {} tables: must be at most {}", found.size(), most_tables));
+    }
     std::vector<SampledFunction::Pointer> tables;
     for (const auto& entry : found) {
       require_own_name(entry, others);
@@ -104,9 +108,10 @@ class TableReader : DeclarationReader {
     for (const auto& [is_taken, what] :
          {std::pair(std::ranges::any_of(others.parameters, has_name, of_parameter), "a parameter"),
           std::pair(std::ranges::any_of(others.unknowns, has_name, &UnknownText::name), "an unknown")}) {
-      if (is_taken)
+      if (is_taken) {
         reject(entry.position,
                fmt::format("table {}: must be another name, {} has this one", entry.name, what));
+      }
     }
   }
 
@@ -161,9 +166,10 @@ class TableReader : DeclarationReader {
     Samples samples;
     for (const auto& one : array(node, "samples", "a list of pairs [argument, value]")) {
       const auto& pair = array(one, "a sample", "a pair [argument, value]");
-      if (pair.size() != 2)
+      if (pair.size() != 2) {
         reject(position_of(one),
                fmt::format("a sample has {} entries: must be [argument, value]", pair.size()));
+      }
       const auto &argument = *pair.get(0), &value = *pair.get(1);
       add_sample(samples, file(), {position_of(argument), position_of(value)},
                  {number_of(argument, "an argument"), number_of(value, "a value")});

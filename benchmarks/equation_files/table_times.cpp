@@ -99,14 +99,14 @@ std::function<void(double end)> samples_check(FileFormulas& formulas) {
     const auto table = pool[value].function;
     const auto argument = pool[value].arguments[0];
     const auto text = formula_text(pool, argument, [](int /*t*/) { return "t"; });
-    const auto add = [&](double sample, bool is_last) {
+    const auto add = [&, &place = formula, at = byte](double sample, bool is_last) {
       const auto bound = pool.number(fmt::format("{}", sample));
       const auto beyond = is_last ? pool.make_expression(Operation::subtract, argument, bound)
                                   : pool.make_expression(Operation::subtract, bound, argument);
       const auto allowed = fmt::format("at {} {}, the {} sample of {}", is_last ? "most" : "least", sample,
                                        is_last ? "last" : "first", table->source());
       all.push_back({{TimeFunction(argument, pool), TimeFunction(beyond, pool), table->name(), text, allowed,
-                      formula, byte, !pool.depends_on(argument, 0)},
+                      place, at, !pool.depends_on(argument, 0)},
                      table->margin()});
     };
     add(table->last(), true);

@@ -154,6 +154,9 @@ class EquationReader : DeclarationReader {
                                        const std::vector<ParameterText>& parameters) const {
     const auto name = fmt::format("unknown {}", entry.name);
     const auto& of = table(*entry.node, name);
+    require_keys(of, name,
+                 {"terms", "order", "chain", "factor", "rhs", "initial", "final", "before", "transfer",
+                  "input", "unless"});
     UnknownText unknown{.name = entry.name, .position = entry.position};
     if (const auto* transfer = of.get("transfer")) {
       require_keys(of, fmt::format("{} with transfer", name), {"transfer", "input", "unless"});
@@ -162,8 +165,8 @@ class EquationReader : DeclarationReader {
       unknown.unless = unless_of(of, parameters);
       return unknown;
     }
-    require_keys(of, name,
-                 {"terms", "order", "chain", "factor", "rhs", "initial", "final", "before", "unless"});
+    if (const auto* input = of.get("input"))
+      reject(position_of(*input), fmt::format("input: {}: must be given with transfer", name));
     const auto *order = of.get("order"), *terms = of.get("terms");
     if ((order == nullptr) == (terms == nullptr))
       reject(entry.position, fmt::format("{}: must have either order or terms", name));

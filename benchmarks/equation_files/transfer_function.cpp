@@ -186,9 +186,9 @@ OutputText make_state(UnknownText& unknown, FileFormulas& formulas) {
   unknown.initial.assign(initial_count(static_cast<double>(top)), zero);
   unknown.before = zero;
   unknown.is_implied = true;
-  const OutputText output{.name = unknown.name,
-                          .state = free_name(unknown.name, formulas.text().contents),
-                          .terms = terms_of(numerator, lowest, divisor, transfer.position)};
+  OutputText output{.name = unknown.name,
+                    .state = free_name(unknown.name, formulas.text().contents),
+                    .terms = terms_of(numerator, lowest, divisor, transfer.position)};
   unknown.name = output.state;
   return output;
 }

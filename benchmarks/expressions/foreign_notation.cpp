@@ -95,8 +95,7 @@ constexpr std::array foreign_functions{
         "there are no random numbers; a value v that holds from a to b is v*(step(t - a) - step(t - b))"},
     ForeignNotation{
         " interp interp1 interp1d interpolate interpolation lookup table griddedinterpolant spline ",
-        "there are no tables; the line from p at t = a to q at t = b is (q - p)/(b - a)*(max(0, t - a) "
-        "- max(0, t - b)), and a polygon is p at its start plus such terms"},
+        "a function of samples is a [table.u] with file = \"u.csv\", called as u(t)"},
     ForeignNotation{" sum prod ", "write the terms one by one"},
     ForeignNotation{" real imag re im conj complex ", complex_numbers_here},
 };
@@ -151,13 +150,14 @@ constexpr std::array foreign_keys{
     ForeignNotation{" history past delay delays lag tau ",
                     "a delay is x(t - tau) in rhs, and the key before of x has x(t) for t < 0"},
     ForeignNotation{
-        " final boundary bc at_end terminal ",
-        "values at the end are not supported of an unknown; make the missing initial value a parameter, "
-        "initial = [0, \"s\"], and search the s that gives the value at the end by --set s=..."},
-    ForeignNotation{
-        " set reset action jump_to assign then ",
-        "an event does not change unknowns; with ends = true it ends the run, and another file may go on "
-        "from the last values, without the memory of what was before"},
+        " boundary bc at_end terminal ",
+        "the value at the end is final = [1.0], or a table of derivatives, in place of an initial value"},
+    ForeignNotation{" reset action jump_to assign then ",
+                    "what unknowns become at an event is set = { x = \"x + 1\" }"},
+    ForeignNotation{" tf transfer_function num den numerator denominator plant laplace ",
+                    "a transfer function is transfer = \"1/(s^1.2 + 1)\", with its input"},
+    ForeignNotation{" lookup interp signal samples_of data ",
+                    "a function of samples is a [table.u] with file = \"u.csv\", called as u(t)"},
     ForeignNotation{" hamiltonian kinetic potential ", "write T - V as the lagrangian"},
     ForeignNotation{" dissipation rayleigh friction damping ",
                     "write it as a force, as forces = { x = \"-0.1*D(x,1)\" }"},

@@ -56,9 +56,9 @@ class TimeTermRules {
     std::size_t piece = function.pieces() - 1;
     while (piece > 0 && function.start(piece) > static_cast<double>(*first)) --piece;
     std::vector<TimeTerm> terms;
-    const auto add = [&](const std::vector<Operand>& taylor, std::optional<Expression> from) {
+    const auto add = [&, by = rate](const std::vector<Operand>& taylor, std::optional<Expression> from) {
       Operand scale = number(1.0);
-      for (std::size_t k = 0; k < taylor.size(); ++k, scale = scale * rate) {
+      for (std::size_t k = 0; k < taylor.size(); ++k, scale = scale * by) {
         const auto coefficient = taylor[k] * scale;
         if (pool_.value(coefficient.value) != 0.0L)
           terms.push_back({coefficient.value, pool_.number(static_cast<int>(k)), from});

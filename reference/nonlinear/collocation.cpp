@@ -218,14 +218,16 @@ class CompleteProblems {
         return std::nullopt;
       }
     };
-    if (missing_.converged && !are_determined(given_, missing_, run))
+    if (missing_.converged && !are_determined(given_, missing_, run)) {
       throw std::runtime_error(
           "two methods: the values at the end do not determine the missing initial values");
+    }
     constexpr Tolerance noise{1e-14, 0.0};
     missing_ = find_missing_values(given_, run, noise, std::move(missing_));
-    if (std::isinf(missing_.missed))
+    if (std::isinf(missing_.missed)) {
       throw std::runtime_error(
           "two methods: with 0 for the missing initial values they do not reach the end");
+    }
     if (!missing_.converged) {
       throw std::runtime_error(fmt::format(
           "two methods: Newton's method did not converge for the missing initial values: the values "

@@ -118,6 +118,7 @@ Problem with_initial_values(Problem problem, In unknown) {
 }
 
 Problem with_some_initial_values(const Problem& problem) {
+  if (!problem.conditions) return problem;
   return with_initial_values(problem, Vec::Ones(unknown_count(problem)));
 }
 

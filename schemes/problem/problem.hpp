@@ -227,7 +227,8 @@ Eigen::Index unknown_count(const Problem& problem);
 // without conditions. Precondition: there are unknown_count(problem) values.
 Problem with_initial_values(Problem problem, In unknown);
 
-// The same with 1 for each, where only the form of the problem counts: values that are not 0.
+// The same with 1 for each, where only the form of the problem counts: values that are not 0. A problem
+// without conditions is itself.
 Problem with_some_initial_values(const Problem& problem);
 
 // The Taylor part sum_k initial[k] t^k / k!, k < ceil(order), of every component, with 0 for unknown initial

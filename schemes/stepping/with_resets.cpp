@@ -27,7 +27,7 @@ class Jumps {
 
   void add(double t, const Vec& jump) {
     times_.push_back(t);
-    sums_.push_back(sums_.back() + jump);
+    sums_.emplace_back(sums_.back() + jump);
   }
 
  private:

@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
           "unknwon: no such key of the file, did you mean 'unknown'?; there are title, source, end"},
          {with(x + "rsh = 1\n"), 6, 1,
           "rsh: no such key of unknown x, did you mean 'rhs'?; there are terms, order, chain, "
-          "factor, rhs, initial, before, unless"},
+          "factor, rhs, initial, final, before, transfer, input, unless"},
          {with("__proto__ = 1\n" + x), 2, 1, "__proto__: no such key"},
          {with("[unknown]\n"), 2, 1, "there are 0 unknowns: must be 1 to 100"},
          {with("unknown = 3"), 2, 11, "unknown: is a number, must be a table"},
@@ -195,12 +195,16 @@ INSTANTIATE_TEST_SUITE_P(FormulasBehindAByteOrderMark, WrongEquationFile,
 // Keys that other programs have, and these files do not.
 INSTANTIATE_TEST_SUITE_P(
     KeysOfOthers, WrongEquationFile,
-    testing::ValuesIn<InvalidFile>({{with(x + "history = \"60\"\n"), 6, 1,
-                                     "history: no such key of unknown x; a delay is x(t - tau) in rhs"},
-                                    {with(x + "final = [1]\n"), 6, 1,
-                                     "final: no such key of unknown x; values at the end are not supported"},
-                                    {with(x + "[event.spike]\nzero = \"x\"\nset = { x = 1 }\n"), 8, 1,
-                                     "set: no such key of event spike; an event does not change unknowns"}}));
+    testing::ValuesIn<InvalidFile>(
+        {{with(x + "history = \"60\"\n"), 6, 1,
+          "history: no such key of unknown x; a delay is x(t - tau) in rhs"},
+         {with(x + "boundary = [1]\n"), 6, 1,
+          "boundary: no such key of unknown x; the value at the end is final = [1.0]"},
+         {with(x + "plant = \"1/s\"\n"), 6, 1,
+          "plant: no such key of unknown x; a transfer function is transfer ="},
+         {with(x + "input = \"1\"\n"), 6, 9, "input: unknown x: must be given with transfer"},
+         {with(x + "[event.spike]\nzero = \"x\"\nreset = { x = 1 }\n"), 8, 1,
+          "reset: no such key of event spike; what unknowns become at an event is set"}}));
 
 TEST(Formulas, HaveTwoHundredBracketsAtMost) {
   EXPECT_EQ(scene_of_text(relaxation_file("-" + brackets(199))).problem.size(), 1);

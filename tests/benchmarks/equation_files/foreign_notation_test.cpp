@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
                     ForeignFormula{"2i*x", "two unknowns"}, ForeignFormula{"x \u2212 y", "here it is -"},
                     ForeignFormula{"2\u00b7x", "here it is *"},
                     ForeignFormula{"max(x, y, 1)", "max(a, max(b, c))"},
-                    ForeignFormula{"interp1(t)", "there are no tables"}));
+                    ForeignFormula{"interp1(t)", "a function of samples is a [table.u]"}));
 
 // A name at a distance is no slip of the pen.
 TEST(ForeignNotation, IsNotTakenForAnotherNameThatLooksAlike) {
