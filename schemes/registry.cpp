@@ -97,7 +97,8 @@ std::span<const Scheme> schemes() {
 #include "fdebench/schemes/list.def"
 #undef FDE_SCHEME
     };
-    for (auto& scheme : listed) scheme.solve = with_conditions(with_resets(with_delays(std::move(scheme.solve))));
+    for (auto& scheme : listed)
+      scheme.solve = with_conditions(with_resets(with_delays(std::move(scheme.solve))));
     return listed;
   }();
   return all;

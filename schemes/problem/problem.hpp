@@ -132,8 +132,9 @@ enum class Crossing { either, rising, falling };
 //   y(t) = Taylor part + sum over t_k < t of d_k + 1/Gamma(g) int_0^t (t - s)^(g-1) f(s, y(s)) ds.
 struct Reset {
   std::function<double(double t, In y)> value{};
-  Crossing crossing = Crossing::either;                    // zeros in the other direction do not count
-  std::function<void(double t, In y, Out state)> state{};  // changes some entries of y, none of algebraic rows
+  Crossing crossing = Crossing::either;  // zeros in the other direction do not count
+  std::function<void(double t, In y, Out state)>
+      state{};  // changes some entries of y, none of algebraic rows
 };
 
 // Intervals that contain f_i(t, y) for all t and y of the given intervals.

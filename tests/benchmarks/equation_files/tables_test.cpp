@@ -3,6 +3,7 @@
 // load by mpmath with 30 digits; for cubic tables with the spline from a linear system in mpmath, which
 // scipy.interpolate.CubicSpline (not-a-knot) confirms.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -172,7 +173,7 @@ TEST(Tables, KeepTheRatesOfSchemesOnGridsWithTheirSamples) {
                                                                     {"linear", "grunwald_letnikov", 1.0},
                                                                     {"cubic", "bdf2", 2.0},
                                                                     {"cubic", "grunwald_letnikov", 1.0}}) {
-    const Scene scene = scene_of_text(head + "between = \"" + between + "\"\n" + rows);
+    const Scene scene = scene_of_text(fmt::format("{}between = \"{}\"\n{}", head, between, rows));
     double coarse = error_at_end(scene, scheme, 1024);
     for (const int steps : {2048, 4096, 8192, 16384}) {
       const double fine = error_at_end(scene, scheme, steps);
@@ -187,9 +188,10 @@ TEST(Tables, CostAPartOfAStepWhereTheirSamplesAreOffTheGrid) {
   const std::string points = "[[0, 0.3], [0.947, 1.2], [2.063, -0.4], [3.077, 0.8], [4, 0.1]]";
   for (const auto& [between, power] : {std::pair("constant", 1.0), std::pair("linear", 2.0)}) {
     const Scene scene = scene_of_text(table_file(between, "-x + u(t)", points));
-    for (const int steps : {512, 1024, 2048, 4096})
+    for (const int steps : {512, 1024, 2048, 4096}) {
       EXPECT_LT(error_at_end(scene, "bdf2", steps), 0.5 * std::pow(4.0 / steps, power))
           << between << ' ' << steps;
+    }
   }
 }
 
@@ -303,11 +305,12 @@ TEST(Tables, AreRefusedWithTheirPlace) {
   EXPECT_THAT(refusal(samples, "square"),
               HasSubstr("between: must be \"constant\", \"linear\" or \"cubic\""));
   EXPECT_THAT(refusal(samples, "linear", "-x + u"), HasSubstr("u being a table, as in u(t)"));
-  for (const auto* name : {"x", "J", "sin", "t", "pi"})
-    EXPECT_THAT(refusal_of("end = 4\n[table." + std::string(name) + "]\nsamples = [[0, 1], [4, 2]]\n" +
-                           relaxation_file("-x").substr(8)),
+  for (const auto* name : {"x", "J", "sin", "t", "pi"}) {
+    EXPECT_THAT(refusal_of(fmt::format("end = 4\n[table.{}]\nsamples = [[0, 1], [4, 2]]\n{}", name,
+                                       relaxation_file("-x").substr(8))),
                 HasSubstr("must be another name"))
         << name;
+  }
 }
 
 TEST(Tables, OfCsvFilesAreRefusedWithLineAndCell) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Transfer functions of real powers of s in equation files.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -53,10 +55,11 @@ struct Response {
 };
 
 // Inverse Laplace transforms by mpmath (invertlaplace, Talbot's method of degree 90, 40 digits).
-constexpr Response responses[]{{closed_loop, "1", "0.1", 0.38499408812182508869},
-                               {closed_loop, "1", "2.5", 0.95689587498300593186},
-                               {"1/(s^0.5 + 1)^3", "1", "2", 0.24234110448134222178},
-                               {"(2 + 1/s^0.6)/(s^1.3 + s^0.6 + 1/3)", "1", "2", 2.6911487917309496635}};
+constexpr std::array responses{
+    Response{closed_loop, "1", "0.1", 0.38499408812182508869},
+    Response{closed_loop, "1", "2.5", 0.95689587498300593186},
+    Response{"1/(s^0.5 + 1)^3", "1", "2", 0.24234110448134222178},
+    Response{"(2 + 1/s^0.6)/(s^1.3 + s^0.6 + 1/3)", "1", "2", 2.6911487917309496635}};
 
 TEST(TransferFunctions, HaveTheirInverseTransformAsReference) {
   for (const auto& [transfer, input, t, value] : responses) {
@@ -79,9 +82,9 @@ TEST(TransferFunctions, AreStatesWithASumAsOutput) {
   const std::string by_hand =
       "end = 5\n[unknown.z]\nterms = [[1, 1.3], [1, 0.6], [\"1/3\", 0]]\nrhs = \"1\"\ninitial = [0, 0]\n"
       "[columns]\ny = \"2*z + D(z, 0.6)\"\n";
-  const std::string same[]{plant("(2 + s^0.6)/(s^1.3 + s^0.6 + 1/3)"),
-                           plant("(2*s^-1 + s^-0.4)/(s^0.3 + s^-0.4 + 1/(3*s))"),
-                           plant("(2 + s^0.6)/(s^1.3 + s^0.6 + 1/3)^2*(s^1.3 + s^0.6 + 1/3)")};
+  const std::array same{plant("(2 + s^0.6)/(s^1.3 + s^0.6 + 1/3)"),
+                        plant("(2*s^-1 + s^-0.4)/(s^0.3 + s^-0.4 + 1/(3*s))"),
+                        plant("(2 + s^0.6)/(s^1.3 + s^0.6 + 1/3)^2*(s^1.3 + s^0.6 + 1/3)")};
   const auto expected = exact(by_hand, "1.7");
   for (const auto& text : same) EXPECT_NEAR(exact(text, "1.7")[1], expected[1], 1e-14) << text;
   const std::vector<std::string> solve{"solve", "--scheme", "bdf2", "--steps", "64", "--at", "5"};
