@@ -115,7 +115,8 @@ Outputs field_outputs(const FieldShape& shape, double intervals, bool with_maxim
                                                                                    Out columns) {
     const Eigen::Index points = std::ssize(components);
     columns.head(points) = u(components);
-    columns[points] = root_of_cell * u.stableNorm();  // stableNorm: u^2 may overflow
+    // Of a copy, as the alignment of u would change the order of the sum; u^2 may overflow.
+    columns[points] = root_of_cell * Vec(u).stableNorm();
     if (with_maximum) columns[points + 1] = u.lpNorm<Eigen::Infinity>();
   };
   return {.names = std::move(names), .evaluate = of};
