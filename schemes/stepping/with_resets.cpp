@@ -2,7 +2,9 @@
 #include "fdebench/schemes/stepping/with_resets.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -25,14 +27,25 @@ class Jumps {
   }
   [[nodiscard]] double last_time() const { return times_.empty() ? -1.0 : times_.back(); }
 
-  void add(double t, const Vec& jump) {
+  // `ahead`: the values of the event functions a little later.
+  void add(double t, const Vec& jump, std::vector<double> ahead) {
     times_.push_back(t);
     sums_.emplace_back(sums_.back() + jump);
+    ahead_ = std::move(ahead);
+  }
+
+  // Until then y may still be where it was set, next to a zero, to rounding on either side: the event
+  // functions have the values that they had ahead.
+  [[nodiscard]] static double hold(double t) { return 1e-9 * t; }
+  [[nodiscard]] std::optional<double> held(std::size_t reset, double t) const {
+    if (times_.empty() || t < times_.back() || t > times_.back() + hold(times_.back())) return std::nullopt;
+    return ahead_[reset];
   }
 
  private:
   std::vector<double> times_{};  // increasing
   std::vector<Vec> sums_;        // one more
+  std::vector<double> ahead_{};
 };
 
 // df/dy of y as one of u.
@@ -69,7 +82,13 @@ Problem problem_of_u(const Problem& problem, const std::shared_ptr<Jumps>& jumps
       .step_limits = problem.step_limits};
   for (const auto& function : problem.switching_functions)
     of.switching_functions.push_back(of_u(function, jumps));
-  for (const auto& reset : problem.resets) of.switching_functions.push_back(of_u(reset.value, jumps));
+  for (std::size_t k = 0; k < problem.resets.size(); ++k) {
+    of.switching_functions.emplace_back(
+        [k, jumps, value = of_u(problem.resets[k].value, jumps)](double t, In u) {
+          const auto held = jumps->held(k, t);
+          return held ? *held : value(t, u);
+        });
+  }
   return of;
 }
 
@@ -77,7 +96,7 @@ Problem problem_of_u(const Problem& problem, const std::shared_ptr<Jumps>& jumps
 class ResetsOfRun {
  public:
   ResetsOfRun(const Problem& problem, std::shared_ptr<Jumps> jumps)
-      : resets_(problem.resets), jumps_(std::move(jumps)) {}
+      : problem_(problem), resets_(problem.resets), jumps_(std::move(jumps)) {}
 
   // u at the end of the step to t; a switch is at the end of a step.
   void accept_step(double t, In u) {
@@ -86,9 +105,10 @@ class ResetsOfRun {
     Vec after = y;
     for (std::size_t k = 0; k < resets_.size() && t > 0.0; ++k)
       if (is_crossed(k, values[k])) resets_[k].state(t, y, after);
-    const bool any = after != y;
-    if (any) jumps_->add(t, after - y);
-    last_ = any ? values_at(t, after) : values;
+    last_ = values;
+    if (after == y) return;
+    last_ = values_ahead(t, after);
+    jumps_->add(t, after - y, last_);
   }
 
  private:
@@ -108,6 +128,19 @@ class ResetsOfRun {
     return values;
   }
 
+  // A short time after y has become this, with constant D^g y.
+  [[nodiscard]] std::vector<double> values_ahead(double t, const Vec& y) const {
+    const double later = t + Jumps::hold(t);
+    const Vec f = rhs_at(problem_, t, y);
+    Vec ahead = y;
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+      const double order = problem_.component(i).order;
+      if (order > 0.0) ahead[i] += f[i] * std::pow(later - t, order) / std::tgamma(order + 1.0);
+    }
+    return values_at(later, ahead);
+  }
+
+  const Problem& problem_;
   const std::vector<Reset>& resets_;
   std::shared_ptr<Jumps> jumps_;
   std::vector<double> last_{};  // the values of the event functions at the end of the last step

@@ -118,7 +118,7 @@ class ControlledStepper final : public Stepper {
   void restart() {
     constexpr double short_step = 1e-6;
     rule_->restart(run_);
-    sides_ = sides_after_jump();
+    sides_ = switch_signs(problem_, time_, rule_->result());  // y may have jumped
     blow_up_.restart();
     is_first_step_ = true;
     control_ = PiController(rule_->rate(), short_step * time_);
@@ -220,15 +220,6 @@ class ControlledStepper final : public Stepper {
     if (problem_.switching_functions.empty() || !switched(t, ahead(t)))
       return std::numeric_limits<double>::infinity();
     return bisect(switched, ahead, t).first - time_;
-  }
-
-  // The side of each switch: y may have jumped. Where it has jumped to a switch, the side that it moves to.
-  std::vector<bool> sides_after_jump() {
-    const Vec& y = rule_->result();
-    const auto is_on = [&](const SwitchingFunction& value) { return value(time_, y) == 0.0; };
-    if (std::ranges::none_of(problem_.switching_functions, is_on)) return switch_signs(problem_, time_, y);
-    const double later = std::min(time_ + switch_tolerance(), problem_.end);
-    return switch_signs(problem_, later, rule_->extrapolate(later));
   }
 
   // Steps over a switch next to the last accepted time and restarts the rule.

@@ -95,6 +95,25 @@ TEST_P(Resets, LetABallBounce) {
   EXPECT_NEAR(path.y(0, path.y.cols() - 1), 0.64 * first * left - left * left / 2.0, 100.0 * accuracy);
 }
 
+// Its place is not set, so that it is at the ground to rounding, on either side, when it bounces.
+TEST_P(Resets, LeaveAZeroOnTheSideToWhichTheStateMoves) {
+  for (const auto crossing : {Crossing::falling, Crossing::either}) {
+    const Problem problem{.components = {{1.0, {1.0}}, {1.0, {0.0}}},
+                          .rhs = [](double, In y, Out f) { f << y[1], -1.0; },
+                          .end = 3.0,
+                          .resets = {{.value = [](double, In y) { return y[0]; },
+                                      .crossing = crossing,
+                                      .state = [](double, In, Out y) { y[1] *= -0.8; }}}};
+    for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+      const auto path = GetParam()->solve(problem, Tolerance{tolerance, tolerance}, {});
+      ASSERT_EQ(path.status, SolveStatus::finished) << tolerance;
+      const double first = std::sqrt(2.0), since = 3.0 - first;
+      EXPECT_NEAR(path.y(0, path.y.cols() - 1), 0.8 * first * since - since * since / 2.0, 20.0 * tolerance)
+          << tolerance;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Schemes, Resets, testing::ValuesIn(adaptive_schemes()), id_of_param);
 
 TEST(ResetsOverAGrid, AreRefused) {
