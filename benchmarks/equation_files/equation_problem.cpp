@@ -88,8 +88,7 @@ std::function<double(double t, In y)> factor_of(const EquationSystem::Unknown& u
 // The row that a key of `set` names.
 Eigen::Index row_to_set(const NamedFormula& set, const EquationSystem& system, FileFormulas& formulas) {
   const FormulaText name{.text = set.name, .position = set.position};
-  const auto node = formulas.read(name, variables_of(system, formulas.pool()));
-  const auto row = static_cast<Eigen::Index>(formulas.pool()[node].variable) - 1;  // -1: no variable, or t
+  const auto row = row_named(name, variables_of(system, formulas.pool()), formulas);
   if (row < 0 || is_algebraic(system.components[static_cast<std::size_t>(row)])) {
     formulas.reject(
         name, fmt::format("set: {}: must be an unknown with a derivative, or a node of its chain", set.name));

@@ -143,7 +143,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   formulas.require_parameters();
   const auto system = read_system(formulas);
   const auto columns = output_columns(system, formulas);
-  if (const auto check = samples_check(formulas)) check(system.end);
+  if (const auto check = samples_check(formulas)) check(system.end);  // before problem_of() evaluates them
   Scene scene{.problem = problem_of(system, formulas), .from_file = !text.is_built_in};
   if (text.domain) scene.problem.domain = domain_of(*text.domain, system, formulas);
   const auto started = with_some_initial_values(system);

@@ -214,12 +214,9 @@ std::vector<ValueAtEnd> values_at_end(const UnknownText& text, const EquationSys
                                       const FormulaVariables& variables, FileFormulas& formulas) {
   std::vector<ValueAtEnd> values;
   for (const auto& [column, position, value] : text.final) {
-    const auto named = formulas.read({.text = column, .position = position},
-                                     {.time = false, .resolve_unknown = variables.resolve_unknown});
-    const auto& node = formulas.pool()[named];
-    const auto row = static_cast<Eigen::Index>(node.variable) - 1;
-    if (node.operation != Operation::variable || row < unknown.first ||
-        row >= unknown.first + unknown.size()) {
+    const auto row = row_named({.text = column, .position = position},
+                               {.time = false, .resolve_unknown = variables.resolve_unknown}, formulas);
+    if (row < unknown.first || row >= unknown.first + unknown.size()) {
       reject_at(formulas.text().file, position,
                 fmt::format("final: {}: must be {} or one of its derivatives", column, text.name));
     }
@@ -269,6 +266,11 @@ std::vector<Expression> values_before(const EquationSystem& system, FileFormulas
 std::size_t unknown_of_row(const EquationSystem& system, Eigen::Index row) {
   const auto after = std::ranges::upper_bound(system.unknowns, row, {}, &EquationSystem::Unknown::first);
   return static_cast<std::size_t>(after - system.unknowns.begin()) - 1;
+}
+
+Eigen::Index row_named(const FormulaText& name, const FormulaVariables& variables, FileFormulas& formulas) {
+  const auto named = formulas.read(name, variables);
+  return static_cast<Eigen::Index>(formulas.pool()[named].variable) - 1;  // t is variable 0
 }
 
 FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool) {

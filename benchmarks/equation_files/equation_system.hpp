@@ -55,6 +55,9 @@ std::size_t unknown_of_row(const EquationSystem& system, Eigen::Index row);
 // Variables for formulas in the rows: row i is variable i + 1, D^order of an unknown that node of its chain.
 FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool);
 
+// The row that a formula names, as x or D(x, 1); -1: it is no row.
+Eigen::Index row_named(const FormulaText& name, const FormulaVariables& variables, FileFormulas& formulas);
+
 // The system up to the shortest lag, with the given values before t = 0 in place of earlier values.
 EquationSystem at_start(EquationSystem system, ExpressionPool& pool);
 

@@ -13,7 +13,7 @@ namespace fde::reference {
 // outputs, and what is given at the end.
 struct SolutionByInitialValues {
   using Values = std::vector<Rational>;
-  std::function<Reference(const Values&unknown)> outputs, given_at_end;
+  std::function<Reference(const Values&)> outputs, given_at_end;
 };
 
 // The outputs of the solution with these values at the end, as many as there are unknown initial values. By

@@ -27,25 +27,26 @@ class Jumps {
   }
   [[nodiscard]] double last_time() const { return times_.empty() ? -1.0 : times_.back(); }
 
-  // `ahead`: the values of the event functions a little later.
+  // `ahead`: the value of each event function a short time later.
   void add(double t, const Vec& jump, std::vector<double> ahead) {
     times_.push_back(t);
     sums_.emplace_back(sums_.back() + jump);
     ahead_ = std::move(ahead);
   }
 
-  // Until then y may still be where it was set, next to a zero, to rounding on either side: the event
-  // functions have the values that they had ahead.
-  [[nodiscard]] static double hold(double t) { return 1e-9 * t; }
+  // A jump may leave y next to a zero of its event function, where rounding decides the sign. For a short
+  // time after the jump the event function therefore has its value at the end of that time.
+  [[nodiscard]] static double short_time(double t) { return 1e-10 * t; }
   [[nodiscard]] std::optional<double> held(std::size_t reset, double t) const {
-    if (times_.empty() || t < times_.back() || t > times_.back() + hold(times_.back())) return std::nullopt;
+    const double last = last_time();
+    if (times_.empty() || t < last || t > last + short_time(last)) return std::nullopt;
     return ahead_[reset];
   }
 
  private:
   std::vector<double> times_{};  // increasing
   std::vector<Vec> sums_;        // one more
-  std::vector<double> ahead_{};
+  std::vector<double> ahead_{};  // of the last jump
 };
 
 // df/dy of y as one of u.
@@ -105,10 +106,10 @@ class ResetsOfRun {
     Vec after = y;
     for (std::size_t k = 0; k < resets_.size() && t > 0.0; ++k)
       if (is_crossed(k, values[k])) resets_[k].state(t, y, after);
-    last_ = values;
-    if (after == y) return;
-    last_ = values_ahead(t, after);
-    jumps_->add(t, after - y, last_);
+    last_ = after == y ? values : values_ahead(t, y, after);
+    if (after != y) jumps_->add(t, after - y, last_);
+    last_time_ = t;
+    last_y_ = after;
   }
 
  private:
@@ -128,22 +129,31 @@ class ResetsOfRun {
     return values;
   }
 
-  // A short time after y has become this, with constant D^g y.
-  [[nodiscard]] std::vector<double> values_ahead(double t, const Vec& y) const {
-    const double later = t + Jumps::hold(t);
-    const Vec f = rhs_at(problem_, t, y);
-    Vec ahead = y;
+  // The values a short time h after y has become `after`. To leading order y_i moves by h f_i for g = 1. For
+  // other g its history goes on with the slope of the last step, and a jump of f_i adds h^g/Gamma(g+1) times
+  // it.
+  [[nodiscard]] std::vector<double> values_ahead(double t, const Vec& y, const Vec& after) const {
+    const double h = Jumps::short_time(t);
+    const Vec f = rhs_at(problem_, t, after), jump = f - rhs_at(problem_, t, y);
+    Vec ahead = after;
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       const double order = problem_.component(i).order;
-      if (order > 0.0) ahead[i] += f[i] * std::pow(later - t, order) / std::tgamma(order + 1.0);
+      if (order == 1.0) {
+        ahead[i] += h * f[i];
+      } else if (order > 0.0) {
+        const double slope = (y[i] - last_y_[i]) / (t - last_time_);
+        ahead[i] += h * slope + std::pow(h, order) / std::tgamma(order + 1.0) * jump[i];
+      }
     }
-    return values_at(later, ahead);
+    return values_at(t + h, ahead);
   }
 
   const Problem& problem_;
   const std::vector<Reset>& resets_;
   std::shared_ptr<Jumps> jumps_;
   std::vector<double> last_{};  // the values of the event functions at the end of the last step
+  double last_time_ = 0.0;      // of the last step
+  Vec last_y_{};
 };
 
 Options options_of_u(const Options& options, const std::shared_ptr<Jumps>& jumps, ResetsOfRun& resets) {

@@ -114,6 +114,20 @@ TEST_P(Resets, LeaveAZeroOnTheSideToWhichTheStateMoves) {
   }
 }
 
+// D^1/2 x = 2 - x is at 1 at t_1, where it is set next to 1 and rises on. So it is 2 (1 - E(-t^1/2)), with
+// E(z) = E_1/2,1(z), also behind t_1.
+TEST_P(Resets, NextToTheirZeroLetTheHistoryGoOn) {
+  const Problem problem{.components = {{0.5, {0.0}}},
+                        .rhs = [](double, In y, Out f) { f[0] = 2.0 - y[0]; },
+                        .end = 4.0,
+                        .resets = {{.value = [](double, In y) { return y[0] - 1.0; },
+                                    .state = [](double, In, Out y) { y[0] = 1.0 - 1e-13; }}}};
+  const auto path = run(problem, {.budget = 20.0});
+  ASSERT_EQ(path.status, SolveStatus::finished);
+  const double exact = 2.0 - 2.0 * reference::mittag_leffler(0.5, 1.0, -2.0);
+  EXPECT_NEAR(path.y(0, path.y.cols() - 1), exact, 20.0 * accuracy);
+}
+
 INSTANTIATE_TEST_SUITE_P(Schemes, Resets, testing::ValuesIn(adaptive_schemes()), id_of_param);
 
 TEST(ResetsOverAGrid, AreRefused) {
