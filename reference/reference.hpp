@@ -37,4 +37,8 @@ struct Reference {
   std::optional<double> seconds{};  // processor time that it took to compute, for a reference by two methods
 };
 
+// The first of two references of the same quantities, with their difference and both bounds as its bound;
+// empty where one is empty.
+Reference with_difference(Reference one, Reference other);
+
 }  // namespace fde::reference

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/equation_files/distributed_terms.hpp"
 #include "fdebench/benchmarks/equation_files/equation_problem.hpp"
 #include "fdebench/benchmarks/equation_files/equation_system.hpp"
 #include "fdebench/benchmarks/equation_files/equation_text.hpp"
@@ -24,6 +25,7 @@
 #include "fdebench/benchmarks/equation_files/mechanical_equations.hpp"
 #include "fdebench/benchmarks/equation_files/mechanical_file.hpp"
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
+#include "fdebench/benchmarks/equation_files/riemann_liouville.hpp"
 #include "fdebench/benchmarks/equation_files/table_times.hpp"
 #include "fdebench/benchmarks/equation_files/transfer_function.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
@@ -52,6 +54,18 @@ Program program_of(const std::vector<FormulaText>& texts, const std::vector<Syst
   std::vector<Expression> values;
   for (const auto& text : texts) values.push_back(formulas.read(text, variables_of(columns, formulas, time)));
   return {formulas.pool(), values, std::ssize(columns)};
+}
+
+// The outputs that are infinite at t = 0, if their states are columns.
+Outputs singular_outputs(const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
+  std::vector<std::string> names;
+  std::vector<FormulaText> values;
+  for (const auto& output : formulas.text().outputs) {
+    if (!output.is_infinite_at_start || !formulas.text().columns.empty()) continue;
+    names.push_back(output.name);
+    values.push_back({.text = output.name, .position = output.terms.front().order.position});
+  }
+  return names.empty() ? Outputs{} : Outputs{names, program_of(values, columns, formulas)};
 }
 
 Energy energy_of(const EnergyText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
@@ -127,17 +141,53 @@ Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormu
   return {.edge = text.edge, .margin = Program(formulas.pool(), {margin}, system.size())};
 }
 
+// The text in which all equations are sums of terms of one unknown each.
+EquationText in_terms(EquationText text, const Parameters& parameters, int more_nodes = 0) {
+  text = with_quadrature(present_parts(std::move(text), parameters), parameters, more_nodes);
+  text = with_implied_rows(with_states(std::move(text), parameters), parameters);
+  return with_implied_terms(with_caputo_derivatives(std::move(text), parameters), parameters);
+}
+
+// A text as equations, a problem and its columns.
+struct PosedText {
+  PosedText(EquationText written, const Parameters& parameters)
+      : text(std::move(written)),
+        formulas(text, parameters, NumberStorage::values),
+        system(read_system(formulas)),
+        columns(output_columns(system, formulas)) {}
+
+  [[nodiscard]] reference::Reference reference() {
+    return file_reference(system, problem_of(system, formulas), columns, formulas);
+  }
+  [[nodiscard]] PosedProblem posed() {
+    return {problem_of(system, formulas), outputs_of(columns, system.size(), formulas.pool())};
+  }
+
+  const EquationText text;
+  FileFormulas formulas;
+  const EquationSystem system;
+  const std::vector<SystemColumn> columns;
+};
+
 // The reference of the columns with another end.
 reference::Reference reference_to(double end, EquationText text, const Parameters& parameters) {
   text.end = {.text = fmt::format("{}", end), .position = text.end.position};
-  FileFormulas formulas(text, parameters, NumberStorage::values);
-  const auto system = read_system(formulas);
-  return file_reference(system, problem_of(system, formulas), output_columns(system, formulas), formulas);
+  return PosedText(std::move(text), parameters).reference();
+}
+
+// The references with distributed orders: of quadratures with more nodes, whose difference is in the bound.
+void set_references(Scene& scene, const EquationText& all, const Parameters& parameters) {
+  constexpr int more = 2, many = 4;
+  if (!all.exact.empty()) return;
+  PosedText finer(in_terms(all, parameters, many), parameters),
+      finest(in_terms(all, parameters, many + more), parameters);
+  scene.reference = reference::with_difference(finer.reference(), finest.reference());
+  if (!scene.reference.at)
+    scene.comparison_problem = PosedText(in_terms(all, parameters, more), parameters).posed();
 }
 
 Scene scene_of(const EquationText& all, const Parameters& parameters, const NoteReceiver& on_note) {
-  const EquationText text = with_implied_terms(
-      with_implied_rows(with_states(present_parts(all, parameters), parameters), parameters), parameters);
+  const EquationText text = in_terms(all, parameters);
   if (text.mechanics) return mechanical_scene_of(text, parameters, on_note);
   FileFormulas formulas(text, parameters, NumberStorage::values);
   formulas.require_parameters();
@@ -153,10 +203,12 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   scene.load_times = load_times(system.rows, system.jumps, formulas.pool());
   set_end(scene, system.end);
   scene.reference = file_reference(system, scene.problem, columns, formulas);
+  if (has_distributed_orders(all)) set_references(scene, all, parameters);
   if (scene.reference.at && !system.final.empty())
     scene.reference_to = [text, parameters](double end) { return reference_to(end, text, parameters); };
   if (!scene.reference.at && scene.problem.resets.empty())
     scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
+  scene.singular = singular_outputs(columns, formulas);
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
   for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
   if (const auto& f = text.constraints; !f.empty())
@@ -186,18 +238,29 @@ EquationFormula written(const UnknownText& unknown) {
   return equation;
 }
 
-// With a transfer function, which is no sum of terms, all equations are for display only.
-void set_equations(const std::vector<UnknownText>& unknowns, SceneFactory& factory) {
-  if (std::ranges::none_of(unknowns, [](const UnknownText& one) { return one.transfer.has_value(); })) {
-    for (const auto& unknown : unknowns) factory.equations.push_back(written(unknown));
-    return;
+// The equation of an unknown that is no sum of Caputo derivatives.
+DisplayEquation displayed(const UnknownText& unknown) {
+  if (unknown.transfer)
+    return {unknown.name, fmt::format("({})*({})", unknown.transfer->text, unknown.rhs.text)};
+  DisplayEquation equation = displayed(written(unknown));
+  if (unknown.is_riemann_liouville)
+    equation.left = fmt::format("D_RL({},{})", unknown.name, unknown.terms.front().order.text);
+  for (const auto& [weight, from, to] : unknown.distributed) {
+    equation.left += fmt::format("{}int_{}^{} ({})*D({},q) dq", equation.left.empty() ? "" : " + ", from.text,
+                                 to.text, weight.text, unknown.name);
   }
-  for (const auto& unknown : unknowns) {
-    const bool is_sum = !unknown.transfer;
-    factory.display_equations.push_back(
-        is_sum ? displayed(written(unknown))
-               : DisplayEquation{unknown.name,
-                                 fmt::format("({})*({})", unknown.transfer->text, unknown.rhs.text)});
+  return equation;
+}
+
+// Where one is no sum of terms, all equations are for display only.
+void set_equations(const std::vector<UnknownText>& unknowns, SceneFactory& factory) {
+  const auto is_sum = [](const UnknownText& one) {
+    return !one.transfer && one.distributed.empty() && !one.is_riemann_liouville;
+  };
+  if (std::ranges::all_of(unknowns, is_sum)) {
+    for (const auto& unknown : unknowns) factory.equations.push_back(written(unknown));
+  } else {
+    for (const auto& unknown : unknowns) factory.display_equations.push_back(displayed(unknown));
   }
 }
 

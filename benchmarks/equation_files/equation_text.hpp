@@ -44,13 +44,21 @@ struct NamedFormula {
   FormulaText formula{};
 };
 
+// The term int_from^to weight(q) D^q x dq of an unknown x; the variable of the weight is q.
+struct DistributedText {
+  FormulaText weight, from, to;
+};
+
 // The equation of an unknown: sum of the terms = rhs. A `factor` multiplies all terms but the first.
 struct UnknownText {
   std::string name{};
   TextPosition position{};
   std::vector<TermText> terms{};
-  bool may_be_algebraic = false;  // given by the key `order`, for which 0 means 0 = rhs
-  bool is_chain = true;           // false: one row of its order, also above 1
+  std::vector<DistributedText> distributed{};  // further terms
+  std::vector<double> quadrature_orders{};     // of the terms that with_quadrature() has added; no columns
+  bool may_be_algebraic = false;               // given by the key `order`, for which 0 means 0 = rhs
+  bool is_riemann_liouville = false;           // its derivative; otherwise Caputo's
+  bool is_chain = true;                        // false: one row of its order, also above 1
   std::optional<FormulaText> factor{};
   FormulaText rhs{};
   std::optional<FormulaText> transfer{};  // a transfer function, of which rhs is the input; terms are empty
@@ -58,13 +66,16 @@ struct UnknownText {
   std::optional<FormulaText> before{};  // its value for t < 0
   std::vector<NamedFormula> final{};    // values at the end, each of the column that it names
   ParameterValues unless{};
-  bool is_implied = false;  // added by with_implied_rows() or with_states(); it is no column
+  bool is_implied = false;  // no unknown of the file, but a state or an integral; it is no column
 };
 
-// A name for a sum of derivatives of an unknown, the state (with_states).
+// A name for a sum of derivatives of an unknown, the state, and a formula of t (with_states,
+// with_caputo_derivatives).
 struct OutputText {
   std::string name{}, state{};
   std::vector<TermText> terms{};
+  std::optional<FormulaText> of_time{};
+  bool is_infinite_at_start = false;  // then the state is the column
 };
 
 struct EnergyText {

@@ -182,13 +182,18 @@ Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVa
 
 // D^order of the output: the state and its derivatives are 0 at the start, so that orders add up.
 Expression FileFormulas::output(const OutputText& of, double order, const FormulaVariables& variables) {
-  if (variables.resolve_output) {
+  if (variables.resolve_output && !of.is_infinite_at_start) {
     const auto known = order == 0.0 ? variables.resolve_output(of.name) : std::nullopt;
     if (known) return *known;
     throw std::invalid_argument(fmt::format("D({}, {}): must be a column of the scene", of.name, order));
   }
+  if (of.of_time && order != 0.0) {
+    throw std::invalid_argument(
+        fmt::format("D({}, {}): is not supported where a Riemann-Liouville derivative makes {} infinite at 0",
+                    of.name, order, of.name));
+  }
   const auto state = unknown_named(text_, of.state).value();
-  Operand sum{&pool_, pool_.number(0)};
+  Operand sum{&pool_, of.of_time ? read(*of.of_time, {}) : pool_.number(0)};
   for (const auto& term : of.terms) {
     const Operand coefficient{&pool_, read(term.coefficient, {.time = false})};
     const double own_order = constant(term.order, "order", any_number);

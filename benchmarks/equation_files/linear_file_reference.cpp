@@ -288,7 +288,7 @@ std::optional<reference::Reference> linear_file_reference(const EquationText& te
                                                           const Parameters& parameters,
                                                           const Problem& problem,
                                                           const std::vector<SystemColumn>& columns) {
-  if (!is_linear(problem) || static_cast<std::size_t>(problem.size()) > most_rows) return std::nullopt;
+  if (!is_linear(problem)) return std::nullopt;
   FileFormulas formulas(text, parameters, NumberStorage::fractions);
   const EquationSystem system = read_system(formulas);
   const auto& first = system.unknowns.front();

@@ -76,6 +76,11 @@ SystemColumn column_of(const std::string& name, Expression value, const Equation
   return {name, SystemColumn::no_unknown, 0.0, -1, value};
 }
 
+bool is_shown(const SystemColumn& column, const UnknownText& unknown) {
+  const auto& orders = unknown.quadrature_orders;
+  return !unknown.is_implied && std::ranges::find(orders, column.order) == orders.end();
+}
+
 }  // namespace
 
 std::vector<SystemColumn> output_columns(const EquationSystem& system, FileFormulas& formulas) {
@@ -84,11 +89,11 @@ std::vector<SystemColumn> output_columns(const EquationSystem& system, FileFormu
     for (const auto& column : columns_of(system)) {
       const auto& outputs = formulas.text().outputs;
       const auto output = std::ranges::find(outputs, column.name, &OutputText::state);
-      if (output != outputs.end()) {
+      if (output != outputs.end() && !output->is_infinite_at_start) {
         const FormulaText name{.text = output->name, .position = {}};
         const auto value = formulas.read(name, variables_of(system, formulas.pool()));
         shown.push_back(column_of(output->name, value, system, formulas.pool()));
-      } else if (!formulas.text().unknowns[column.unknown].is_implied) {
+      } else if (is_shown(column, formulas.text().unknowns[column.unknown])) {
         shown.push_back(column);
       }
     }

@@ -50,8 +50,10 @@ class EquationReader : DeclarationReader {
     if (const auto* domain = all.get("domain")) read.domain = domain_of(*domain);
     if (const auto* path = all.get("path")) read.path = path_of(*path);
     if (const auto* exact = all.get("exact")) read.exact = formulas_of(*exact, "exact");
-    if (std::ranges::any_of(read.unknowns, has_transfer) && !read.exact.empty())
-      reject(read.exact.front().position, "exact: must not be given with a transfer function");
+    if (std::ranges::any_of(read.unknowns, has_state) && !read.exact.empty()) {
+      reject(read.exact.front().position,
+             "exact: must not be given with a transfer function or a Riemann-Liouville derivative");
+    }
     if (const auto* energy = all.get("energy")) read.energy = energy_of(*energy);
     if (const auto* constraint = all.get("constraint")) read.constraints = constraints_of(*constraint);
     if (const auto* jump = all.get("jump")) read.jumps = jumps_of(*jump);
@@ -62,7 +64,9 @@ class EquationReader : DeclarationReader {
   }
 
  private:
-  static bool has_transfer(const UnknownText& unknown) { return unknown.transfer.has_value(); }
+  static bool has_state(const UnknownText& unknown) {
+    return unknown.transfer || unknown.is_riemann_liouville;
+  }
 
   // The names of the parameters that constraints add.
   void require_parameter_names(const EquationText& read) const {
@@ -155,8 +159,8 @@ class EquationReader : DeclarationReader {
     const auto name = fmt::format("unknown {}", entry.name);
     const auto& of = table(*entry.node, name);
     require_keys(of, name,
-                 {"terms", "order", "chain", "factor", "rhs", "initial", "final", "before", "transfer",
-                  "input", "unless"});
+                 {"terms", "order", "derivative", "chain", "factor", "rhs", "initial", "final", "before",
+                  "transfer", "input", "unless"});
     UnknownText unknown{.name = entry.name, .position = entry.position};
     if (const auto* transfer = of.get("transfer")) {
       require_keys(of, fmt::format("{} with transfer", name), {"transfer", "input", "unless"});
@@ -175,7 +179,14 @@ class EquationReader : DeclarationReader {
       const FormulaText one{.text = "1", .position = entry.position};
       unknown.terms.push_back({one, formula(*order, "order")});
     }
-    if (terms != nullptr) unknown.terms = terms_of(*terms);
+    if (terms != nullptr) read_terms(*terms, unknown);
+    if (const auto* derivative = of.get("derivative")) {
+      unknown.is_riemann_liouville = is_riemann_liouville(*derivative);
+      if (unknown.is_riemann_liouville) {
+        require_keys(of, fmt::format("{} with a Riemann-Liouville derivative", name),
+                     {"order", "derivative", "rhs", "initial", "unless"});
+      }
+    }
     if (const auto* chain = of.get("chain")) {
       unknown.is_chain = flag_of(*chain, "chain");
       if (!unknown.is_chain && order == nullptr)
@@ -190,27 +201,49 @@ class EquationReader : DeclarationReader {
     return unknown;
   }
 
+  [[nodiscard]] bool is_riemann_liouville(const toml::node& node) const {
+    constexpr std::string_view name = "derivative", allowed = R"("caputo" or "riemann-liouville")";
+    const auto text = node.value_exact<std::string>();
+    if (!text) reject_kind(node, name, allowed);
+    if (text != "caputo" && text != "riemann-liouville")
+      reject(position_of(node), fmt::format("{}: must be {}", name, allowed));
+    return text == "riemann-liouville";
+  }
+
   [[nodiscard]] bool flag_of(const toml::node& node, std::string_view name) const {
     if (!node.is_boolean()) reject_kind(node, name, "true or false");
     return **node.as_boolean();
   }
 
-  [[nodiscard]] std::vector<TermText> terms_of(const toml::node& node) const {
-    constexpr std::string_view allowed = "a list of pairs [coefficient, order]";
+  void read_terms(const toml::node& node, UnknownText& unknown) const {
+    constexpr std::string_view allowed = "a list of pairs [coefficient, order]",
+                               each = "a pair [coefficient, order], or a table with weight, from and to";
     constexpr std::size_t most = 100;
     const auto& list = array(node, "terms", allowed);
     if (list.empty() || list.size() > most)
       reject(position_of(node), fmt::format("terms: has {} terms, must have 1 to {}", list.size(), most));
-    std::vector<TermText> terms;
     for (const auto& term : list) {
-      const auto& pair = array(term, "a term", "a pair [coefficient, order]");
+      if (term.is_table()) {
+        unknown.distributed.push_back(distributed_of(term));
+        continue;
+      }
+      const auto& pair = array(term, "a term", each);
       if (pair.size() != 2) {
         reject(position_of(term),
                fmt::format("a term has {} entries: must be [coefficient, order]", pair.size()));
       }
-      terms.push_back({formula(*pair.get(0), "coefficient"), formula(*pair.get(1), "order")});
+      unknown.terms.push_back({formula(*pair.get(0), "coefficient"), formula(*pair.get(1), "order")});
     }
-    return terms;
+  }
+
+  [[nodiscard]] DistributedText distributed_of(const toml::node& node) const {
+    constexpr std::string_view name = "a term";
+    const auto& of = table(node, name);
+    require_keys(of, name, {"weight", "from", "to"});
+    const auto place = position_of(node);
+    return {formula(required(of, place, name, "weight"), "weight"),
+            formula(required(of, place, name, "from"), "from"),
+            formula(required(of, place, name, "to"), "to")};
   }
 
   [[nodiscard]] EnergyText energy_of(const toml::node& node) const {

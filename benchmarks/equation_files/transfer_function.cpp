@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/equation_files/file_formulas.hpp"
+#include "fdebench/benchmarks/equation_files/states.hpp"
 #include "fdebench/benchmarks/expressions/formula_text.hpp"
 #include "fdebench/reference/special_functions/numbers/rational.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
@@ -112,15 +113,8 @@ class TransferFormula {
     if (base.size() != 1) refuse("a power of a sum must have a whole exponent");
     const auto& [order, coefficient] = *base.begin();
     const bool is_one = coefficient.value == pool_.number(1);
-    return {
-        {Rational(order * fraction(exponent)), is_one ? coefficient : pow(coefficient, {&pool_, exponent})}};
-  }
-
-  // Of a number that is no fraction, such as sqrt(2), the shortest decimal that rounds to the same double.
-  [[nodiscard]] Rational fraction(Expression of) const {
-    const auto& node = pool_[of];
-    if (node.operation == Operation::number && !node.text.empty()) return Rational(node.text);
-    return reference::shortest_decimal(static_cast<double>(pool_.value(of).value()));
+    return {{Rational(order * nearest_fraction(exponent, pool_)),
+             is_one ? coefficient : pow(coefficient, {&pool_, exponent})}};
   }
 
   ExpressionPool& pool_;
@@ -158,13 +152,6 @@ std::vector<TermText> terms_of(const PowerSum& sum, const Rational& lowest, Oper
   return terms;
 }
 
-// A name that nothing in the file has.
-std::string free_name(const std::string& output, const std::string& contents) {
-  std::string name = output + "_state";
-  while (contents.find(name) != std::string::npos) name += '_';
-  return name;
-}
-
 // Makes the unknown the state; returns what its name stands for.
 OutputText make_state(UnknownText& unknown, FileFormulas& formulas) {
   const auto& transfer = *unknown.transfer;
@@ -187,7 +174,7 @@ OutputText make_state(UnknownText& unknown, FileFormulas& formulas) {
   unknown.before = zero;
   unknown.is_implied = true;
   OutputText output{.name = unknown.name,
-                    .state = free_name(unknown.name, formulas.text().contents),
+                    .state = free_name(unknown.name + "_state", formulas.text().contents),
                     .terms = terms_of(numerator, lowest, divisor, transfer.position)};
   unknown.name = output.state;
   return output;

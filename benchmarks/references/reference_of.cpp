@@ -19,6 +19,15 @@ namespace fde::bench {
 
 namespace {
 
+// The problem with the end of the scene.
+PosedProblem on_interval_of(const Scene& scene, PosedProblem posed) {
+  posed.problem.end = scene.problem.end;
+  posed.problem.jump_times = scene.problem.jump_times;
+  posed.problem.kink_times = scene.problem.kink_times;
+  posed.problem.step_limits = scene.problem.step_limits;
+  return posed;
+}
+
 reference::Reference mapped_to_columns(const Outputs& outputs, reference::Reference components) {
   if (!outputs.evaluate) return components;
   const auto evidence = components.evidence;
@@ -37,9 +46,16 @@ reference::Reference found_reference(const Scene& scene) {
   if (scene.reference.at) return scene.reference;
   if (!scene.problem.resets.empty())
     throw std::runtime_error("there is no reference where events set unknowns");
-  const auto [problem, outputs] = reference_problem_of(scene);
-  if (scene.name.empty()) return mapped_to_columns(outputs, computed_reference(problem));
-  return mapped_to_columns(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));
+  const auto computed = [&](const PosedProblem& posed) {
+    return mapped_to_columns(
+        posed.outputs, scene.name.empty()
+                           ? computed_reference(posed.problem)
+                           : cached_reference(scene.name, posed.problem, ReferenceCache(cache_folder())));
+  };
+  auto reference = computed(reference_problem_of(scene));
+  if (!scene.comparison_problem) return reference;
+  return reference::with_difference(computed(on_interval_of(scene, *scene.comparison_problem)),
+                                    std::move(reference));
 }
 
 constexpr std::array<std::string_view, 2> judges{"radau_exponentials", "spectral_collocation"};
@@ -60,12 +76,7 @@ std::optional<Rows> coarse_run(std::string_view id, const PosedProblem& posed,
 
 PosedProblem reference_problem_of(const Scene& scene) {
   if (!scene.reference_problem) return {scene.problem, scene.outputs};
-  PosedProblem posed = *scene.reference_problem;
-  posed.problem.end = scene.problem.end;
-  posed.problem.jump_times = scene.problem.jump_times;
-  posed.problem.kink_times = scene.problem.kink_times;
-  posed.problem.step_limits = scene.problem.step_limits;
-  return posed;
+  return on_interval_of(scene, *scene.reference_problem);
 }
 
 reference::Reference reference_of(const Scene& scene) {

@@ -57,6 +57,7 @@ Vec columns_at(const Outputs& outputs, double t, In y) {
 
 std::vector<std::string> printed_names(const Scene& scene) {
   auto names = scene.outputs.names;
+  std::ranges::copy(scene.singular.names, std::back_inserter(names));
   if (scene.energy) names.emplace_back("energy");
   if (scene.constraint) names.emplace_back("constraint");
   return names;
@@ -68,9 +69,18 @@ Vec printed_values(const Scene& scene, double t, In columns) {
   Vec values(std::ssize(printed_names(scene)));
   values.head(own.size()) = own;
   Eigen::Index next = own.size();
+  if (const auto count = std::ssize(scene.singular.names); count > 0) {
+    scene.singular.evaluate(t, own, values.segment(next, count));
+    next += count;
+  }
   if (scene.energy) values[next++] = scene.energy.value(own);
   if (scene.constraint) values[next++] = scene.constraint.drift(t, own);
   return values;
+}
+
+bool is_regular(const Scene& scene, double t, Eigen::Index printed) {
+  const auto place = printed - std::ssize(scene.outputs.names);
+  return t > 0.0 || place < 0 || place >= std::ssize(scene.singular.names);
 }
 
 std::vector<Event> events_of(const Scene& scene) {

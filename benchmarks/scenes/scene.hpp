@@ -141,6 +141,12 @@ struct Scene {
   std::function<reference::Reference(double end)> reference_to{};
   bool from_file = false;  // from an equation file: its reference is checked against two schemes
   std::optional<PosedProblem> reference_problem{};  // another formulation for the reference; empty: `problem`
+  // Where the problem approximates an equation of another kind: the same with a finer approximation. The
+  // difference of both solutions is part of the bound of the reference.
+  std::optional<PosedProblem> comparison_problem{};
+  // Functions of t and the columns that are infinite at t = 0: printed beside the columns, whose errors are
+  // theirs.
+  Outputs singular{};
   Energy energy{};
   Constraint constraint{};
   std::vector<MemoryColumn> memory_columns{};  // columns that the drift measure recomputes independently
@@ -175,9 +181,11 @@ Rows columns_of(const Outputs& outputs, const Trajectory& path);
 Vec propagated_bound(const Outputs& outputs, double t, const reference::ReferenceValue& reference,
                      In columns);
 
-// The columns, then `energy` and `constraint` (the drift) where the scene has them.
+// The columns, then `singular`, `energy` and `constraint` (the drift) where the scene has them.
 std::vector<std::string> printed_names(const Scene& scene);
 Vec printed_values(const Scene& scene, double t, In columns);
+// Whether a printed value is finite unless something went wrong.
+bool is_regular(const Scene& scene, double t, Eigen::Index printed);
 
 // The events of a scene as events of its problem, in the same order. `scene` must outlive the result.
 std::vector<Event> events_of(const Scene& scene);

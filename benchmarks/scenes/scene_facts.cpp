@@ -24,7 +24,8 @@ std::string text_of(const EquationFormula::Term& term, const std::string& unknow
 
 DisplayEquation displayed(const EquationFormula& equation) {
   const auto& [unknown, terms, rhs, initial, final] = equation;
-  if (std::ranges::all_of(terms, [](const auto& term) { return term.order == "0"; })) return {"0", rhs};
+  const auto is_of_order_0 = [](const auto& term) { return term.order == "0"; };
+  if (!terms.empty() && std::ranges::all_of(terms, is_of_order_0)) return {"0", rhs};
   std::vector<std::string> sum;
   for (const auto& term : terms) sum.push_back(text_of(term, unknown));
   return {fmt::format("{}", fmt::join(sum, " + ")), rhs};

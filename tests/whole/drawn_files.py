@@ -67,6 +67,28 @@ def event(random: Random, name: str, resets: bool = False) -> list[str]:
     return lines
 
 
+def of_distributed_order(random: Random, name: str, names: list[str], parameters: list[str]) -> list[str]:
+    """An unknown with a term of distributed order, sometimes beside another one."""
+    to, weight = random.choice([0.5, 1, 1, 2]), random.choice(["1", "1 + q", "exp(-q)", f"{number(random)}^q", "2 + sin(3*q)"])
+    terms = [f'{{ weight = "{weight}", from = {random.choice([0, 0, 0.2])}, to = {to} }}', *([f"[{number(random)}, {typed(random.uniform(0.1, to), 2)}]"] if random.random() < 0.3 else [])]
+    initial = [random.choice(["0", "1", signed(random)]) for _ in range(max(1, to))]
+    return [f"[unknown.{name}]", f"terms = [{', '.join(terms)}]", f'rhs = "{right_side(random, name, names, parameters)}"', f"initial = [{', '.join(initial)}]"]
+
+
+def singular(random: Random) -> list[str]:
+    """An unknown v with a Riemann-Liouville derivative."""
+    q = typed(random.choice([0.5, random.uniform(0.1, 0.95), random.uniform(1.05, 1.95)]), 2)
+    initial = [random.choice(["1", signed(random)]) for _ in range(math.ceil(float(q)))]
+    return ["[unknown.v]", 'derivative = "riemann-liouville"', f"order = {q}", f'rhs = "{number(random)}*sin({frequency(random)}*t) - {number(random)}*v"', f"initial = [{', '.join(initial)}]"]
+
+
+def with_singular(random: Random, lines: list[str]) -> list[str]:
+    """The lines with an unknown that is infinite at 0, sometimes as the load of another one."""
+    rows = [k + 1 for k, line in enumerate(lines) if line.startswith("order") and line != "order = 0" and lines[k + 2].startswith("initial")]
+    row = random.choice(rows) if rows and random.random() < 0.5 else -1
+    return [line[:-1] + f' + {number(random)}*v"' if k == row else line for k, line in enumerate(lines)] + singular(random)
+
+
 def power_of_s(random: Random, q: float) -> str:
     return random.choice([f"s^{typed(q)}", f"({number(random)}*s)^{typed(q)}", f"{number(random)}*s^{typed(q)}"])
 
@@ -135,7 +157,12 @@ def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str,
         lines += ["[parameters]", *(f"{name} = {number(random)}" for name in parameters)]
     several, delays = random.random() < 0.25, random.random() < 0.2
     for name in names:
-        lines += unknown(random, name, names, parameters, several, delays)
+        if not delays and random.random() < 0.05:
+            lines += of_distributed_order(random, name, names, parameters)
+        else:
+            lines += unknown(random, name, names, parameters, several, delays)
+    if not rows and random.random() < 0.08:
+        lines = with_singular(random, lines)
     if random.random() < 0.15:
         lines = with_table(random, lines, names)
     if len(names) > 1 and random.random() < 0.2:

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "benchmarks/equation_files/file_commands.hpp"
 #include "support/command_output.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace fde::bench {
 namespace {
@@ -22,27 +22,6 @@ using testing::StartsWith;
 
 std::string plant(std::string_view transfer, std::string_view input = "1") {
   return fmt::format("end = 5\n[unknown.y]\ntransfer = \"{}\"\ninput = \"{}\"\n", transfer, input);
-}
-
-CommandOutput command(const std::string& text, std::vector<std::string> words) {
-  const TemporaryFolder folder;
-  folder.write("f.toml", text);
-  words.insert(words.begin() + 1, folder.file("f.toml"));
-  return fdebench(words);
-}
-
-// The last row of the output: t and the columns.
-std::vector<double> values(const CommandOutput& answer) {
-  EXPECT_EQ(answer.err, "");
-  std::vector<double> row;
-  const auto line = answer.out.rfind('\n', answer.out.size() - 2);
-  for (std::size_t at = line; at != std::string::npos; at = answer.out.find(',', at + 1))
-    row.push_back(std::stod(answer.out.substr(at + 1)));
-  return row;
-}
-
-std::vector<double> exact(const std::string& text, std::string_view t) {
-  return values(command(text, {"exact", "--at", std::string(t)}));
 }
 
 // The plant of Podlubny, IEEE Trans. Automat. Control 44 (1999), with his PD^mu controller.

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Derivatives of distributed order in equation files.
+
+#include "fdebench/schemes/problem/distributed_order.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "benchmarks/equation_files/file_commands.hpp"
+
+namespace fde::bench {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string equation(std::string_view weight, std::string_view from, std::string_view to,
+                     std::string_view rhs = "-x", std::string_view initial = "1") {
+  return fmt::format(
+      "end = 2\n[unknown.x]\nterms = [{{ weight = \"{}\", from = {}, to = {} }}]\nrhs = \"{}\"\ninitial = "
+      "[{}]\n",
+      weight, from, to, rhs, initial);
+}
+
+struct Value {
+  std::string_view t;
+  double x;
+};
+
+// int_0^1 6 q (1 - q) D^q x dq = -x: the symbol is 6 ((s + 1) log s - 2 (s - 1))/log^3 s. Inverse Laplace
+// transforms by mpmath (Talbot's method of degree 60, 40 digits).
+TEST(DistributedOrder, RelaxesAsItsLaplaceTransform) {
+  constexpr std::array known{Value{"0.001", 0.98789832301425791597}, Value{"0.5", 0.51339947021949639917},
+                             Value{"2", 0.33578821472998500109}};
+  for (const auto& [t, x] : known) {
+    const auto row = exact(equation("6*q*(1 - q)", "0", "1"), t);
+    EXPECT_NEAR(row[1], x, row[2]) << t;
+    EXPECT_LT(row[2], 1e-13) << t;
+  }
+}
+
+// int_0^2 D^q x dq = -4 x: (s^2 - 1)/log s, with x(0) = 1 and x'(0) = 0.
+TEST(DistributedOrder, MayExceedOne) {
+  const auto row = exact(equation("1", "0", "2", "-4*x", "1, 0"), "0.5");
+  EXPECT_NEAR(row[1], 0.3449319752765650155, row[3]);
+  EXPECT_LT(row[3], 1e-12);
+}
+
+// The bound contains the error of the quadrature also where that is large, next to the start.
+TEST(DistributedOrder, BoundsTheErrorOfItsQuadrature) {
+  const auto row = exact(equation("6*q*(1 - q)", "0", "1"), "1e-12");
+  EXPECT_LT(row[2], 1e-10);
+  EXPECT_GT(row[2], 1e-16);
+}
+
+// A nonlinear equation has a reference by two methods with quadratures of different nodes.
+TEST(DistributedOrder, HasAReferenceForNonlinearEquations) {
+  const auto text = equation("6*q*(1 - q)", "0", "1", "-x^3");
+  const auto row = exact(text, "1");
+  const auto run =
+      values(command(text, {"solve", "--scheme", "spectral_collocation", "--accuracy", "1e-9", "--at", "1"}));
+  EXPECT_NEAR(run[1], row[1], 1e-8);
+  EXPECT_LT(row[2], 1e-10);
+}
+
+// With ordinary terms beside it, and in a sum of two integrals, each of a part of the orders.
+TEST(DistributedOrder, IsATermAsOthersAre) {
+  const auto written = [](std::string_view terms) {
+    return fmt::format("end = 2\n[unknown.x]\nterms = [{}]\nrhs = \"1 - x\"\ninitial = [0]\n", terms);
+  };
+  const auto whole = exact(written("[1, 1], { weight = \"1 + q\", from = 0, to = 0.8 }"), "2");
+  const auto parts = exact(written("{ weight = \"1 + q\", from = 0, to = 0.3 }, [1, 1], "
+                                   "{ weight = \"1 + q\", from = 0.3, to = 0.8 }"),
+                           "2");
+  EXPECT_NEAR(whole[1], parts[1], 1e-13);
+}
+
+// The nodes are no columns.
+TEST(DistributedOrder, HasTheUnknownAsColumn) {
+  const auto answer = command(equation("1", "0", "2", "-4*x", "1, 0"),
+                              {"solve", "--scheme", "bdf2", "--steps", "8", "--at", "2"});
+  EXPECT_THAT(answer.out, StartsWith("t,x,\"D(x,1)\"\n"));
+}
+
+// sum_k c_k s^(q_k) with n nodes against int_0^1 s^q dq = (s - 1)/log s.
+TEST(DistributedOrder, TakesAsFewNodesAsItsToleranceNeeds) {
+  const DistributedOrder uniform{.weight = [](double /*q*/) { return 1.0; }, .from = 0.0, .to = 1.0};
+  const auto error = [&](int nodes) {
+    constexpr double s = 1e4;
+    double sum = 0.0;
+    for (const auto& [coefficient, order] : terms_of(uniform, nodes)) sum += coefficient * std::pow(s, order);
+    return std::abs(sum / ((s - 1.0) / std::log(s)) - 1.0);
+  };
+  const int nodes = nodes_for(uniform, 1.0, 1e-10);
+  EXPECT_LE(error(nodes), 1e-10);
+  EXPECT_GT(error(nodes - 1), 1e-11);
+  EXPECT_THROW(
+      nodes_for({.weight = [](double q) { return std::abs(q - 0.3); }, .from = 0.0, .to = 1.0}, 1.0, 1e-10),
+      std::invalid_argument);
+}
+
+TEST(DistributedOrder, IsRefusedAtItsPlace) {
+  const auto refusal = [](const std::string& text) {
+    const auto answer = command(text, {"solve", "--scheme", "l1", "--steps", "8"});
+    EXPECT_EQ(answer.code, 2) << text;
+    return answer.err.substr(answer.err.find("line"));
+  };
+  EXPECT_THAT(refusal(equation("abs(q - 0.3)", "0", "1")), HasSubstr("weight: is not smooth"));
+  EXPECT_THAT(refusal(equation("0", "0", "1")), HasSubstr("weight: is 0"));
+  EXPECT_THAT(refusal(equation("log(q - 2)", "0", "1")), HasSubstr("weight: must be finite"));
+  EXPECT_THAT(refusal(equation("t", "0", "1")),
+              StartsWith("line 3, column 22: t: no such name here; there are q"));
+  EXPECT_THAT(refusal(equation("1", "1", "0.5")), HasSubstr("to = 0.5: must be above from = 1"));
+  EXPECT_THAT(refusal(equation("1", "0", "11")), HasSubstr("to = 11: must be"));
+  EXPECT_THAT(refusal(equation("1", "0", "1") + "factor = \"x\"\n"), HasSubstr("factor: must not be given"));
+  EXPECT_THAT(refusal("[parameters]\nq = 1\n" + equation("1", "0", "1")), HasSubstr("parameter q"));
+}
+
+}  // namespace
+}  // namespace fde::bench
