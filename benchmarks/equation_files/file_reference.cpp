@@ -106,9 +106,10 @@ reference::Reference known_derivatives(const EquationSystem& system, const Probl
   return free_pendulum(system, columns, formulas.pool());
 }
 
-// Formulas of the rows, with the bounds of these and of their own rounding. Column c of `rows` is row c.
-reference::Reference formulas_of(const reference::Reference& rows, const Columns& columns,
-                                 ExpressionPool& pool) {
+// Formulas of the rows, with the bounds of these and of their own rounding. Column c of `rows` is row
+// shown[c]; the formulas depend on no other row.
+reference::Reference formulas_of(const reference::Reference& rows, const Columns& shown, Eigen::Index size,
+                                 const Columns& columns, ExpressionPool& pool) {
   using Value = reference::ConditionedValue<long double>;
   constexpr long double unit =
       reference::closed_form_rounding_factor * std::numeric_limits<long double>::epsilon();
@@ -116,8 +117,11 @@ reference::Reference formulas_of(const reference::Reference& rows, const Columns
   for (const auto& column : columns) values.push_back(column.in_rows(pool));
   const auto at = [=, kept = std::make_shared<const ExpressionPool>(pool)](double t) {
     const auto [value, bound] = rows.at(t);
-    std::vector<Value> known;
-    for (Eigen::Index i = 0; i < value.size(); ++i) known.push_back({value[i], bound[i] / unit});
+    std::vector<Value> known(static_cast<std::size_t>(size));
+    for (std::size_t c = 0; c < shown.size(); ++c) {
+      const auto i = static_cast<Eigen::Index>(c);
+      known[static_cast<std::size_t>(shown[c].row)] = {value[i], bound[i] / unit};
+    }
     const auto found = rounded_values(*kept, values, reference::from_shortest_decimal<long double>(t), known);
     reference::ReferenceValue result{Vec(std::ssize(found)), Vec(std::ssize(found))};
     for (std::size_t c = 0; c < found.size(); ++c) {
@@ -142,6 +146,10 @@ const NamedFormula* given(const EquationText& text, const std::string& column) {
   return found == text.exact.end() ? nullptr : &*found;
 }
 
+bool is_implied(const EquationText& text, const SystemColumn& column) {
+  return text.unknowns[column.unknown].is_implied;
+}
+
 void require_columns(const EquationText& text, const std::vector<SystemColumn>& columns) {
   std::vector<std::string> names;
   for (const auto& column : columns) names.push_back(column.name);
@@ -151,7 +159,7 @@ void require_columns(const EquationText& text, const std::vector<SystemColumn>& 
               fmt::format("exact {}: no such column; there are {}", one.name, fmt::join(names, ", ")));
   }
   for (const auto& column : columns) {
-    if (column.order == 0.0 && given(text, column.name) == nullptr) {
+    if (column.order == 0.0 && !is_implied(text, column) && given(text, column.name) == nullptr) {
       reject_at(text.file, text.exact.front().position,
                 fmt::format("exact: has no {}, it must have every unknown", column.name));
     }
@@ -180,6 +188,25 @@ Expression column_of(const SystemColumn& column, FileFormulas& formulas) {
                         name, unknown->name));
 }
 
+// The rows that [exact] gives. Rejects a column that contains an integral, of which [exact] says nothing.
+Columns rows_without_implied(Columns rows, const Columns& columns, FileFormulas& formulas) {
+  const auto& text = formulas.text();
+  auto& pool = formulas.pool();
+  for (const auto& row : rows) {
+    if (!is_implied(text, row)) continue;
+    for (const auto& column : columns) {
+      if (!pool.depends_on(column.in_rows(pool), static_cast<int>(row.row) + 1)) continue;
+      reject_at(
+          text.file, text.exact.front().position,
+          fmt::format("exact: does not determine the column {}, which contains a fractional integral or "
+                      "derivative of a formula",
+                      column.name));
+    }
+  }
+  std::erase_if(rows, [&](const SystemColumn& row) { return is_implied(text, row); });
+  return rows;
+}
+
 }  // namespace
 
 reference::Reference file_reference(const EquationSystem& system, const Problem& problem,
@@ -188,8 +215,10 @@ reference::Reference file_reference(const EquationSystem& system, const Problem&
     return known_derivatives(system, problem, columns, formulas);
   auto rows = columns_of(system);
   std::ranges::sort(rows, {}, &SystemColumn::row);
+  if (!formulas.text().exact.empty()) rows = rows_without_implied(rows, columns, formulas);
   const auto known = known_derivatives(system, problem, rows, formulas);
-  return known.at ? formulas_of(known, columns, formulas.pool()) : reference::Reference{};
+  return known.at ? formulas_of(known, rows, system.size(), columns, formulas.pool())
+                  : reference::Reference{};
 }
 
 reference::Reference exact_columns(const EquationText& text, const Parameters& parameters,

@@ -64,12 +64,18 @@ struct Counted {
 // The reason without its detail for one scene, as in "takes no algebraic rows: component 6 is one".
 std::string general(const std::string& reason) { return reason.substr(0, reason.find(": component")); }
 
-// What speaks against a line: the scenes by verdict, with the most frequent reason of refusals.
+// What speaks against a line: the scenes by verdict, with the most frequent reason of refusals. A line that
+// has finished a scene in other runs does not refuse it, although it may refuse steps longer than a delay.
 json against(const PageInput& page, const std::string& line) {
+  std::vector<std::string> solved;
+  for (const Record& run : page.runs.finished)
+    if (page.label(run.key) == line) solved.push_back(label_of(run.key.scene));
   std::map<std::string_view, Counted> counted;
   const auto count = [&](const Record& run) {
     if (page.label(run.key) != line) return;
-    auto& of = counted[trial_result(run).word];
+    const TrialResult result = trial_result(run);
+    if (result == refuses && std::ranges::find(solved, label_of(run.key.scene)) != solved.end()) return;
+    auto& of = counted[result.word];
     ++of.scenes[run.key.scene.id];
     ++of.reasons[general(run.ending.detail)];
   };

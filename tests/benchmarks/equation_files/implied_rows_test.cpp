@@ -90,6 +90,28 @@ TEST(ImpliedRows, TakeNonlinearIntegrands) {
   EXPECT_NEAR(solved_by(text, "1", {"spectral_collocation", "--accuracy", "1e-10"}), 1.0, 1e-8);
 }
 
+// x' + x = int_0^t e^(s-t) x ds, x = e^-t cosh t, from [exact]: of it x' and 2x follow, a column with the
+// integral does not.
+TEST(ImpliedRows, LeaveTheExactSolutionToTheUnknowns) {
+  const auto exact = [](const std::string& columns) {
+    const TemporaryFolder folder;
+    folder.write("f.toml", file_with("1", "exp(-t)*J(exp(t)*x, 1) - x", "1") +
+                               "[exact]\nx = \"exp(-t)*cosh(t)\"\n" + columns);
+    return fdebench({"exact", folder.file("f.toml"), "--at", "1"});
+  };
+  const auto value = [&exact](const std::string& columns) {
+    const auto out = exact(columns).out;
+    return std::stod(out.substr(out.find("\n1,") + 3));
+  };
+  const double x = std::exp(-1.0) * std::cosh(1.0);
+  EXPECT_NEAR(value(""), x, 1e-15);
+  EXPECT_NEAR(value("[columns]\ndx = \"D(x, 1)\"\n"), -std::exp(-2.0), 1e-15);
+  EXPECT_NEAR(value("[columns]\ntwice = \"2*x\"\n"), 2.0 * x, 1e-15);
+  const auto refused = exact("[columns]\nsum = \"x + D(x, 1)\"\n");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("line 7, column 1: exact: does not determine the column sum"));
+}
+
 // J(t - 1) is its value at t - 1, here 0: J' = D^0.4 sin(3t).
 TEST(ImpliedRows, LeaveAnUnknownOfTheSameNameAlone) {
   const std::string text =

@@ -154,11 +154,13 @@ TEST(Report, ConcludesOnAScene) {
   EXPECT_EQ(of["limit"]["line"], "adams_pc");
 }
 
-// Early endings and refusals are listed against a scheme.
+// Early endings and refusals are listed against a scheme, but not that of steps that are too long for a scene
+// which it solves.
 TEST(Report, HasForEachSchemeWhereItIsNearestAndWhatSpeaksAgainstIt) {
   Results results = two_lines();
   add_ending(results, {"brusselator", "l1", 64}, 1.5, {SolveStatus::non_finite, "at step 13, t = 1.5"});
   add_ending(results, {"diethelm", "adams_pc", 64}, 0.0, {SolveStatus::refused, "takes no such order"});
+  add_ending(results, {"pendulum", "adams_pc", 2}, 0.0, {SolveStatus::refused, "needs 3 steps"});
   const auto schemes = section(data_of(written(results)), "answer")["schemes"];
   ASSERT_EQ(schemes.size(), 2U);
   EXPECT_EQ(schemes[0]["line"], "adams_pc");  // in the order of the list of schemes
@@ -166,8 +168,8 @@ TEST(Report, HasForEachSchemeWhereItIsNearestAndWhatSpeaksAgainstIt) {
   EXPECT_EQ(nearest["scene"], "pendulum");
   EXPECT_EQ(nearest["accuracy"], 1e-4);
   EXPECT_NEAR(nearest["ratio"].get<double>(), 1.5, 1e-6);
-  EXPECT_EQ(schemes[0]["against"][0],
-            nlohmann::json({{"refuses", {"diethelm"}}, {"reason", "takes no such order"}}));
+  EXPECT_EQ(schemes[0]["against"],
+            nlohmann::json::array({{{"refuses", {"diethelm"}}, {"reason", "takes no such order"}}}));
   EXPECT_EQ(schemes[1]["line"], "l1");
   EXPECT_EQ(schemes[1]["nearest"]["error_end"]["ratio"], 1);
   EXPECT_EQ(schemes[1]["against"][0]["fails"][0], "brusselator");
