@@ -135,6 +135,12 @@ reference::Reference reference_to(double end, EquationText text, const Parameter
   return file_reference(system, problem_of(system, formulas), output_columns(system, formulas), formulas);
 }
 
+// Whether the reference is made for one end: with values there, or a term for each step of a load by floor.
+bool has_reference_to_end(const EquationSystem& system, const ExpressionPool& pool) {
+  const auto is_floor = [](const ExpressionPool::Node& node) { return node.operation == Operation::floor; };
+  return !system.final.empty() || !pool.arguments(system.rows, is_floor).empty();
+}
+
 Scene scene_of(const EquationText& all, const Parameters& parameters, const NoteReceiver& on_note) {
   const EquationText text = with_implied_terms(
       with_implied_rows(with_states(present_parts(all, parameters), parameters), parameters), parameters);
@@ -153,7 +159,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   scene.load_times = load_times(system.rows, system.jumps, formulas.pool());
   set_end(scene, system.end);
   scene.reference = file_reference(system, scene.problem, columns, formulas);
-  if (scene.reference.at && !system.final.empty())
+  if (scene.reference.at && has_reference_to_end(system, formulas.pool()))
     scene.reference_to = [text, parameters](double end) { return reference_to(end, text, parameters); };
   if (!scene.reference.at && scene.problem.resets.empty())
     scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());

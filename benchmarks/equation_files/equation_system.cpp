@@ -204,7 +204,7 @@ void require_no_earlier_switch(const EquationSystem& system, std::size_t u, File
     const auto variables = pool.variables_in(argument);
     if (!variables.empty() && *variables.rbegin() > system.size()) {
       formulas.reject(formulas.text().unknowns[u].rhs,
-                      "sign and step of an earlier value are not supported, nor tables with jumps");
+                      "sign, step and floor of an earlier value are not supported, nor tables with jumps");
     }
   }
 }
@@ -253,8 +253,9 @@ std::vector<Expression> values_before(const EquationSystem& system, FileFormulas
     }
     for (double k = 0.0; k < order; ++k) value = pool.derivative(value, 0);
     if (!pool.arguments({value}, jumps).empty()) {
-      formulas.reject(*text.before,
-                      "before: must not jump; sign and step are not supported in it, nor tables with jumps");
+      formulas.reject(
+          *text.before,
+          "before: must not jump; sign, step and floor are not supported in it, nor tables with jumps");
     }
     values[static_cast<std::size_t>(row)] = value;
   }

@@ -134,7 +134,7 @@ Expression FileFormulas::time_derivative(Expression of, Expression order) {
     refuse(fmt::format("its order must be in [0, {}], and whole but in right-hand sides", most));
   const auto depends_on_time = [&](Expression one) { return pool_.depends_on(one, 0); };
   if (std::ranges::any_of(pool_.arguments({of}, jumps), depends_on_time))
-    refuse("must not contain the sign or step of t, or a table that jumps, which have no derivative");
+    refuse("must not contain the sign, step or floor of t, or a table that jumps, which have no derivative");
   if (*value > 1.0L && std::ranges::any_of(pool_.arguments({of}, has_kink), depends_on_time))
     refuse("must not contain abs, min or max of t, or a table with kinks, which have no second derivative");
   Expression derivative = of;
@@ -172,7 +172,7 @@ Expression FileFormulas::derivative(std::string_view unknown, Expression order, 
 Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVariables& variables) {
   const auto rate = pool_.depends_on_unknowns(time) ? std::nullopt : value(pool_.derivative(time, 0));
   const auto at_start = value(pool_.without_variables(time, 0));
-  // sign and step have the derivative 0.
+  // sign, step and floor have the derivative 0.
   const bool may_jump = !pool_.arguments({time}, jumps).empty();
   if (rate != 1.0L || may_jump || !at_start || !(*at_start < 0.0L))
     throw std::invalid_argument("its time must be t - tau, tau a formula of the parameters above 0");

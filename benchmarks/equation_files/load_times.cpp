@@ -54,9 +54,8 @@ std::vector<Expression> time_parts(const std::vector<Expression>& rows, const Ex
   return parts;
 }
 
-bool jumps_by_sign(const ExpressionPool::Node& node) {
-  return node.operation == Operation::sign || node.operation == Operation::step;
-}
+// Those of tables are known without a search.
+bool jumps_without_table(const ExpressionPool::Node& node) { return jumps(node) && !node.function; }
 
 // The values of tables in the rows whose arguments depend on t alone.
 std::vector<Expression> table_values(const std::vector<Expression>& rows, const ExpressionPool& pool) {
@@ -231,7 +230,7 @@ std::vector<StepLimit> limits_until(double end, const std::vector<Curve>& curves
 std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& rows,
                                                 std::vector<double> declared_jumps, ExpressionPool& pool) {
   Breaks of_jumps, of_kinks;
-  for (const auto argument : pool.arguments(rows, jumps_by_sign))
+  for (const auto argument : pool.switches(rows, jumps_without_table))
     if (!pool.depends_on_unknowns(argument)) of_jumps.functions.emplace_back(argument, pool);
   for (const auto argument : kinks_in(rows, pool)) of_kinks.functions.emplace_back(argument, pool);
   for (const auto value : table_values(rows, pool)) {

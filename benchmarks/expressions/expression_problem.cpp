@@ -51,7 +51,7 @@ std::vector<Entry> derivatives_of(const std::vector<Expression>& rows, Expressio
 // Expressions of unknowns with the sign of which a row jumps.
 std::vector<Expression> switches_of(const std::vector<Expression>& rows, ExpressionPool& pool) {
   std::vector<Expression> found;
-  for (const auto one : pool.switches(rows))
+  for (const auto one : pool.switches(rows, jumps))
     if (pool.depends_on_unknowns(one)) found.push_back(one);
   return found;
 }
@@ -69,7 +69,7 @@ std::optional<double> constant_of(Expression value, Eigen::Index variables, Expr
   constexpr Eigen::Index few = 12;
   if (const auto known = pool.value(value)) return static_cast<double>(*known);
   const auto zero = pool.number(0);
-  // sign and step have derivative 0 but are not constant
+  // sign, step and floor have derivative 0 but are not constant
   const bool may_jump = !pool.arguments({value}, jumps).empty();
   if (variables > few || may_jump) return std::nullopt;
   for (int variable = 0; variable <= variables; ++variable) {

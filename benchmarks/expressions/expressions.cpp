@@ -108,6 +108,8 @@ std::optional<Expression> ExpressionPool::folded_fraction(Operation operation, E
       return of(-x);
     case Operation::abs:
       return of(x < 0 ? Rational(-x) : x);
+    case Operation::floor:
+      return of(reference::floor(x));
     case Operation::sign:
       return of(Rational(x.sign()));
     case Operation::step:
@@ -147,7 +149,8 @@ Expression ExpressionPool::integer_power(Expression base, int exponent) {
   return exponent % 2 == 0 ? square : make_expression(Operation::multiply, square, base);
 }
 
-// The simplified form of an operation with 0 or 1, a double negation or an integer power; nullopt: none.
+// The simplified form of an operation with 0 or 1, a double negation, an integer power, or ceil and mod,
+// which are made of floor; nullopt: none.
 std::optional<Expression> ExpressionPool::simplified(Operation operation, Expression a, Expression b) {
   switch (operation) {
     case Operation::add:
@@ -174,6 +177,12 @@ std::optional<Expression> ExpressionPool::simplified(Operation operation, Expres
           std::abs((*this)[b].value) <= largest_whole_power)
         return integer_power(a, static_cast<int>((*this)[b].value));
       break;
+    case Operation::ceil:
+      return (-floor(-Operand{this, a})).value;
+    case Operation::mod: {
+      const Operand x{this, a}, period{this, b};
+      return (x - period * floor(x / period)).value;
+    }
     default:
       break;
   }
@@ -273,14 +282,17 @@ std::vector<Expression> ExpressionPool::arguments(const std::vector<Expression>&
   return {found.begin(), found.end()};
 }
 
-std::vector<Expression> ExpressionPool::switches(const std::vector<Expression>& in) {
+std::vector<Expression> ExpressionPool::switches(const std::vector<Expression>& in,
+                                                 const std::function<bool(const Node& node)>& is_one) {
   const auto used = subexpressions(in);
   std::set<Expression> found;
   for (std::size_t e = 0; e < used.size(); ++e) {
     const auto& part = (*this)[static_cast<Expression>(e)];
-    if (!used[e] || !jumps(part)) continue;
-    found.insert(part.function ? sampled(part.function->alternation(), part.arguments[0])
-                               : part.arguments[0]);
+    if (!used[e] || !is_one(part)) continue;
+    const Expression argument = part.arguments[0];
+    found.insert(part.function                        ? sampled(part.function->alternation(), argument)
+                 : part.operation == Operation::floor ? make_expression(Operation::alternation, argument)
+                                                      : argument);
   }
   return {found.begin(), found.end()};
 }
@@ -316,7 +328,7 @@ Expression ExpressionPool::without_variables(Expression of, int first) {
 
 bool jumps(const ExpressionPool::Node& node) {
   return node.operation == Operation::sign || node.operation == Operation::step ||
-         (node.function && node.function->jumping_derivative() == 0);
+         node.operation == Operation::floor || (node.function && node.function->jumping_derivative() == 0);
 }
 
 bool has_kink(const ExpressionPool::Node& node) {

@@ -79,8 +79,8 @@ class ExpressionPool {
   // The operation of a node with other arguments.
   Expression with_arguments(const Node& node, Expression a, Expression b = none, Expression c = none);
 
-  // d/dx for x the variable; 0 for abs and step at their kink or jump. Throws std::invalid_argument if x
-  // occurs in the argument of gamma or in one of the first two arguments of mittag_leffler.
+  // d/dx for x the variable; 0 for abs, step and floor at their kink or jump. Throws std::invalid_argument if
+  // x occurs in the argument of gamma or in one of the first two arguments of mittag_leffler.
   Expression derivative(Expression of, int variable);
   // The derivatives of several expressions, in which each common part is differentiated once.
   std::vector<Expression> derivatives(const std::vector<Expression>& of, int variable);
@@ -98,9 +98,11 @@ class ExpressionPool {
   // The arguments of the operations in the expressions of which this is true, each once, in increasing order.
   [[nodiscard]] std::vector<Expression> arguments(const std::vector<Expression>& in,
                                                   const std::function<bool(const Node& node)>& is_one) const;
-  // Expressions at whose changes of sign the given ones jump: the arguments of sign and step, and the
-  // alternation of a table, in increasing order.
-  std::vector<Expression> switches(const std::vector<Expression>& in);
+  // Expressions at whose changes of sign the given ones jump by an operation of which `is_one` is true: the
+  // arguments of sign and step, and the alternation of the argument of floor, or of a table, in increasing
+  // order. Precondition: jumps() is true of each such operation.
+  std::vector<Expression> switches(const std::vector<Expression>& in,
+                                   const std::function<bool(const Node& node)>& is_one);
   // The value, if the expression contains no variable.
   [[nodiscard]] std::optional<long double> value(Expression of) const;
   // Element e, up to the largest index in `of`: whether expression e is a subexpression of one of these.
@@ -131,7 +133,8 @@ class ExpressionPool {
   std::map<double, Expression> constants_{};
 };
 
-// Whether an operation jumps for some argument: sign, step and tables between whose samples it is constant.
+// Whether an operation jumps for some argument: sign, step, floor and tables between whose samples it is
+// constant.
 bool jumps(const ExpressionPool::Node& node);
 // Whether it has a kink: abs, min, max and tables between whose samples it is linear.
 bool has_kink(const ExpressionPool::Node& node);
