@@ -26,6 +26,7 @@
 #include "fdebench/benchmarks/equation_files/output_columns.hpp"
 #include "fdebench/benchmarks/equation_files/table_times.hpp"
 #include "fdebench/benchmarks/equation_files/transfer_function.hpp"
+#include "fdebench/benchmarks/equation_files/vector_components.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
@@ -142,8 +143,9 @@ bool has_reference_to_end(const EquationSystem& system, const ExpressionPool& po
 }
 
 Scene scene_of(const EquationText& all, const Parameters& parameters, const NoteReceiver& on_note) {
-  const EquationText text = with_implied_terms(
-      with_implied_rows(with_states(present_parts(all, parameters), parameters), parameters), parameters);
+  EquationText text = with_components(present_parts(all, parameters), parameters);
+  text = with_implied_rows(with_states(std::move(text), parameters), parameters);
+  text = with_implied_terms(std::move(text), parameters);
   if (text.mechanics) return mechanical_scene_of(text, parameters, on_note);
   FileFormulas formulas(text, parameters, NumberStorage::values);
   formulas.require_parameters();
@@ -192,9 +194,10 @@ EquationFormula written(const UnknownText& unknown) {
   return equation;
 }
 
-// With a transfer function, which is no sum of terms, all equations are for display only.
+// With a transfer function, which is no sum of terms, or a vector, all equations are for display only.
 void set_equations(const std::vector<UnknownText>& unknowns, SceneFactory& factory) {
-  if (std::ranges::none_of(unknowns, [](const UnknownText& one) { return one.transfer.has_value(); })) {
+  const auto is_for_display = [](const UnknownText& one) { return one.transfer || one.size; };
+  if (std::ranges::none_of(unknowns, is_for_display)) {
     for (const auto& unknown : unknowns) factory.equations.push_back(written(unknown));
     return;
   }

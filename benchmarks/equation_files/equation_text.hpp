@@ -32,6 +32,7 @@ struct FormulaText {
   std::string text{};
   TextPosition position{};          // of its first byte
   std::vector<LinePiece> pieces{};  // in order; empty: all bytes stand side by side from `position` on
+  int index = 0, size = 0;          // i and size in a formula of a component; 0: it is of none
 };
 
 struct TermText {
@@ -58,13 +59,23 @@ struct UnknownText {
   std::optional<FormulaText> before{};  // its value for t < 0
   std::vector<NamedFormula> final{};    // values at the end, each of the column that it names
   ParameterValues unless{};
-  bool is_implied = false;  // added by with_implied_rows() or with_states(); it is no column
+  std::optional<FormulaText> size{};     // of a vector; empty: it is a number
+  std::optional<FormulaText> outside{};  // of a vector: its components besides 1 ... size
+  bool is_implied = false;               // added by with_implied_rows() or with_states(); it is no column
 };
 
 // A name for a sum of derivatives of an unknown, the state (with_states).
 struct OutputText {
   std::string name{}, state{};
   std::vector<TermText> terms{};
+};
+
+// A vector of unknowns, which are unknowns[first], unknowns[first + 1], ... of the file (with_components).
+struct VectorText {
+  std::string name{};
+  std::size_t first = 0;
+  int size = 0;
+  std::optional<FormulaText> outside{};
 };
 
 struct EnergyText {
@@ -133,6 +144,7 @@ struct EquationText {
   std::vector<RequirementText> requirements{};
   std::vector<std::shared_ptr<const SampledFunction>> tables{};
   std::vector<UnknownText> unknowns{};
+  std::vector<VectorText> vectors{};
   std::vector<OutputText> outputs{};
   std::optional<MechanicsText> mechanics{};    // then the unknowns are coordinates
   std::vector<std::string> absent_unknowns{};  // those that present_parts() has left out
@@ -152,7 +164,8 @@ struct EquationText {
 EquationText present_parts(EquationText text, const Parameters& parameters);
 
 inline constexpr std::size_t max_equation_file_bytes = std::size_t{1} << 20;  // bytes
-inline constexpr std::size_t max_unknowns = 100;
+inline constexpr std::size_t max_unknowns = 100;                              // names of unknowns
+inline constexpr std::size_t max_components = 10'000;  // unknowns, with those of vectors and integrals
 
 // The bytes of a regular file. Throws std::invalid_argument naming the file and why it cannot be read.
 std::string read_text_file(const std::filesystem::path& file, std::size_t most_bytes);

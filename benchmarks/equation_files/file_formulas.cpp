@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -21,7 +22,32 @@ namespace {
 constexpr int absent_variable = 1'000'000'000;
 constexpr int first_parameter = 500'000'000;  // the variables of parameters
 
+// The vector of this name; nullptr if there is none.
+const VectorText* vector_named(const EquationText& text, std::string_view name) {
+  const auto found = std::ranges::find(text.vectors, name, &VectorText::name);
+  return found == text.vectors.end() ? nullptr : &*found;
+}
+
+// A component "u[3]" by its vector and its index; nullopt for another name.
+std::optional<std::pair<const VectorText*, int>> component_named(const EquationText& text,
+                                                                 std::string_view name) {
+  const auto bracket = name.find('[');
+  const auto* vector =
+      bracket == std::string_view::npos ? nullptr : vector_named(text, name.substr(0, bracket));
+  if (vector == nullptr) return std::nullopt;
+  int index = 0;
+  std::from_chars(name.data() + bracket + 1, name.data() + name.size(), index);
+  return std::pair(vector, index);
+}
+
+bool contains(const VectorText& vector, int index) { return index >= 1 && index <= vector.size; }
+
 std::optional<std::size_t> unknown_named(const EquationText& text, std::string_view name) {
+  if (const auto component = component_named(text, name)) {
+    const auto& [vector, index] = *component;
+    return contains(*vector, index) ? std::optional(vector->first + static_cast<std::size_t>(index) - 1)
+                                    : std::nullopt;
+  }
   const auto found = std::ranges::find(text.unknowns, name, &UnknownText::name);
   if (found == text.unknowns.end()) return std::nullopt;
   return static_cast<std::size_t>(found - text.unknowns.begin());
@@ -52,10 +78,16 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
   for (const auto& parameter : text_.parameters) names.accepted_names.emplace_back(parameter.declared.name);
   if (variables.resolve_unknown) {
     for (const auto& unknown : text_.unknowns)
-      if (!unknown.is_implied) names.accepted_names.emplace_back(unknown.name);
+      if (!unknown.is_implied && !unknown.size) names.accepted_names.emplace_back(unknown.name);
+    for (const auto& vector : text_.vectors) names.accepted_names.emplace_back(vector.name);
     for (const auto& output : text_.outputs) names.accepted_names.emplace_back(output.name);
     names.derivative = [&, absent](std::string_view unknown, Expression order, bool is_decimal) {
       return derivative(unknown, order, is_decimal, variables, absent);
+    };
+  }
+  if (variables.resolve_unknown) {
+    names.component = [&, absent](std::string_view vector, int index) {
+      return component(vector, index, variables, absent);
     };
   }
   if (variables.time && variables.resolve_unknown)
@@ -72,11 +104,15 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
   }
   names.resolve = [&, absent](std::string_view name) -> std::optional<Expression> {
     if (name == "t" && variables.time) return pool_.variable(0);
+    if (formula.size > 0 && name == "i") return pool_.number(formula.index);
+    if (formula.size > 0 && name == "size") return pool_.number(formula.size);
     for (const auto& known : text_.parameters)
       if (known.declared.name == name) return parameter(known);
     if (variables.resolve_unknown) {
       if (const auto unknown = unknown_named(text_, name)) return variables.resolve_unknown(*unknown, 0.0);
       if (const auto* output = output_named(text_, name)) return this->output(*output, 0.0, variables);
+      if (vector_named(text_, name) != nullptr)
+        throw std::invalid_argument(fmt::format("{0}: must have an index, as {0}[1]", name));
       if (absent == Absent::is_a_variable && is_left_out(text_, name)) return pool_.variable(absent_variable);
     }
     return variables.resolve_other ? variables.resolve_other(name) : std::nullopt;
@@ -146,7 +182,13 @@ Expression FileFormulas::derivative(std::string_view unknown, Expression order, 
                                     const FormulaVariables& variables, Absent absent) {
   const auto found = unknown_named(text_, unknown);
   const bool may_be_absent = absent == Absent::is_a_variable;
-  if (!found && may_be_absent && is_left_out(text_, unknown)) return pool_.variable(absent_variable);
+  if (!found && may_be_absent && is_left_out(text_, unknown.substr(0, unknown.find('['))))
+    return pool_.variable(absent_variable);
+  if (const auto of_vector = component_named(text_, unknown); of_vector && !found) {
+    const auto value = outside(*of_vector->first, of_vector->second);
+    const bool is_constant = !pool_.depends_on(value, 0);
+    return is_constant && this->value(order) > 0.0L ? pool_.number(0) : time_derivative(value, order);
+  }
   const auto* output = output_named(text_, unknown);
   if (!found && output == nullptr)
     throw std::invalid_argument(fmt::format("{}: must be an unknown, as in D(x, 0.5)", unknown));
@@ -169,6 +211,31 @@ Expression FileFormulas::derivative(std::string_view unknown, Expression order, 
   }
 }
 
+Expression FileFormulas::component(std::string_view name, int index, const FormulaVariables& variables,
+                                   Absent absent) {
+  const auto* vector = vector_named(text_, name);
+  if (vector == nullptr) {
+    if (absent == Absent::is_a_variable && is_left_out(text_, name)) return pool_.variable(absent_variable);
+    throw std::invalid_argument(fmt::format("{}: must be a vector, an unknown with size", name));
+  }
+  if (!contains(*vector, index)) return outside(*vector, index);
+  return variables.resolve_unknown(vector->first + static_cast<std::size_t>(index) - 1, 0.0);
+}
+
+// The value of a component beyond the first or the last one.
+Expression FileFormulas::outside(const VectorText& vector, int index) {
+  if (!vector.outside) {
+    throw std::invalid_argument(
+        fmt::format("{}[{}]: must have an index from 1 to {}; for another one {} must have the key outside, "
+                    "as outside = \"0\"",
+                    vector.name, index, vector.size, vector.name));
+  }
+  FormulaText value = *vector.outside;
+  value.index = index;
+  value.size = vector.size;
+  return read(value, {});
+}
+
 Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVariables& variables) {
   const auto rate = pool_.depends_on_unknowns(time) ? std::nullopt : value(pool_.derivative(time, 0));
   const auto at_start = value(pool_.without_variables(time, 0));
@@ -177,6 +244,9 @@ Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVa
   if (rate != 1.0L || may_jump || !at_start || !(*at_start < 0.0L))
     throw std::invalid_argument("its time must be t - tau, tau a formula of the parameters above 0");
   if (of == pool_.variable(absent_variable)) return of;
+  if (!pool_.depends_on_unknowns(of))  // outside of a vector: a formula of t
+    return pool_.substituted(
+        {of}, [&](int variable) { return variable == 0 ? time : pool_.variable(variable); })[0];
   return variables.earlier(of, static_cast<double>(-*at_start));
 }
 

@@ -83,6 +83,8 @@ class FileFormulas {
 
   Expression read(const FormulaText& formula, const FormulaVariables& variables, Absent absent);
   Expression parameter(const ParameterText& known);
+  Expression component(std::string_view name, int index, const FormulaVariables& variables, Absent absent);
+  Expression outside(const VectorText& vector, int index);
   [[nodiscard]] double require_in(const Range& allowed, double value, const FormulaText& formula,
                                   std::string_view name) const;
   // The value, which stands for this expression in a pool of fractions.

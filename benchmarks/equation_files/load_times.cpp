@@ -85,10 +85,12 @@ std::vector<Expression> kinks_in(const std::vector<Expression>& rows, Expression
   for (std::size_t e = 0; e < used.size(); ++e) {
     const auto [operation, arguments] =
         std::pair(pool[static_cast<Expression>(e)].operation, pool[static_cast<Expression>(e)].arguments);
-    if (!used[e] || pool.depends_on_unknowns(static_cast<Expression>(e))) continue;
-    if (operation == Operation::abs) found.push_back(arguments[0]);
-    if (operation == Operation::min || operation == Operation::max)
-      found.push_back(pool.make_expression(Operation::subtract, arguments[0], arguments[1]));
+    const bool is_abs = operation == Operation::abs;
+    if (!used[e] || !(is_abs || operation == Operation::min || operation == Operation::max) ||
+        pool.depends_on_unknowns(static_cast<Expression>(e)))
+      continue;
+    found.push_back(is_abs ? arguments[0]
+                           : pool.make_expression(Operation::subtract, arguments[0], arguments[1]));
   }
   return found;
 }

@@ -155,9 +155,15 @@ class EquationReader : DeclarationReader {
     const auto name = fmt::format("unknown {}", entry.name);
     const auto& of = table(*entry.node, name);
     require_keys(of, name,
-                 {"terms", "order", "chain", "factor", "rhs", "initial", "final", "before", "transfer",
-                  "input", "unless"});
+                 {"size", "terms", "order", "chain", "factor", "rhs", "initial", "final", "before", "outside",
+                  "transfer", "input", "unless"});
     UnknownText unknown{.name = entry.name, .position = entry.position};
+    if (const auto* size = of.get("size")) unknown.size = formula(*size, "size");
+    if (const auto* outside = of.get("outside")) {
+      if (!unknown.size)
+        reject(position_of(*outside), fmt::format("outside: {}: must be given with size", name));
+      unknown.outside = formula(*outside, "outside");
+    }
     if (const auto* transfer = of.get("transfer")) {
       require_keys(of, fmt::format("{} with transfer", name), {"transfer", "input", "unless"});
       unknown.transfer = formula(*transfer, "transfer");

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <queue>
 #include <stdexcept>
 #include <utility>
 
@@ -247,20 +248,32 @@ std::vector<bool> ExpressionPool::subexpressions(Expression of) const {
   return subexpressions(std::vector{of});
 }
 
+// The largest first: arguments have smaller indices.
+std::vector<Expression> ExpressionPool::parts(const std::vector<Expression>& of) const {
+  std::priority_queue<Expression> open(of.begin(), of.end());
+  std::vector<Expression> found;
+  while (!open.empty()) {
+    const Expression e = open.top();
+    open.pop();
+    if (!found.empty() && found.back() == e) continue;
+    found.push_back(e);
+    for (const auto part : (*this)[e].arguments)
+      if (part != none) open.push(part);
+  }
+  std::ranges::reverse(found);
+  return found;
+}
+
 bool ExpressionPool::depends_on(Expression of, int variable) const {
   const auto found = known_.find(Key{Operation::variable, variable, none, none, nullptr});
   return found != known_.end() && found->second <= of &&
-         subexpressions(of)[static_cast<std::size_t>(found->second)];
+         std::ranges::binary_search(parts({of}), found->second);
 }
 
 std::set<int> ExpressionPool::variables_in(Expression of) const {
-  const auto used = subexpressions(of);
   std::set<int> found;
-  for (Expression e = 0; e <= of; ++e) {
-    const auto& entry = (*this)[e];
-    if (used[static_cast<std::size_t>(e)] && entry.operation == Operation::variable)
-      found.insert(entry.variable);
-  }
+  for (const auto e : parts({of}))
+    if ((*this)[e].operation == Operation::variable) found.insert((*this)[e].variable);
   return found;
 }
 
@@ -299,19 +312,14 @@ std::vector<Expression> ExpressionPool::switches(const std::vector<Expression>& 
 
 std::optional<long double> ExpressionPool::value(Expression of) const {
   if ((*this)[of].operation == Operation::number) return (*this)[of].value;
-  const auto used = subexpressions(of);
-  std::vector<long double> values(used.size());
-  for (Expression e = 0; e <= of; ++e) {
-    const auto& entry = (*this)[e];
-    if (!used[static_cast<std::size_t>(e)]) continue;
-    if (entry.operation == Operation::variable) return std::nullopt;
-    const auto at = [&](std::size_t i) {
-      return entry.arguments[i] == none ? 0.0L : values[static_cast<std::size_t>(entry.arguments[i])];
-    };
-    values[static_cast<std::size_t>(e)] =
-        entry.operation == Operation::number ? entry.value : apply(entry, at(0), at(1), at(2));
-  }
-  return values.back();
+  if (!variables_in(of).empty()) return std::nullopt;
+  return values_from_parts(*this, {of}, 0.0L,
+                           [](Expression, const Node& node, const auto& parts) {
+                             return node.operation == Operation::number
+                                        ? node.value
+                                        : apply(node, parts(0), parts(1), parts(2));
+                           })
+      .front();
 }
 
 std::vector<Expression> ExpressionPool::substituted(const std::vector<Expression>& of,

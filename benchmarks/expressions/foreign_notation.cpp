@@ -95,7 +95,8 @@ constexpr std::array foreign_functions{
     ForeignNotation{
         " interp interp1 interp1d interpolate interpolation lookup table griddedinterpolant spline ",
         "a function of samples is a [table.u] with file = \"u.csv\", called as u(t)"},
-    ForeignNotation{" sum prod ", "write the terms one by one"},
+    ForeignNotation{" summation ", "here it is sum(j, 1, 3, j*x)"},
+    ForeignNotation{" prod product ", "write the factors one by one"},
     ForeignNotation{" real imag re im conj complex ", complex_numbers_here},
 };
 

@@ -76,10 +76,9 @@ bool floor_is_smooth(const ExpressionPool& pool, Expression argument, double at_
 std::optional<std::set<double>> time_powers(const ExpressionPool& pool, Expression of,
                                             const std::vector<double>& values) {
   std::set<double> powers;
-  const auto used = pool.subexpressions(of);
-  for (Expression e = 0; e <= of; ++e) {
+  for (const auto e : pool.parts({of})) {
     const auto& entry = pool[e];
-    if (!used[static_cast<std::size_t>(e)] || entry.arguments[0] == ExpressionPool::none) continue;
+    if (entry.arguments[0] == ExpressionPool::none) continue;
     if (const auto power = power_of_time(pool, entry)) {
       powers.insert(*power);
       continue;
