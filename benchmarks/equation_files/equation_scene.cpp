@@ -108,6 +108,7 @@ Scene mechanical_scene_of(const EquationText& text, const Parameters& parameters
   formulas.require_parameters();
   const auto file = read_mechanical_file(formulas);
   Scene scene = mechanical_file_scene(file, formulas, parameters, on_note);
+  scene.start = formulas.start();
   scene.from_file = !text.is_built_in;
   auto applied = file.system.forces;
   applied.push_back(file.system.lagrangian);
@@ -130,7 +131,8 @@ Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormu
 
 // The reference of the columns with another end.
 reference::Reference reference_to(double end, EquationText text, const Parameters& parameters) {
-  text.end = {.text = fmt::format("{}", end), .position = text.end.position};
+  text.end = {.text = fmt::format("{} + ({})", end, text.start ? text.start->text : "0"),
+              .position = text.end.position};
   FileFormulas formulas(text, parameters, NumberStorage::values);
   const auto system = read_system(formulas);
   return file_reference(system, problem_of(system, formulas), output_columns(system, formulas), formulas);
@@ -152,7 +154,8 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   const auto system = read_system(formulas);
   const auto columns = output_columns(system, formulas);
   if (const auto check = samples_check(formulas)) check(system.end);  // before problem_of() evaluates them
-  Scene scene{.problem = problem_of(system, formulas), .from_file = !text.is_built_in};
+  Scene scene{
+      .problem = problem_of(system, formulas), .start = formulas.start(), .from_file = !text.is_built_in};
   if (text.domain) scene.problem.domain = domain_of(*text.domain, system, formulas);
   const auto started = with_some_initial_values(system);
   scene.smoothness = file_smoothness(started, with_some_initial_values(scene.problem), formulas);

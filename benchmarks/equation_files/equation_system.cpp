@@ -290,15 +290,15 @@ FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool
 
 std::vector<double> declared_jumps(FileFormulas& formulas) {
   std::vector<double> jumps;
-  for (const auto& jump : formulas.text().jumps) jumps.push_back(formulas.constant(jump, "at", positive));
+  for (const auto& jump : formulas.text().jumps)
+    jumps.push_back(formulas.time_after_start(jump, "at", positive));
   return increasing(std::move(jumps));
 }
 
 EquationSystem read_system(FileFormulas& formulas) {
   const auto& text = formulas.text();
   if (text.unknowns.empty()) reject_at(text.file, {}, "unknown: all are left out, there must be one");
-  EquationSystem system{.end = formulas.constant(text.end, "end", valid_end_times),
-                        .jumps = declared_jumps(formulas)};
+  EquationSystem system{.end = formulas.end(), .jumps = declared_jumps(formulas)};
   Eigen::Index first = 0;
   for (const auto& unknown : text.unknowns) {
     system.unknowns.push_back(unknown_of(unknown, first, formulas));

@@ -139,6 +139,7 @@ struct EquationText {
   std::string file{};
   bool is_built_in = false;
   std::string title{}, source{};
+  std::optional<FormulaText> start{};  // the base point of derivatives; empty: 0
   FormulaText end{};
   std::vector<ParameterText> parameters{};  // parameters and unknowns are in file order
   std::vector<RequirementText> requirements{};

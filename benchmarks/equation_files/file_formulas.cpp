@@ -14,6 +14,7 @@
 #include "fdebench/benchmarks/expressions/formula.hpp"
 #include "fdebench/benchmarks/expressions/formula_text.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde::bench {
 namespace {
@@ -103,7 +104,7 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
     };
   }
   names.resolve = [&, absent](std::string_view name) -> std::optional<Expression> {
-    if (name == "t" && variables.time) return pool_.variable(0);
+    if (name == "t" && variables.time) return time();
     if (formula.size > 0 && name == "i") return pool_.number(formula.index);
     if (formula.size > 0 && name == "size") return pool_.number(formula.size);
     for (const auto& known : text_.parameters)
@@ -154,6 +155,12 @@ Expression FileFormulas::parameter(const ParameterText& known) {
   } catch (const FormulaError& fault) {
     reject_in(text_.file, known.formula, fault.byte_offset, fault.what());
   }
+}
+
+// t as users know it. The equations of mechanics are shown with it as it is.
+Expression FileFormulas::time() {
+  if (!text_.start || as_ == ParametersAs::variables) return pool_.variable(0);
+  return pool_.make_expression(Operation::add, pool_.variable(0), read(*text_.start, {.time = false}));
 }
 
 // Of a whole order; others are rows (implied_rows.hpp).
@@ -238,16 +245,18 @@ Expression FileFormulas::outside(const VectorText& vector, int index) {
 
 Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVariables& variables) {
   const auto rate = pool_.depends_on_unknowns(time) ? std::nullopt : value(pool_.derivative(time, 0));
-  const auto at_start = value(pool_.without_variables(time, 0));
+  const auto before_now = pool_.make_expression(Operation::subtract, this->time(), time);
+  const auto lag = value(pool_.without_variables(before_now, 0));
   // sign, step and floor have the derivative 0.
   const bool may_jump = !pool_.arguments({time}, jumps).empty();
-  if (rate != 1.0L || may_jump || !at_start || !(*at_start < 0.0L))
+  if (rate != 1.0L || may_jump || !lag || !(*lag > 0.0L))
     throw std::invalid_argument("its time must be t - tau, tau a formula of the parameters above 0");
   if (of == pool_.variable(absent_variable)) return of;
+  const auto since_start = pool_.make_expression(Operation::subtract, pool_.variable(0), before_now);
   if (!pool_.depends_on_unknowns(of))  // outside of a vector: a formula of t
     return pool_.substituted(
-        {of}, [&](int variable) { return variable == 0 ? time : pool_.variable(variable); })[0];
-  return variables.earlier(of, static_cast<double>(-*at_start));
+        {of}, [&](int variable) { return variable == 0 ? since_start : pool_.variable(variable); })[0];
+  return variables.earlier(of, static_cast<double>(*lag));
 }
 
 // D^order of the output: the state and its derivatives are 0 at the start, so that orders add up.
@@ -290,6 +299,21 @@ std::string FileFormulas::order_text(double order) const {
 double FileFormulas::constant(const FormulaText& formula, std::string_view name, const Range& allowed) {
   const auto known = read(formula, {.time = false});
   return with_exact(known, require_in(allowed, static_cast<double>(value(known).value()), formula, name));
+}
+
+double FileFormulas::start() { return text_.start ? constant(*text_.start, "start", not_negative) : 0.0; }
+
+double FileFormulas::end() { return time_after_start(text_.end, "end", valid_end_times); }
+
+double FileFormulas::time_after_start(const FormulaText& formula, std::string_view name,
+                                      const Range& allowed) {
+  const double time = constant(formula, name, allowed);
+  if (!text_.start) return time;
+  if (!(time > start()))
+    reject(formula, fmt::format("{} = {}: must be above start = {}", name, time, start()));
+  const auto after = pool_.make_expression(Operation::subtract, read(formula, {.time = false}),
+                                           read(*text_.start, {.time = false}));
+  return with_exact(after, static_cast<double>(value(after).value()));
 }
 
 double FileFormulas::with_exact(Expression exact, double value) {

@@ -202,13 +202,20 @@ struct Breaks {
   std::vector<TableTimes> tables{};
 };
 
+// Whether a function is 0 at the start, and up to where it leaves 0 by the rounding of its time: no jump.
+bool is_start(const SignedPiece& piece, double end) {
+  constexpr double rounding = 1e-10;
+  return piece.sign == 0.0 && piece.to <= rounding * end;
+}
+
 // The given times, and those at which a function changes its sign.
 std::vector<double> times_until(double end, const Breaks& breaks, std::vector<double> times) {
   for (const auto& table : breaks.tables) std::ranges::copy(table.until(end), std::back_inserter(times));
   for (const auto& argument : breaks.functions) {
     const auto pieces = argument.signs(first_part * end, end);
     for (std::size_t k = 1; k < pieces.size(); ++k)
-      if (pieces[k - 1].to == pieces[k].from) times.push_back(pieces[k].from);
+      if (pieces[k - 1].to == pieces[k].from && !is_start(pieces[k - 1], end))
+        times.push_back(pieces[k].from);
   }
   return increasing(std::move(times), same_time);
 }

@@ -24,16 +24,17 @@ class EquationReader : DeclarationReader {
     const bool mechanical = all.get("mechanics") != nullptr || all.get("coordinate") != nullptr;
     if (mechanical) {
       require_keys(all, "a file with [mechanics]",
-                   {"title", "source", "end", "parameters", "require", "table", "coordinate", "mechanics",
-                    "columns", "domain", "path", "exact", "jump", "event"});
+                   {"title", "source", "start", "end", "parameters", "require", "table", "coordinate",
+                    "mechanics", "columns", "domain", "path", "exact", "jump", "event"});
     } else {
       require_keys(all, "the file",
-                   {"title", "source", "end", "parameters", "require", "table", "unknown", "columns",
+                   {"title", "source", "start", "end", "parameters", "require", "table", "unknown", "columns",
                     "domain", "path", "exact", "energy", "constraint", "jump", "event"});
     }
     EquationText read{.file = file()};
     if (const auto* title = all.get("title")) read.title = printable_text(*title, "title");
     if (const auto* source = all.get("source")) read.source = printable_text(*source, "source");
+    if (const auto* start = all.get("start")) read.start = formula(*start, "start");
     read.end = formula(required(all, {}, "the file", "end"), "end");
     if (const auto* parameters = all.get("parameters")) read.parameters = parameters_of(*parameters);
     if (const auto* require = all.get("require"))

@@ -140,6 +140,18 @@ bool ExpressionPool::is(Expression e, int whole) const {
          (*this)[e].value == static_cast<long double>(whole);
 }
 
+// (t + c) + d or (t + c) - d with numbers c and d as t + (c + d), and as t where c and d cancel; decimals may
+// be written in several ways. nullopt for another sum.
+std::optional<Expression> ExpressionPool::moved_time(Operation operation, Expression a, Expression b) {
+  const auto [t, c, none_left] = (*this)[a].arguments;
+  const auto is_number = [&](Expression e) { return (*this)[e].operation == Operation::number; };
+  if ((*this)[a].operation != Operation::add || t != variable(0) || !is_number(c) || !is_number(b))
+    return std::nullopt;
+  const bool same = (*this)[c].value == (*this)[b].value && (!has_fractions() || c == b);
+  if (same && operation == Operation::subtract) return t;
+  return make_expression(Operation::add, t, make_expression(operation, c, b));
+}
+
 // By repeated squaring.
 Expression ExpressionPool::integer_power(Expression base, int exponent) {
   if (exponent < 0) return make_expression(Operation::divide, number(1), integer_power(base, -exponent));
@@ -150,18 +162,18 @@ Expression ExpressionPool::integer_power(Expression base, int exponent) {
   return exponent % 2 == 0 ? square : make_expression(Operation::multiply, square, base);
 }
 
-// The simplified form of an operation with 0 or 1, a double negation, an integer power, or ceil and mod,
-// which are made of floor; nullopt: none.
+// The simplified form of an operation with 0 or 1, a double negation, (t + c) - d, an integer power, or ceil
+// and mod, which are made of floor; nullopt: none.
 std::optional<Expression> ExpressionPool::simplified(Operation operation, Expression a, Expression b) {
   switch (operation) {
     case Operation::add:
       if (is(a, 0)) return b;
       if (is(b, 0)) return a;
-      break;
+      return moved_time(operation, a, b);
     case Operation::subtract:
       if (is(b, 0)) return a;
       if (is(a, 0)) return make_expression(Operation::negate, b);
-      break;
+      return moved_time(operation, a, b);
     case Operation::multiply:
       if (is(a, 0) || is(b, 1)) return a;
       if (is(b, 0) || is(a, 1)) return b;

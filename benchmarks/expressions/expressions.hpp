@@ -49,8 +49,8 @@ using Expression = int;
 enum class NumberStorage { values, decimals, fractions };
 
 // Expressions of numbers and variables. Equal expressions are stored once, so that a program evaluates them
-// once and their number is a small multiple of the length of the formula. Sums with 0 and products with 0 and
-// 1 are simplified.
+// once and their number is a small multiple of the length of the formula. Sums with 0, products with 0 and 1
+// and (t + c) - d with numbers c and d are simplified.
 class ExpressionPool {
  public:
   explicit ExpressionPool(NumberStorage numbers) : numbers_(numbers) {}
@@ -129,6 +129,7 @@ class ExpressionPool {
   Expression derivative_of(Expression self, const Node& node,
                            const std::function<Expression(std::size_t i)>& derivatives);
   [[nodiscard]] bool is(Expression e, int whole) const;
+  std::optional<Expression> moved_time(Operation operation, Expression a, Expression b);
 
   NumberStorage numbers_;
   std::deque<Node> entries_{};  // of which none moves: a reference to one is kept while others are added

@@ -161,7 +161,7 @@ constexpr std::array foreign_keys{
     ForeignNotation{" hamiltonian kinetic potential ", "write T - V as the lagrangian"},
     ForeignNotation{" dissipation rayleigh friction damping ",
                     "write it as a force, as forces = { x = \"-0.1*D(x,1)\" }"},
-    ForeignNotation{" start begin t0 from ", "the time begins at 0"},
+    ForeignNotation{" begin t0 from tstart t_start ", "here it is start"},
     ForeignNotation{" until tspan t_end tend stop duration tmax t_final ", "here it is end"},
     ForeignNotation{" scheme steps grid accuracy tolerance method solver ",
                     "it is an option of the commands"},
