@@ -3,6 +3,7 @@
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 #include "fdebench/benchmarks/requests/own_problem.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/c/guard.hpp"
 #include "fdebench/c/handles.hpp"
@@ -152,7 +153,7 @@ int fdebench_problem_order(const fdebench_problem* problem, size_t unknown, doub
 }
 
 int fdebench_problem_end(const fdebench_problem* problem, double* end) {
-  return guarded([&] { given("end", end) = given("problem", problem, problem_handle).known.problem.end; });
+  return guarded([&] { given("end", end) = end_time(given("problem", problem, problem_handle).known); });
 }
 
 void fdebench_problem_free(fdebench_problem* problem) { delete problem; }

@@ -15,7 +15,7 @@ draw duffing --kind phase --columns "x,D(x,1)"
 draw zener --kind solution --columns x,r
 draw falling --kind solution
 draw plate --kind solution
-draw subdiffusion --kind solution --columns u6,u5,u4,u2
+draw subdiffusion --kind solution --columns "u[6],u[5],u[4],u[2]"
 draw epidemic --kind solution --columns S,I,R
 draw delayed_growth --kind solution
 draw radiation --kind solution --x-axis log

@@ -11,7 +11,6 @@
 
 #include "fdebench/benchmarks/equation_files/file_formulas.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
-#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/schemes/problem/distributed_order.hpp"
 
 namespace fde::bench {
@@ -67,7 +66,7 @@ EquationText with_quadrature(EquationText text, const Parameters& parameters, in
   if (!has_distributed_orders(text)) return text;
   const EquationText given = text;
   FileFormulas formulas(given, parameters, NumberStorage::values);
-  const double end = formulas.constant(given.end, "end", valid_end_times);
+  const double end = formulas.end();
   for (auto& unknown : text.unknowns) {
     for (const auto& one : unknown.distributed) {
       if (unknown.factor)

@@ -22,16 +22,16 @@ namespace fde::bench {
 
 namespace {
 
-// t, or D^order of an unknown.
-std::string name_of(int variable, const EquationSystem& system) {
+// The time as a formula counts it from the start, or D^order of an unknown.
+std::string name_of(int variable, const EquationSystem& system, double start) {
   for (const auto& column : columns_of(system))
     if (column.row == variable - 1) return column.name;
-  return "t";
+  return start == 0.0 ? "t" : fmt::format("(t - {})", start);
 }
 
 // A violated constraint would require a jump of the unknowns at t = 0.
 void require_start_on_constraints(const EquationSystem& system, const Problem& given,
-                                  const FileFormulas& formulas) {
+                                  FileFormulas& formulas) {
   if (!system.final.empty()) return;  // the initial values are not known
   const BoundProblem bound(given);
   const Problem& problem = bound.problem();
@@ -39,8 +39,9 @@ void require_start_on_constraints(const EquationSystem& system, const Problem& g
   if (!row) return;
   Vec f(problem.size());
   problem.rhs(0.0, taylor_part(problem, 0.0), f);
-  formulas.reject(formulas.text().unknowns[unknown_of_row(system, *row)].rhs,
-                  fmt::format("is {:.6g} at t = 0: must be 0 with these initial values", f[*row]));
+  formulas.reject(
+      formulas.text().unknowns[unknown_of_row(system, *row)].rhs,
+      fmt::format("is {:.6g} at t = {}: must be 0 with these initial values", f[*row], formulas.start()));
 }
 
 // A right-hand side that is no number at t = 0, nor next to it, is a mistake in the formula: the root of a
@@ -59,9 +60,10 @@ void require_numbers_at_start(const EquationSystem& system, const Problem& probl
     const auto row = static_cast<Eigen::Index>(i);
     formulas.reject(
         formulas.text().unknowns[unknown_of_row(system, row)].rhs,
-        fmt::format("{} is not a number at t = 0 with the initial values {}: must be one",
-                    formula_text(pool, *part, [&](int variable) { return name_of(variable, system); }),
-                    fmt::join(values, ", ")));
+        fmt::format("{} is not a number at t = {} with the initial values {}: must be one",
+                    formula_text(pool, *part,
+                                 [&](int variable) { return name_of(variable, system, formulas.start()); }),
+                    formulas.start(), fmt::join(values, ", ")));
   }
 }
 

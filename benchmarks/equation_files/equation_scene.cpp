@@ -28,6 +28,7 @@
 #include "fdebench/benchmarks/equation_files/riemann_liouville.hpp"
 #include "fdebench/benchmarks/equation_files/table_times.hpp"
 #include "fdebench/benchmarks/equation_files/transfer_function.hpp"
+#include "fdebench/benchmarks/equation_files/vector_components.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
 #include "fdebench/benchmarks/references/checksum.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
@@ -121,6 +122,7 @@ Scene mechanical_scene_of(const EquationText& text, const Parameters& parameters
   formulas.require_parameters();
   const auto file = read_mechanical_file(formulas);
   Scene scene = mechanical_file_scene(file, formulas, parameters, on_note);
+  scene.start = formulas.start();
   scene.from_file = !text.is_built_in;
   auto applied = file.system.forces;
   applied.push_back(file.system.lagrangian);
@@ -143,7 +145,8 @@ Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormu
 
 // The text in which all equations are sums of terms of one unknown each.
 EquationText in_terms(EquationText text, const Parameters& parameters, int more_nodes = 0) {
-  text = with_quadrature(present_parts(std::move(text), parameters), parameters, more_nodes);
+  text = with_components(present_parts(std::move(text), parameters), parameters);
+  text = with_quadrature(std::move(text), parameters, more_nodes);
   text = with_implied_rows(with_states(std::move(text), parameters), parameters);
   return with_implied_terms(with_caputo_derivatives(std::move(text), parameters), parameters);
 }
@@ -171,7 +174,8 @@ struct PosedText {
 
 // The reference of the columns with another end.
 reference::Reference reference_to(double end, EquationText text, const Parameters& parameters) {
-  text.end = {.text = fmt::format("{}", end), .position = text.end.position};
+  text.end = {.text = fmt::format("{} + ({})", end, text.start ? text.start->text : "0"),
+              .position = text.end.position};
   return PosedText(std::move(text), parameters).reference();
 }
 
@@ -186,6 +190,12 @@ void set_references(Scene& scene, const EquationText& all, const Parameters& par
     scene.comparison_problem = PosedText(in_terms(all, parameters, more), parameters).posed();
 }
 
+// Whether the reference is made for one end: with values there, or a term for each step of a load by floor.
+bool has_reference_to_end(const EquationSystem& system, const ExpressionPool& pool) {
+  const auto is_floor = [](const ExpressionPool::Node& node) { return node.operation == Operation::floor; };
+  return !system.final.empty() || !pool.arguments(system.rows, is_floor).empty();
+}
+
 Scene scene_of(const EquationText& all, const Parameters& parameters, const NoteReceiver& on_note) {
   const EquationText text = in_terms(all, parameters);
   if (text.mechanics) return mechanical_scene_of(text, parameters, on_note);
@@ -194,7 +204,8 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   const auto system = read_system(formulas);
   const auto columns = output_columns(system, formulas);
   if (const auto check = samples_check(formulas)) check(system.end);  // before problem_of() evaluates them
-  Scene scene{.problem = problem_of(system, formulas), .from_file = !text.is_built_in};
+  Scene scene{
+      .problem = problem_of(system, formulas), .start = formulas.start(), .from_file = !text.is_built_in};
   if (text.domain) scene.problem.domain = domain_of(*text.domain, system, formulas);
   const auto started = with_some_initial_values(system);
   scene.smoothness = file_smoothness(started, with_some_initial_values(scene.problem), formulas);
@@ -204,7 +215,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   set_end(scene, system.end);
   scene.reference = file_reference(system, scene.problem, columns, formulas);
   if (has_distributed_orders(all)) set_references(scene, all, parameters);
-  if (scene.reference.at && !system.final.empty())
+  if (scene.reference.at && has_reference_to_end(system, formulas.pool()))
     scene.reference_to = [text, parameters](double end) { return reference_to(end, text, parameters); };
   if (!scene.reference.at && scene.problem.resets.empty())
     scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
@@ -255,7 +266,7 @@ DisplayEquation displayed(const UnknownText& unknown) {
 // Where one is no sum of terms, all equations are for display only.
 void set_equations(const std::vector<UnknownText>& unknowns, SceneFactory& factory) {
   const auto is_sum = [](const UnknownText& one) {
-    return !one.transfer && one.distributed.empty() && !one.is_riemann_liouville;
+    return !one.transfer && !one.size && one.distributed.empty() && !one.is_riemann_liouville;
   };
   if (std::ranges::all_of(unknowns, is_sum)) {
     for (const auto& unknown : unknowns) factory.equations.push_back(written(unknown));

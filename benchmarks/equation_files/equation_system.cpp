@@ -204,7 +204,7 @@ void require_no_earlier_switch(const EquationSystem& system, std::size_t u, File
     const auto variables = pool.variables_in(argument);
     if (!variables.empty() && *variables.rbegin() > system.size()) {
       formulas.reject(formulas.text().unknowns[u].rhs,
-                      "sign and step of an earlier value are not supported, nor tables with jumps");
+                      "sign, step and floor of an earlier value are not supported, nor tables with jumps");
     }
   }
 }
@@ -253,8 +253,9 @@ std::vector<Expression> values_before(const EquationSystem& system, FileFormulas
     }
     for (double k = 0.0; k < order; ++k) value = pool.derivative(value, 0);
     if (!pool.arguments({value}, jumps).empty()) {
-      formulas.reject(*text.before,
-                      "before: must not jump; sign and step are not supported in it, nor tables with jumps");
+      formulas.reject(
+          *text.before,
+          "before: must not jump; sign, step and floor are not supported in it, nor tables with jumps");
     }
     values[static_cast<std::size_t>(row)] = value;
   }
@@ -289,15 +290,15 @@ FormulaVariables variables_of(const EquationSystem& system, ExpressionPool& pool
 
 std::vector<double> declared_jumps(FileFormulas& formulas) {
   std::vector<double> jumps;
-  for (const auto& jump : formulas.text().jumps) jumps.push_back(formulas.constant(jump, "at", positive));
+  for (const auto& jump : formulas.text().jumps)
+    jumps.push_back(formulas.time_after_start(jump, "at", positive));
   return increasing(std::move(jumps));
 }
 
 EquationSystem read_system(FileFormulas& formulas) {
   const auto& text = formulas.text();
   if (text.unknowns.empty()) reject_at(text.file, {}, "unknown: all are left out, there must be one");
-  EquationSystem system{.end = formulas.constant(text.end, "end", valid_end_times),
-                        .jumps = declared_jumps(formulas)};
+  EquationSystem system{.end = formulas.end(), .jumps = declared_jumps(formulas)};
   Eigen::Index first = 0;
   for (const auto& unknown : text.unknowns) {
     system.unknowns.push_back(unknown_of(unknown, first, formulas));

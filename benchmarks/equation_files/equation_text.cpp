@@ -78,7 +78,9 @@ TextPosition position_of(const FormulaText& formula, std::size_t byte) {
 }
 
 void reject_in(const std::string& file, const FormulaText& formula, std::size_t byte, std::string_view what) {
-  reject_at(file, position_of(formula, byte), what);
+  const auto place = position_of(formula, byte);
+  if (formula.size == 0) reject_at(file, place, what);
+  reject_at(file, place, fmt::format("for i = {}: {}", formula.index, what));
 }
 
 std::string read_text_file(const std::filesystem::path& file, std::size_t most_bytes) {
@@ -131,14 +133,12 @@ EquationText with_implied_terms(EquationText text, const Parameters& parameters)
   for (const auto& output : text.outputs)
     sides.push_back(formulas.read({.text = output.name, .position = {}}, variables));
   EquationText complete = text;
+  const auto used = formulas.pool().subexpressions(sides);
   for (std::size_t i = 0; i < derivatives.size(); ++i) {
     const auto& [number, order] = derivatives[i];
-    const auto is_there = [&](Expression side) {
-      return formulas.pool().depends_on(side, static_cast<int>(i) + 1);
-    };
-    if (!is_implied(orders_of(text.unknowns[number], formulas), order) ||
-        std::ranges::none_of(sides, is_there))
-      continue;
+    const auto variable = static_cast<std::size_t>(formulas.pool().variable(static_cast<int>(i) + 1));
+    const bool is_there = variable < used.size() && used[variable];
+    if (!is_there || !is_implied(orders_of(text.unknowns[number], formulas), order)) continue;
     auto& unknown = complete.unknowns[number];
     const auto position = unknown.rhs.position;
     unknown.terms.push_back(

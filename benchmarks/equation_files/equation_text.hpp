@@ -32,6 +32,7 @@ struct FormulaText {
   std::string text{};
   TextPosition position{};          // of its first byte
   std::vector<LinePiece> pieces{};  // in order; empty: all bytes stand side by side from `position` on
+  int index = 0, size = 0;          // i and size in a formula of a component; 0: it is of none
 };
 
 struct TermText {
@@ -66,6 +67,8 @@ struct UnknownText {
   std::optional<FormulaText> before{};  // its value for t < 0
   std::vector<NamedFormula> final{};    // values at the end, each of the column that it names
   ParameterValues unless{};
+  std::optional<FormulaText> size{};     // of a vector; empty: it is a number
+  std::optional<FormulaText> outside{};  // of a vector: its components besides 1 ... size
   bool is_implied = false;  // no unknown of the file, but a state or an integral; it is no column
 };
 
@@ -76,6 +79,14 @@ struct OutputText {
   std::vector<TermText> terms{};
   std::optional<FormulaText> of_time{};
   bool is_infinite_at_start = false;  // then the state is the column
+};
+
+// A vector of unknowns, which are unknowns[first], unknowns[first + 1], ... of the file (with_components).
+struct VectorText {
+  std::string name{};
+  std::size_t first = 0;
+  int size = 0;
+  std::optional<FormulaText> outside{};
 };
 
 struct EnergyText {
@@ -139,11 +150,13 @@ struct EquationText {
   std::string file{};
   bool is_built_in = false;
   std::string title{}, source{};
+  std::optional<FormulaText> start{};  // the base point of derivatives; empty: 0
   FormulaText end{};
   std::vector<ParameterText> parameters{};  // parameters and unknowns are in file order
   std::vector<RequirementText> requirements{};
   std::vector<std::shared_ptr<const SampledFunction>> tables{};
   std::vector<UnknownText> unknowns{};
+  std::vector<VectorText> vectors{};
   std::vector<OutputText> outputs{};
   std::optional<MechanicsText> mechanics{};    // then the unknowns are coordinates
   std::vector<std::string> absent_unknowns{};  // those that present_parts() has left out
@@ -163,7 +176,8 @@ struct EquationText {
 EquationText present_parts(EquationText text, const Parameters& parameters);
 
 inline constexpr std::size_t max_equation_file_bytes = std::size_t{1} << 20;  // bytes
-inline constexpr std::size_t max_unknowns = 100;
+inline constexpr std::size_t max_unknowns = 100;                              // names of unknowns
+inline constexpr std::size_t max_components = 10'000;  // unknowns, with those of vectors and integrals
 
 // The bytes of a regular file. Throws std::invalid_argument naming the file and why it cannot be read.
 std::string read_text_file(const std::filesystem::path& file, std::size_t most_bytes);

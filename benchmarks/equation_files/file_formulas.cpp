@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -13,6 +14,7 @@
 #include "fdebench/benchmarks/expressions/formula.hpp"
 #include "fdebench/benchmarks/expressions/formula_text.hpp"
 #include "fdebench/benchmarks/expressions/program.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 
 namespace fde::bench {
 namespace {
@@ -21,7 +23,32 @@ namespace {
 constexpr int absent_variable = 1'000'000'000;
 constexpr int first_parameter = 500'000'000;  // the variables of parameters
 
+// The vector of this name; nullptr if there is none.
+const VectorText* vector_named(const EquationText& text, std::string_view name) {
+  const auto found = std::ranges::find(text.vectors, name, &VectorText::name);
+  return found == text.vectors.end() ? nullptr : &*found;
+}
+
+// A component "u[3]" by its vector and its index; nullopt for another name.
+std::optional<std::pair<const VectorText*, int>> component_named(const EquationText& text,
+                                                                 std::string_view name) {
+  const auto bracket = name.find('[');
+  const auto* vector =
+      bracket == std::string_view::npos ? nullptr : vector_named(text, name.substr(0, bracket));
+  if (vector == nullptr) return std::nullopt;
+  int index = 0;
+  std::from_chars(name.data() + bracket + 1, name.data() + name.size(), index);
+  return std::pair(vector, index);
+}
+
+bool contains(const VectorText& vector, int index) { return index >= 1 && index <= vector.size; }
+
 std::optional<std::size_t> unknown_named(const EquationText& text, std::string_view name) {
+  if (const auto component = component_named(text, name)) {
+    const auto& [vector, index] = *component;
+    return contains(*vector, index) ? std::optional(vector->first + static_cast<std::size_t>(index) - 1)
+                                    : std::nullopt;
+  }
   const auto found = std::ranges::find(text.unknowns, name, &UnknownText::name);
   if (found == text.unknowns.end()) return std::nullopt;
   return static_cast<std::size_t>(found - text.unknowns.begin());
@@ -52,10 +79,16 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
   for (const auto& parameter : text_.parameters) names.accepted_names.emplace_back(parameter.declared.name);
   if (variables.resolve_unknown) {
     for (const auto& unknown : text_.unknowns)
-      if (!unknown.is_implied) names.accepted_names.emplace_back(unknown.name);
+      if (!unknown.is_implied && !unknown.size) names.accepted_names.emplace_back(unknown.name);
+    for (const auto& vector : text_.vectors) names.accepted_names.emplace_back(vector.name);
     for (const auto& output : text_.outputs) names.accepted_names.emplace_back(output.name);
     names.derivative = [&, absent](std::string_view unknown, Expression order, bool is_decimal) {
       return derivative(unknown, order, is_decimal, variables, absent);
+    };
+  }
+  if (variables.resolve_unknown) {
+    names.component = [&, absent](std::string_view vector, int index) {
+      return component(vector, index, variables, absent);
     };
   }
   if (variables.time && variables.resolve_unknown)
@@ -71,12 +104,16 @@ Expression FileFormulas::read(const FormulaText& formula, const FormulaVariables
     };
   }
   names.resolve = [&, absent](std::string_view name) -> std::optional<Expression> {
-    if (name == "t" && variables.time) return pool_.variable(0);
+    if (name == "t" && variables.time) return time();
+    if (formula.size > 0 && name == "i") return pool_.number(formula.index);
+    if (formula.size > 0 && name == "size") return pool_.number(formula.size);
     for (const auto& known : text_.parameters)
       if (known.declared.name == name) return parameter(known);
     if (variables.resolve_unknown) {
       if (const auto unknown = unknown_named(text_, name)) return variables.resolve_unknown(*unknown, 0.0);
       if (const auto* output = output_named(text_, name)) return this->output(*output, 0.0, variables);
+      if (vector_named(text_, name) != nullptr)
+        throw std::invalid_argument(fmt::format("{0}: must have an index, as {0}[1]", name));
       if (absent == Absent::is_a_variable && is_left_out(text_, name)) return pool_.variable(absent_variable);
     }
     return variables.resolve_other ? variables.resolve_other(name) : std::nullopt;
@@ -120,6 +157,12 @@ Expression FileFormulas::parameter(const ParameterText& known) {
   }
 }
 
+// t as users know it. The equations of mechanics are shown with it as it is.
+Expression FileFormulas::time() {
+  if (!text_.start || as_ == ParametersAs::variables) return pool_.variable(0);
+  return pool_.make_expression(Operation::add, pool_.variable(0), read(*text_.start, {.time = false}));
+}
+
 // Of a whole order; others are rows (implied_rows.hpp).
 Expression FileFormulas::time_derivative(Expression of, Expression order) {
   const auto refuse = [](std::string_view why) {
@@ -134,7 +177,7 @@ Expression FileFormulas::time_derivative(Expression of, Expression order) {
     refuse(fmt::format("its order must be in [0, {}], and whole but in right-hand sides", most));
   const auto depends_on_time = [&](Expression one) { return pool_.depends_on(one, 0); };
   if (std::ranges::any_of(pool_.arguments({of}, jumps), depends_on_time))
-    refuse("must not contain the sign or step of t, or a table that jumps, which have no derivative");
+    refuse("must not contain the sign, step or floor of t, or a table that jumps, which have no derivative");
   if (*value > 1.0L && std::ranges::any_of(pool_.arguments({of}, has_kink), depends_on_time))
     refuse("must not contain abs, min or max of t, or a table with kinks, which have no second derivative");
   Expression derivative = of;
@@ -146,7 +189,13 @@ Expression FileFormulas::derivative(std::string_view unknown, Expression order, 
                                     const FormulaVariables& variables, Absent absent) {
   const auto found = unknown_named(text_, unknown);
   const bool may_be_absent = absent == Absent::is_a_variable;
-  if (!found && may_be_absent && is_left_out(text_, unknown)) return pool_.variable(absent_variable);
+  if (!found && may_be_absent && is_left_out(text_, unknown.substr(0, unknown.find('['))))
+    return pool_.variable(absent_variable);
+  if (const auto of_vector = component_named(text_, unknown); of_vector && !found) {
+    const auto value = outside(*of_vector->first, of_vector->second);
+    const bool is_constant = !pool_.depends_on(value, 0);
+    return is_constant && this->value(order) > 0.0L ? pool_.number(0) : time_derivative(value, order);
+  }
   const auto* output = output_named(text_, unknown);
   if (!found && output == nullptr)
     throw std::invalid_argument(fmt::format("{}: must be an unknown, as in D(x, 0.5)", unknown));
@@ -169,15 +218,45 @@ Expression FileFormulas::derivative(std::string_view unknown, Expression order, 
   }
 }
 
+Expression FileFormulas::component(std::string_view name, int index, const FormulaVariables& variables,
+                                   Absent absent) {
+  const auto* vector = vector_named(text_, name);
+  if (vector == nullptr) {
+    if (absent == Absent::is_a_variable && is_left_out(text_, name)) return pool_.variable(absent_variable);
+    throw std::invalid_argument(fmt::format("{}: must be a vector, an unknown with size", name));
+  }
+  if (!contains(*vector, index)) return outside(*vector, index);
+  return variables.resolve_unknown(vector->first + static_cast<std::size_t>(index) - 1, 0.0);
+}
+
+// The value of a component beyond the first or the last one.
+Expression FileFormulas::outside(const VectorText& vector, int index) {
+  if (!vector.outside) {
+    throw std::invalid_argument(
+        fmt::format("{}[{}]: must have an index from 1 to {}; for another one {} must have the key outside, "
+                    "as outside = \"0\"",
+                    vector.name, index, vector.size, vector.name));
+  }
+  FormulaText value = *vector.outside;
+  value.index = index;
+  value.size = vector.size;
+  return read(value, {});
+}
+
 Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVariables& variables) {
   const auto rate = pool_.depends_on_unknowns(time) ? std::nullopt : value(pool_.derivative(time, 0));
-  const auto at_start = value(pool_.without_variables(time, 0));
-  // sign and step have the derivative 0.
+  const auto before_now = pool_.make_expression(Operation::subtract, this->time(), time);
+  const auto lag = value(pool_.without_variables(before_now, 0));
+  // sign, step and floor have the derivative 0.
   const bool may_jump = !pool_.arguments({time}, jumps).empty();
-  if (rate != 1.0L || may_jump || !at_start || !(*at_start < 0.0L))
+  if (rate != 1.0L || may_jump || !lag || !(*lag > 0.0L))
     throw std::invalid_argument("its time must be t - tau, tau a formula of the parameters above 0");
   if (of == pool_.variable(absent_variable)) return of;
-  return variables.earlier(of, static_cast<double>(-*at_start));
+  const auto since_start = pool_.make_expression(Operation::subtract, pool_.variable(0), before_now);
+  if (!pool_.depends_on_unknowns(of))  // outside of a vector: a formula of t
+    return pool_.substituted(
+        {of}, [&](int variable) { return variable == 0 ? since_start : pool_.variable(variable); })[0];
+  return variables.earlier(of, static_cast<double>(*lag));
 }
 
 // D^order of the output: the state and its derivatives are 0 at the start, so that orders add up.
@@ -225,6 +304,21 @@ std::string FileFormulas::order_text(double order) const {
 double FileFormulas::constant(const FormulaText& formula, std::string_view name, const Range& allowed) {
   const auto known = read(formula, {.time = false});
   return with_exact(known, require_in(allowed, static_cast<double>(value(known).value()), formula, name));
+}
+
+double FileFormulas::start() { return text_.start ? constant(*text_.start, "start", not_negative) : 0.0; }
+
+double FileFormulas::end() { return time_after_start(text_.end, "end", valid_end_times); }
+
+double FileFormulas::time_after_start(const FormulaText& formula, std::string_view name,
+                                      const Range& allowed) {
+  const double time = constant(formula, name, allowed);
+  if (!text_.start) return time;
+  if (!(time > start()))
+    reject(formula, fmt::format("{} = {}: must be above start = {}", name, time, start()));
+  const auto after = pool_.make_expression(Operation::subtract, read(formula, {.time = false}),
+                                           read(*text_.start, {.time = false}));
+  return with_exact(after, static_cast<double>(value(after).value()));
 }
 
 double FileFormulas::with_exact(Expression exact, double value) {

@@ -60,6 +60,14 @@ class FileFormulas {
   // The same evaluated in double, operation by operation, as code would be.
   double constant_in_double(const FormulaText& formula, std::string_view name, const Range& allowed);
 
+  // The time at which the problem begins, 0 or the key start; the end, counted from there, and the time of a
+  // formula, which must be later.
+  double start();
+  double end();
+  double time_after_start(const FormulaText& formula, std::string_view name, const Range& allowed);
+  // t as users know it.
+  Expression time();
+
   // With parameters as variables: the name of such a variable, empty for another one; and the formula of an
   // order that occurred, its value otherwise.
   [[nodiscard]] std::string parameter_name(int variable) const;
@@ -83,6 +91,8 @@ class FileFormulas {
 
   Expression read(const FormulaText& formula, const FormulaVariables& variables, Absent absent);
   Expression parameter(const ParameterText& known);
+  Expression component(std::string_view name, int index, const FormulaVariables& variables, Absent absent);
+  Expression outside(const VectorText& vector, int index);
   [[nodiscard]] double require_in(const Range& allowed, double value, const FormulaText& formula,
                                   std::string_view name) const;
   // The value, which stands for this expression in a pool of fractions.

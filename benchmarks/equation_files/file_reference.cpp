@@ -27,8 +27,9 @@ using Columns = std::vector<SystemColumn>;
 
 // Rejects an exact column whose value at t = 0 differs from the initial value. A value that is not finite at
 // t = 0 is not checked.
-void require_exact_start(const EquationText& text, const Columns& columns, const Problem& problem,
+void require_exact_start(FileFormulas& formulas, const Columns& columns, const Problem& problem,
                          const reference::Reference& reference) {
+  const auto& text = formulas.text();
   constexpr double rounding = 1e-9;
   const auto [value, bound] = reference.at(0.0);
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -38,8 +39,8 @@ void require_exact_start(const EquationText& text, const Columns& columns, const
     if (initial.empty() || !std::isfinite(at_start)) continue;
     if (std::abs(at_start - initial.front()) <= rounding * (1.0 + std::abs(initial.front()))) continue;
     reject_at(text.file, text.exact.front().position,
-              fmt::format("exact: {} is {:.6g} at t = 0: must be {:.6g}, its initial value", columns[c].name,
-                          at_start, initial.front()));
+              fmt::format("exact: {} is {:.6g} at t = {}: must be {:.6g}, its initial value", columns[c].name,
+                          at_start, formulas.start(), initial.front()));
   }
 }
 
@@ -56,7 +57,7 @@ void require_exact_end(const EquationSystem& system, const Columns& columns, Fil
     if (!std::isfinite(at_end) || std::abs(at_end - given) <= rounding * (1.0 + std::abs(given))) continue;
     reject_at(formulas.text().file, formulas.text().exact.front().position,
               fmt::format("exact: {} is {:.6g} at t = {:.6g}: must be {:.6g}, its value at the end",
-                          column->name, at_end, system.end, given));
+                          column->name, at_end, formulas.start() + system.end, given));
   }
 }
 
@@ -97,7 +98,7 @@ reference::Reference known_derivatives(const EquationSystem& system, const Probl
   const auto& text = formulas.text();
   if (!text.exact.empty()) {
     auto known = exact_columns(text, formulas.parameters(), columns_of(system), columns);
-    require_exact_start(text, columns, problem, known);
+    require_exact_start(formulas, columns, problem, known);
     require_exact_end(system, columns, formulas, known);
     return known;
   }

@@ -20,7 +20,10 @@ namespace {
 // Bytes from `first` up to `last` of a formula without blanks before them, with their places in the file.
 FormulaText part_of(const FormulaText& formula, std::size_t first, std::size_t last) {
   first = std::min(last, next_token(formula.text, first).byte_offset);
-  FormulaText part{.text = formula.text.substr(first, last - first), .position = position_of(formula, first)};
+  FormulaText part{.text = formula.text.substr(first, last - first),
+                   .position = position_of(formula, first),
+                   .index = formula.index,
+                   .size = formula.size};
   part.pieces.push_back({0, part.position});
   for (const LinePiece& piece : formula.pieces) {
     if (piece.first > first && piece.first < last)
@@ -67,10 +70,12 @@ std::optional<Call> next_call(const std::string& text, std::size_t from) {
   return std::nullopt;
 }
 
+// A name, also with an index behind it, as u[i - 1].
 bool is_single_name(const std::string& text) {
   const auto token = next_token(text, 0);
+  const auto behind = next_token(text, token.byte_offset + token.text.size()).text;
   return !token.text.empty() && is_letter(token.text.front()) && token.text != "t" &&
-         next_token(text, token.byte_offset + token.text.size()).text.empty();
+         (behind.empty() || behind == "[");
 }
 
 class ImpliedRows {
@@ -91,7 +96,7 @@ class ImpliedRows {
  private:
   // The formula in which rows stand for integrals and derivatives.
   FormulaText with_rows(const FormulaText& formula) {
-    FormulaText result{.text = "", .position = formula.position};
+    FormulaText result{.position = formula.position, .index = formula.index, .size = formula.size};
     std::size_t copied = 0, next = 0;
     while (const auto call = next_call(formula.text, next)) {
       const auto of = part_of(formula, call->open + 1, call->comma),
@@ -141,12 +146,14 @@ class ImpliedRows {
   // The name of a row, which may be there already.
   std::string row(const Row& of) {
     const auto is_same = [&](const UnknownText& one) {
-      return one.rhs.text == of.rhs.text && one.terms.front().order.text == of.order.text;
+      return one.rhs.text == of.rhs.text && one.terms.front().order.text == of.order.text &&
+             one.rhs.index == of.rhs.index && one.rhs.size == of.rhs.size;
     };
     if (const auto known = std::ranges::find_if(rows_, is_same); known != rows_.end()) return known->name;
-    if (text_.unknowns.size() + rows_.size() >= max_unknowns) {
+    const auto most = text_.vectors.empty() ? max_unknowns : max_components;
+    if (text_.unknowns.size() + rows_.size() >= most) {
       reject_at(text_.file, of.rhs.position,
-                fmt::format("there are more than {} unknowns and integrals", max_unknowns));
+                fmt::format("there are more than {} unknowns and integrals", most));
     }
     const FormulaText one{.text = "1", .position = of.order.position},
         zero{.text = "0", .position = of.order.position};

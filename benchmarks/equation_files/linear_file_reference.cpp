@@ -109,9 +109,10 @@ std::optional<Rational> over_gamma(Expression coefficient, const Rational& power
   return factors.size() == 1 ? Rational(1) : fraction(factors.front(), pool);
 }
 
-std::optional<std::vector<reference::LoadOf<Rational>>> loads_of(Expression rhs, ExpressionPool& pool,
+std::optional<std::vector<reference::LoadOf<Rational>>> loads_of(Expression rhs, double end,
+                                                                 ExpressionPool& pool,
                                                                  ExactNumbers& numbers) {
-  const auto terms = time_terms(pool.without_variables(rhs, 1), pool);
+  const auto terms = time_terms(pool.without_variables(rhs, 1), pool, end);
   if (!terms) return std::nullopt;
   std::vector<reference::LoadOf<Rational>> loads;
   for (const auto& [coefficient, power, from] : *terms) {
@@ -183,7 +184,7 @@ std::optional<reference::Reference> single_equation_reference(const EquationSyst
     const Rational taken = numbers.of(pool.without_variables(slope, 0));
     equation.terms.push_back({Rational(-taken), numbers.of(chain.nodes()[static_cast<std::size_t>(i)])});
   }
-  auto loads = loads_of(*unknown.rhs, pool, numbers);
+  auto loads = loads_of(*unknown.rhs, system.end, pool, numbers);
   if (!loads) return std::nullopt;
   equation.loads = std::move(*loads);
   std::vector<Rational> wanted, given_at_end;
@@ -229,7 +230,7 @@ std::optional<reference::Reference> system_reference(const LinearRows& system, E
     } else if (!is_algebraic(component)) {
       for (const double value : component.initial) initial.push_back(numbers.of(value));
     }
-    auto loads = loads_of(system.rows[i], pool, numbers);
+    auto loads = loads_of(system.rows[i], system.end, pool, numbers);
     if (!loads) return std::nullopt;
     rows.loads.push_back(std::move(*loads));
     auto& row = rows.matrix.emplace_back();

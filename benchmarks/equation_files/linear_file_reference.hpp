@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -30,8 +31,8 @@ struct LinearRows {
   std::vector<Expression> rows{};
   std::map<std::size_t, Expression> initial{};  // initial values that are computed, by row
   std::vector<std::size_t> outputs{};
-  std::vector<ValueAtEnd> final{};  // with the unknown initial values of the components
-  double end = 1.0;
+  std::vector<ValueAtEnd> final{};                       // with the unknown initial values of the components
+  double end = std::numeric_limits<double>::infinity();  // of the values at the end, and of steps by floor
 };
 
 // The same for such rows. Preconditions: they are linear, and the pool has fractions.

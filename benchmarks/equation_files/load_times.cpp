@@ -54,9 +54,8 @@ std::vector<Expression> time_parts(const std::vector<Expression>& rows, const Ex
   return parts;
 }
 
-bool jumps_by_sign(const ExpressionPool::Node& node) {
-  return node.operation == Operation::sign || node.operation == Operation::step;
-}
+// Those of tables are known without a search.
+bool jumps_without_table(const ExpressionPool::Node& node) { return jumps(node) && !node.function; }
 
 // The values of tables in the rows whose arguments depend on t alone.
 std::vector<Expression> table_values(const std::vector<Expression>& rows, const ExpressionPool& pool) {
@@ -86,10 +85,12 @@ std::vector<Expression> kinks_in(const std::vector<Expression>& rows, Expression
   for (std::size_t e = 0; e < used.size(); ++e) {
     const auto [operation, arguments] =
         std::pair(pool[static_cast<Expression>(e)].operation, pool[static_cast<Expression>(e)].arguments);
-    if (!used[e] || pool.depends_on_unknowns(static_cast<Expression>(e))) continue;
-    if (operation == Operation::abs) found.push_back(arguments[0]);
-    if (operation == Operation::min || operation == Operation::max)
-      found.push_back(pool.make_expression(Operation::subtract, arguments[0], arguments[1]));
+    const bool is_abs = operation == Operation::abs;
+    if (!used[e] || !(is_abs || operation == Operation::min || operation == Operation::max) ||
+        pool.depends_on_unknowns(static_cast<Expression>(e)))
+      continue;
+    found.push_back(is_abs ? arguments[0]
+                           : pool.make_expression(Operation::subtract, arguments[0], arguments[1]));
   }
   return found;
 }
@@ -201,13 +202,20 @@ struct Breaks {
   std::vector<TableTimes> tables{};
 };
 
+// Whether a function is 0 at the start, and up to where it leaves 0 by the rounding of its time: no jump.
+bool is_start(const SignedPiece& piece, double end) {
+  constexpr double rounding = 1e-10;
+  return piece.sign == 0.0 && piece.to <= rounding * end;
+}
+
 // The given times, and those at which a function changes its sign.
 std::vector<double> times_until(double end, const Breaks& breaks, std::vector<double> times) {
   for (const auto& table : breaks.tables) std::ranges::copy(table.until(end), std::back_inserter(times));
   for (const auto& argument : breaks.functions) {
     const auto pieces = argument.signs(first_part * end, end);
     for (std::size_t k = 1; k < pieces.size(); ++k)
-      if (pieces[k - 1].to == pieces[k].from) times.push_back(pieces[k].from);
+      if (pieces[k - 1].to == pieces[k].from && !is_start(pieces[k - 1], end))
+        times.push_back(pieces[k].from);
   }
   return increasing(std::move(times), same_time);
 }
@@ -231,7 +239,7 @@ std::vector<StepLimit> limits_until(double end, const std::vector<Curve>& curves
 std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& rows,
                                                 std::vector<double> declared_jumps, ExpressionPool& pool) {
   Breaks of_jumps, of_kinks;
-  for (const auto argument : pool.arguments(rows, jumps_by_sign))
+  for (const auto argument : pool.switches(rows, jumps_without_table))
     if (!pool.depends_on_unknowns(argument)) of_jumps.functions.emplace_back(argument, pool);
   for (const auto argument : kinks_in(rows, pool)) of_kinks.functions.emplace_back(argument, pool);
   for (const auto value : table_values(rows, pool)) {

@@ -10,12 +10,13 @@
 namespace fde::bench {
 
 // A function of the end T that gives the LoadTimes of the rows up to T: as jumps the declared ones and the
-// times at which the argument of a sign or a step changes its sign, if it depends on t only; as kinks the
-// same for abs and the difference of the arguments of min and max; the times at which a table passes a sample
-// where it jumps, or where a derivative of it does, among the jumps and the kinks; as limits the intervals in
-// which a part of t alone, or its derivative, rises or falls within a time that is short beside the time
-// before or after, in which it hardly changes or goes on the other way. A quarter of such an interval is the
-// longest step. All are found by interval arithmetic (TimeFunction::signs), not by samples.
+// times at which the argument of a sign or a step changes its sign, or that of a floor passes a whole number,
+// if it depends on t only; as kinks the same for abs and the difference of the arguments of min and max; the
+// times at which a table passes a sample where it jumps, or where a derivative of it does, among the jumps
+// and the kinks; as limits the intervals in which a part of t alone, or its derivative, rises or falls within
+// a time that is short beside the time before or after, in which it hardly changes or goes on the other way.
+// A quarter of such an interval is the longest step. All are found by interval arithmetic
+// (TimeFunction::signs), not by samples.
 std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& rows,
                                                 std::vector<double> declared_jumps, ExpressionPool& pool);
 

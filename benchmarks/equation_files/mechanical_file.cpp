@@ -70,9 +70,10 @@ void read_constraints(MechanicalSystem& system, FileFormulas& formulas, const Fo
   for (const auto& constraint : formulas.text().mechanics->constraints) {
     system.constraints.push_back(formulas.read(constraint, variables));
     if (!formulas.pool().arguments({system.constraints.back()}, jumps).empty()) {
-      formulas.reject(constraint,
-                      "has a sign, a step or a table that jumps: must be continuous, for the velocity would "
-                      "jump with it");
+      formulas.reject(
+          constraint,
+          "has a sign, a step, a floor or a table that jumps: must be continuous, for the velocity "
+          "would jump with it");
     }
   }
 }

@@ -146,7 +146,7 @@ Scene mechanical_file_scene(MechanicalFile file, FileFormulas& formulas, const P
   const auto columns = columns_of(file);
   require_distinct(columns, formulas);
   for (const auto& column : columns) names.push_back(column.name);
-  const double end = formulas.constant(formulas.text().end, "end", valid_end_times);
+  const double end = formulas.end();
   return with_positions(formulas, [&] {
     const auto scene_of_motion = [&] {
       if (file.is_extremum) return mechanics::extremum_scene(system, file.ends, names, end, pool);

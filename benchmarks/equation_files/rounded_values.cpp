@@ -18,6 +18,8 @@ template <>
 struct SpecialFunctions<reference::BigReal> {
   static reference::BigReal pi() { return fde::reference::pi<reference::BigReal>(); }
   static reference::BigReal gamma(const reference::BigReal& x) { return fde::reference::gamma(x); }
+  static reference::BigReal erf(const reference::BigReal& x) { return fde::reference::erf(x); }
+  static reference::BigReal erfc(const reference::BigReal& x) { return fde::reference::erfc(x); }
   static reference::BigReal mittag_leffler(const reference::BigReal& /*a*/, const reference::BigReal& /*b*/,
                                            const reference::BigReal& /*z*/) {
     return {};
@@ -62,13 +64,24 @@ reference::ConditionedValue<reference::BigReal> mittag_leffler_of(const referenc
   return {value, reference::BigReal(abs(value))};
 }
 
+// The size that stands for an error of 1 where the rounding of x may have passed a whole number; 0 elsewhere,
+// and where x itself is one.
+template <class Real>
+Real unknown_whole_number(const Real& x, const Real& size) {
+  using std::floor;
+  const Real unit = reference::closed_form_rounding_factor * reference::epsilon<Real>();
+  const Real error = unit * size;
+  if (!isfinite(x) || x == floor(x) || floor(Real(x - error)) == floor(Real(x + error))) return Real(0);
+  return Real(1 / unit);
+}
+
 // The value of an operation and its size (closed_form.hpp): the sizes of the arguments times the derivatives.
 template <class Real>
 reference::ConditionedValue<Real> rounded_apply(const ExpressionPool::Node& node,
                                                 const reference::ConditionedValue<Real>& a,
                                                 const reference::ConditionedValue<Real>& b,
                                                 const reference::ConditionedValue<Real>& c) {
-  using std::abs, std::cos, std::log, std::sin, std::sqrt;
+  using std::abs, std::cos, std::exp, std::log, std::sin, std::sqrt;
   const auto operation = node.operation;
   if (operation == Operation::mittag_leffler) {
     auto f = mittag_leffler_of(a.value, b.value, c.value);
@@ -123,6 +136,13 @@ reference::ConditionedValue<Real> rounded_apply(const ExpressionPool::Node& node
       break;
     case Operation::sqrt:
       if (x != 0) size += handed(Real(f / (2 * x)));
+      break;
+    case Operation::erf:
+    case Operation::erfc:
+      size += handed(Real(2 * exp(Real(-x * x))));
+      break;
+    case Operation::floor:
+      size += unknown_whole_number(x, a.size);
       break;
     case Operation::gamma: {  // |digamma| <= |log x| + 1/x + 1 for x > 0
       size += handed(Real(f * (abs(Real(log(abs(x)))) + abs(Real(1 / x)) + 1)));

@@ -81,11 +81,12 @@ std::vector<double> first_powers(const EquationSystem& system, const ExpressionP
   std::vector<double> firsts(system.unknowns.size(), never);
   for (Eigen::Index round = 0; round <= system.size(); ++round) {
     const auto of_rows = firsts_of_rows(system, pool, values, variables);
-    for (std::size_t u = 0; u < firsts.size(); ++u) {
-      const auto& unknown = system.unknowns[u];
-      firsts[u] = of_rows[unknown.last_row()];
-      set_nodes(unknown, firsts[u], variables);
+    const auto before = std::exchange(firsts, {});
+    for (const auto& unknown : system.unknowns) {
+      firsts.push_back(of_rows[unknown.last_row()]);
+      set_nodes(unknown, firsts.back(), variables);
     }
+    if (firsts == before) break;  // the variables follow from them
   }
   return firsts;
 }

@@ -33,7 +33,8 @@ struct Excess {
   std::string table, text, allowed;
   FormulaText formula;
   std::size_t byte;
-  bool is_constant;
+  bool is_constant, is_time;
+  double start;
 };
 
 void require_none(const std::string& file, const Excess& excess, double margin, double end) {
@@ -41,9 +42,10 @@ void require_none(const std::string& file, const Excess& excess, double margin, 
     if (piece.sign <= 0.0) continue;
     const double t = excess.beyond(piece.to) >= excess.beyond(piece.from) ? piece.to : piece.from;
     const double value = excess.argument(t);
-    const auto place = excess.is_constant   ? fmt::format("{}", value)
-                       : excess.text == "t" ? fmt::format("t = {}", t)
-                                            : fmt::format("{} = {} at t = {}", excess.text, value, t);
+    const auto place = excess.is_constant ? fmt::format("{}", value)
+                       : excess.is_time
+                           ? fmt::format("t = {}", value)
+                           : fmt::format("{} = {} at t = {}", excess.text, value, excess.start + t);
     reject_in(file, excess.formula, excess.byte,
               fmt::format("{}({}): {}: must be {}", excess.table, excess.text, place, excess.allowed));
   }
@@ -98,7 +100,10 @@ std::function<void(double end)> samples_check(FileFormulas& formulas) {
     if (!pool[value].function || pool.depends_on_unknowns(value)) continue;
     const auto table = pool[value].function;
     const auto argument = pool[value].arguments[0];
-    const auto text = formula_text(pool, argument, [](int /*t*/) { return "t"; });
+    const double start = formulas.start();
+    const auto now = start == 0.0 ? "t" : fmt::format("(t - {})", start);
+    const bool is_time = argument == formulas.time();
+    const auto text = is_time ? "t" : formula_text(pool, argument, [&](int /*t*/) { return now; });
     const auto add = [&, &place = formula, at = byte](double sample, bool is_last) {
       const auto bound = pool.number(fmt::format("{}", sample));
       const auto beyond = is_last ? pool.make_expression(Operation::subtract, argument, bound)
@@ -106,7 +111,7 @@ std::function<void(double end)> samples_check(FileFormulas& formulas) {
       const auto allowed = fmt::format("at {} {}, the {} sample of {}", is_last ? "most" : "least", sample,
                                        is_last ? "last" : "first", table->source());
       all.push_back({{TimeFunction(argument, pool), TimeFunction(beyond, pool), table->name(), text, allowed,
-                      place, at, !pool.depends_on(argument, 0)},
+                      place, at, !pool.depends_on(argument, 0), is_time, start},
                      table->margin()});
     };
     add(table->last(), true);

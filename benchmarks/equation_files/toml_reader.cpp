@@ -24,16 +24,17 @@ class EquationReader : DeclarationReader {
     const bool mechanical = all.get("mechanics") != nullptr || all.get("coordinate") != nullptr;
     if (mechanical) {
       require_keys(all, "a file with [mechanics]",
-                   {"title", "source", "end", "parameters", "require", "table", "coordinate", "mechanics",
-                    "columns", "domain", "path", "exact", "jump", "event"});
+                   {"title", "source", "start", "end", "parameters", "require", "table", "coordinate",
+                    "mechanics", "columns", "domain", "path", "exact", "jump", "event"});
     } else {
       require_keys(all, "the file",
-                   {"title", "source", "end", "parameters", "require", "table", "unknown", "columns",
+                   {"title", "source", "start", "end", "parameters", "require", "table", "unknown", "columns",
                     "domain", "path", "exact", "energy", "constraint", "jump", "event"});
     }
     EquationText read{.file = file()};
     if (const auto* title = all.get("title")) read.title = printable_text(*title, "title");
     if (const auto* source = all.get("source")) read.source = printable_text(*source, "source");
+    if (const auto* start = all.get("start")) read.start = formula(*start, "start");
     read.end = formula(required(all, {}, "the file", "end"), "end");
     if (const auto* parameters = all.get("parameters")) read.parameters = parameters_of(*parameters);
     if (const auto* require = all.get("require"))
@@ -159,9 +160,16 @@ class EquationReader : DeclarationReader {
     const auto name = fmt::format("unknown {}", entry.name);
     const auto& of = table(*entry.node, name);
     require_keys(of, name,
-                 {"terms", "order", "derivative", "chain", "factor", "rhs", "initial", "final", "before",
+                 {"size", "terms", "order", "derivative", "chain", "factor", "rhs", "initial", "final",
+                  "before", "outside",
                   "transfer", "input", "unless"});
     UnknownText unknown{.name = entry.name, .position = entry.position};
+    if (const auto* size = of.get("size")) unknown.size = formula(*size, "size");
+    if (const auto* outside = of.get("outside")) {
+      if (!unknown.size)
+        reject(position_of(*outside), fmt::format("outside: {}: must be given with size", name));
+      unknown.outside = formula(*outside, "outside");
+    }
     if (const auto* transfer = of.get("transfer")) {
       require_keys(of, fmt::format("{} with transfer", name), {"transfer", "input", "unless"});
       unknown.transfer = formula(*transfer, "transfer");

@@ -17,6 +17,8 @@ template <class Real>
 struct SpecialFunctions {
   static Real pi() { return std::numbers::pi_v<Real>; }
   static Real gamma(const Real& x) { return std::tgamma(x); }
+  static Real erf(const Real& x) { return std::erf(x); }
+  static Real erfc(const Real& x) { return std::erfc(x); }
   // Evaluated in double; NaN outside the ranges of the arguments.
   static Real mittag_leffler(const Real& alpha, const Real& beta, const Real& z) {
     constexpr double max_order = 5.0, largest_parameter = 1e4;
@@ -32,6 +34,8 @@ template <>
 struct SpecialFunctions<Interval> {
   static Interval pi() { return {std::numbers::pi, std::nextafter(std::numbers::pi, 4.0)}; }
   static Interval gamma(const Interval& x) { return fde::gamma(x); }
+  static Interval erf(const Interval& x) { return fde::erf(x); }
+  static Interval erfc(const Interval& x) { return fde::erfc(x); }
   // E_{alpha,beta} increases along the real axis for 0 < alpha <= 1, beta >= alpha, where E(-x) is completely
   // monotone (Schneider, Expositiones Math. 14, 1996). Elsewhere no range is known.
   static Interval mittag_leffler(const Interval& alpha, const Interval& beta, const Interval& z) {
@@ -57,6 +61,14 @@ template <class Real>
 Real larger_of(const Real& a, const Real& b) {
   return a < b ? b : a;
 }
+// (-1)^n (x - n) with the whole number n nearest to x.
+template <class Real>
+Real alternation_of(const Real& x) {
+  using std::floor;
+  const Real n = floor(Real(x + Real(0.5))), from = x - n;
+  return n == Real(2) * floor(Real(n / Real(2))) ? from : Real(-from);
+}
+inline Interval alternation_of(const Interval& x) { return alternation(x); }
 inline Interval sign_of(const Interval& x) { return sign(x); }
 inline Interval smaller_of(const Interval& a, const Interval& b) { return min(a, b); }
 inline Interval larger_of(const Interval& a, const Interval& b) { return max(a, b); }
@@ -65,8 +77,8 @@ inline Interval larger_of(const Interval& a, const Interval& b) { return max(a, 
 template <class Real>
 Real apply(Operation operation, const Real& a, const Real& b, const Real& c,
            const SampledFunction* function = nullptr) {
-  using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::log,
-      std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
+  using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::floor,
+      std::log, std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
   switch (operation) {
 #define FDE_OPERATION(name, arguments, value) \
   case Operation::name:                       \

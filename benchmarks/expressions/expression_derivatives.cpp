@@ -36,6 +36,8 @@ Expression ExpressionPool::derivative_of(Expression self, const Node& node,
       return (da * step(a - b) + db * step(b - a)).value;
     case Operation::negate:
       return (operand(number(-1)) * da).value;
+    case Operation::alternation:
+      return (sign(cos(operand(pi()) * a)) * da).value;
     case Operation::gamma:
       throw std::invalid_argument("gamma: its argument must be without unknowns");
     case Operation::mittag_leffler: {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -19,39 +20,29 @@ struct Entry {
   Expression value;
 };
 
-// Throws DerivativeError for the row whose derivative with respect to a variable is not available.
-void reject_derivative(const std::vector<Expression>& rows, ExpressionPool& pool, int variable) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    try {
-      pool.derivative(rows[i], variable);
-    } catch (const std::invalid_argument& of_row) {
-      throw DerivativeError(static_cast<Eigen::Index>(i), of_row.what());
-    }
-  }
-}
-
-// The nonzero entries of df_i/dy_j, row by row.
+// The nonzero entries of df_i/dy_j, row by row. Throws DerivativeError for a row that has no derivative.
 std::vector<Entry> derivatives_of(const std::vector<Expression>& rows, ExpressionPool& pool) {
   std::vector<Entry> entries;
   const auto zero = pool.number(0);
-  for (Eigen::Index column = 0; column < std::ssize(rows); ++column) {
-    const auto variable = static_cast<int>(column) + 1;
-    try {
-      const auto values = pool.derivatives(rows, variable);
-      for (std::size_t row = 0; row < values.size(); ++row)
-        if (values[row] != zero) entries.push_back({static_cast<Eigen::Index>(row), column, values[row]});
-    } catch (const std::invalid_argument&) {
-      reject_derivative(rows, pool, variable);
+  for (Eigen::Index row = 0; row < std::ssize(rows); ++row) {
+    const auto of = rows[static_cast<std::size_t>(row)];
+    for (const int variable : pool.variables_in(of)) {
+      if (variable < 1 || variable > std::ssize(rows)) continue;  // t, or an earlier value
+      try {
+        const auto value = pool.derivative(of, variable);
+        if (value != zero) entries.push_back({row, variable - 1, value});
+      } catch (const std::invalid_argument& none) {
+        throw DerivativeError(row, none.what());
+      }
     }
   }
-  std::ranges::stable_sort(entries, {}, &Entry::row);
   return entries;
 }
 
 // Expressions of unknowns with the sign of which a row jumps.
 std::vector<Expression> switches_of(const std::vector<Expression>& rows, ExpressionPool& pool) {
   std::vector<Expression> found;
-  for (const auto one : pool.switches(rows))
+  for (const auto one : pool.switches(rows, jumps))
     if (pool.depends_on_unknowns(one)) found.push_back(one);
   return found;
 }
@@ -69,7 +60,7 @@ std::optional<double> constant_of(Expression value, Eigen::Index variables, Expr
   constexpr Eigen::Index few = 12;
   if (const auto known = pool.value(value)) return static_cast<double>(*known);
   const auto zero = pool.number(0);
-  // sign and step have derivative 0 but are not constant
+  // sign, step and floor have derivative 0 but are not constant
   const bool may_jump = !pool.arguments({value}, jumps).empty();
   if (variables > few || may_jump) return std::nullopt;
   for (int variable = 0; variable <= variables; ++variable) {
@@ -81,16 +72,56 @@ std::optional<double> constant_of(Expression value, Eigen::Index variables, Expr
   return static_cast<double>(*at_zero);
 }
 
-// variables: the number of those beside t.
-std::optional<Matrix> matrix_of(const std::vector<Entry>& entries, Eigen::Index size, Eigen::Index variables,
-                                ExpressionPool& pool) {
-  Matrix matrix = Matrix::Zero(size, size);
-  for (const auto& [row, column, value] : entries) {
-    const auto known = constant_of(value, variables, pool);
+// The constant values of the entries; nullopt if one varies. variables: the number of those beside t.
+std::optional<std::vector<double>> constants_of(const std::vector<Entry>& entries, Eigen::Index variables,
+                                                ExpressionPool& pool) {
+  std::vector<double> values;
+  for (const auto& entry : entries) {
+    const auto known = constant_of(entry.value, variables, pool);
     if (!known || !std::isfinite(*known)) return std::nullopt;
-    matrix(row, column) = *known;
+    values.push_back(*known);
   }
+  return values;
+}
+
+Matrix matrix_of(const std::vector<Entry>& entries, const std::vector<double>& values, Eigen::Index size) {
+  Matrix matrix = Matrix::Zero(size, size);
+  for (std::size_t k = 0; k < entries.size(); ++k) matrix(entries[k].row, entries[k].column) = values[k];
   return matrix;
+}
+
+SparseMatrix sparse_matrix_of(const std::vector<Entry>& entries, const std::vector<double>& values,
+                              Eigen::Index size) {
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    triplets.emplace_back(entries[k].row, entries[k].column, values[k]);
+  SparseMatrix matrix(size, size);
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  return matrix;
+}
+
+// Whether a sparse matrix is worth while: of many rows that depend on few others, as those of a field.
+bool is_sparse(const std::vector<Entry>& entries, const std::vector<Component>& components) {
+  constexpr std::size_t fewest_rows = 101, fewest_zeros = 8;
+  const auto size = components.size();
+  return size >= fewest_rows && entries.size() <= size * size / fewest_zeros &&
+         std::ranges::none_of(components, is_algebraic);
+}
+
+// A program writes the values of the sparse matrix in their order, by columns.
+SparseJacobian sparse_jacobian_of(const std::vector<Entry>& entries, Eigen::Index size,
+                                  const ExpressionPool& pool) {
+  auto pattern =
+      std::make_shared<SparseMatrix>(sparse_matrix_of(entries, std::vector(entries.size(), 1.0), size));
+  std::vector<Entry> by_column = entries;
+  std::ranges::stable_sort(by_column, {}, &Entry::column);
+  std::vector<Expression> values;
+  for (const auto& entry : by_column) values.push_back(entry.value);
+  return {[pattern, count = values.size(), program = Program(pool, values, size)](double t, In y,
+                                                                                  SparseMatrix& jacobian) {
+    jacobian = *pattern;
+    program.evaluate(t, y, {jacobian.valuePtr(), count});
+  }};
 }
 
 // Writes to the places of a matrix without gaps between its columns.
@@ -199,9 +230,9 @@ Problem delayed_problem(std::vector<Component> components, const std::vector<Exp
       .rhs = [all, program = Program(pool, rows, variables)](double t, In y, const Past& past,
                                                              Out f) { program(t, all.at(t, y, past), f); }};
   const auto entries = derivatives_of(rows, pool);
-  auto matrix = piecewise(rows, pool) ? std::nullopt : matrix_of(entries, size, variables, pool);
-  if (matrix) {
-    problem.derivatives = DenseLinearPart{std::move(*matrix)};
+  const auto constants = piecewise(rows, pool) ? std::nullopt : constants_of(entries, variables, pool);
+  if (constants) {
+    problem.derivatives = DenseLinearPart{matrix_of(entries, *constants, size)};
   } else {
     problem.delays.jacobian = [all, of = jacobian_of(entries, size, entries_program(entries, size, pool))](
                                   double t, In y, const Past& past, OutMatrix jacobian) {
@@ -227,10 +258,16 @@ Problem expression_problem(std::vector<Component> components, const std::vector<
   for (const auto value : switches_of(rows, pool))
     problem.switching_functions.emplace_back(Program(pool, {value}, size));
   const auto entries = derivatives_of(rows, pool);
-  auto matrix = piecewise(rows, pool) ? std::nullopt : matrix_of(entries, size, size, pool);
-  if (matrix) {
-    problem.text = [rhs, matrix = *matrix] { return text_of(rhs, matrix); };
-    problem.derivatives = DenseLinearPart{std::move(*matrix)};
+  const auto constants = piecewise(rows, pool) ? std::nullopt : constants_of(entries, size, pool);
+  const bool sparse = is_sparse(entries, problem.components);
+  if (sparse && constants) {
+    problem.derivatives = SparseLinearPart{sparse_matrix_of(entries, *constants, size)};
+  } else if (sparse) {
+    problem.derivatives = sparse_jacobian_of(entries, size, pool);
+  } else if (constants) {
+    auto matrix = matrix_of(entries, *constants, size);
+    problem.text = [rhs, matrix] { return text_of(rhs, matrix); };
+    problem.derivatives = DenseLinearPart{std::move(matrix)};
   } else {
     const auto program = entries_program(entries, size, pool);
     problem.text = [rhs, entries, program] { return text_of(rhs, entries, program); };

@@ -33,10 +33,10 @@ struct EarlierValues {
 
 // The problem D^(order_i) y_i = as_given[i], expressions of t (variable 0) and y_j (variable j + 1), with
 // quotients of t that are 0/0 at t = 0 continued to their limits: f, df/dy (a matrix if f is linear in y with
-// constant coefficients) and the switching functions, which are the arguments of sign and step that depend on
-// y. Where df/dy is not finite at the initial values and f contains differences from them, also f and df/dy
-// as functions of these (IncrementForm). Throws DerivativeError. Switching functions must not contain earlier
-// values.
+// constant coefficients) and the switching functions, which are the arguments of sign, step and floor that
+// depend on y. Where df/dy is not finite at the initial values and f contains differences from them, also f
+// and df/dy as functions of these (IncrementForm). Throws DerivativeError. Switching functions must not
+// contain earlier values.
 Problem expression_problem(std::vector<Component> components, const std::vector<Expression>& as_given,
                            double end, ExpressionPool& pool, const EarlierValues& earlier = {});
 

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <queue>
 #include <stdexcept>
 #include <utility>
 
@@ -108,6 +109,8 @@ std::optional<Expression> ExpressionPool::folded_fraction(Operation operation, E
       return of(-x);
     case Operation::abs:
       return of(x < 0 ? Rational(-x) : x);
+    case Operation::floor:
+      return of(reference::floor(x));
     case Operation::sign:
       return of(Rational(x.sign()));
     case Operation::step:
@@ -137,6 +140,18 @@ bool ExpressionPool::is(Expression e, int whole) const {
          (*this)[e].value == static_cast<long double>(whole);
 }
 
+// (t + c) + d or (t + c) - d with numbers c and d as t + (c + d), and as t where c and d cancel; decimals may
+// be written in several ways. nullopt for another sum.
+std::optional<Expression> ExpressionPool::moved_time(Operation operation, Expression a, Expression b) {
+  const auto [t, c, none_left] = (*this)[a].arguments;
+  const auto is_number = [&](Expression e) { return (*this)[e].operation == Operation::number; };
+  if ((*this)[a].operation != Operation::add || t != variable(0) || !is_number(c) || !is_number(b))
+    return std::nullopt;
+  const bool same = (*this)[c].value == (*this)[b].value && (!has_fractions() || c == b);
+  if (same && operation == Operation::subtract) return t;
+  return make_expression(Operation::add, t, make_expression(operation, c, b));
+}
+
 // By repeated squaring.
 Expression ExpressionPool::integer_power(Expression base, int exponent) {
   if (exponent < 0) return make_expression(Operation::divide, number(1), integer_power(base, -exponent));
@@ -147,17 +162,18 @@ Expression ExpressionPool::integer_power(Expression base, int exponent) {
   return exponent % 2 == 0 ? square : make_expression(Operation::multiply, square, base);
 }
 
-// The simplified form of an operation with 0 or 1, a double negation or an integer power; nullopt: none.
+// The simplified form of an operation with 0 or 1, a double negation, (t + c) - d, an integer power, or ceil
+// and mod, which are made of floor; nullopt: none.
 std::optional<Expression> ExpressionPool::simplified(Operation operation, Expression a, Expression b) {
   switch (operation) {
     case Operation::add:
       if (is(a, 0)) return b;
       if (is(b, 0)) return a;
-      break;
+      return moved_time(operation, a, b);
     case Operation::subtract:
       if (is(b, 0)) return a;
       if (is(a, 0)) return make_expression(Operation::negate, b);
-      break;
+      return moved_time(operation, a, b);
     case Operation::multiply:
       if (is(a, 0) || is(b, 1)) return a;
       if (is(b, 0) || is(a, 1)) return b;
@@ -174,6 +190,12 @@ std::optional<Expression> ExpressionPool::simplified(Operation operation, Expres
           std::abs((*this)[b].value) <= largest_whole_power)
         return integer_power(a, static_cast<int>((*this)[b].value));
       break;
+    case Operation::ceil:
+      return (-floor(-Operand{this, a})).value;
+    case Operation::mod: {
+      const Operand x{this, a}, period{this, b};
+      return (x - period * floor(x / period)).value;
+    }
     default:
       break;
   }
@@ -238,20 +260,32 @@ std::vector<bool> ExpressionPool::subexpressions(Expression of) const {
   return subexpressions(std::vector{of});
 }
 
+// The largest first: arguments have smaller indices.
+std::vector<Expression> ExpressionPool::parts(const std::vector<Expression>& of) const {
+  std::priority_queue<Expression> open(of.begin(), of.end());
+  std::vector<Expression> found;
+  while (!open.empty()) {
+    const Expression e = open.top();
+    open.pop();
+    if (!found.empty() && found.back() == e) continue;
+    found.push_back(e);
+    for (const auto part : (*this)[e].arguments)
+      if (part != none) open.push(part);
+  }
+  std::ranges::reverse(found);
+  return found;
+}
+
 bool ExpressionPool::depends_on(Expression of, int variable) const {
   const auto found = known_.find(Key{Operation::variable, variable, none, none, nullptr});
   return found != known_.end() && found->second <= of &&
-         subexpressions(of)[static_cast<std::size_t>(found->second)];
+         std::ranges::binary_search(parts({of}), found->second);
 }
 
 std::set<int> ExpressionPool::variables_in(Expression of) const {
-  const auto used = subexpressions(of);
   std::set<int> found;
-  for (Expression e = 0; e <= of; ++e) {
-    const auto& entry = (*this)[e];
-    if (used[static_cast<std::size_t>(e)] && entry.operation == Operation::variable)
-      found.insert(entry.variable);
-  }
+  for (const auto e : parts({of}))
+    if ((*this)[e].operation == Operation::variable) found.insert((*this)[e].variable);
   return found;
 }
 
@@ -273,33 +307,31 @@ std::vector<Expression> ExpressionPool::arguments(const std::vector<Expression>&
   return {found.begin(), found.end()};
 }
 
-std::vector<Expression> ExpressionPool::switches(const std::vector<Expression>& in) {
+std::vector<Expression> ExpressionPool::switches(const std::vector<Expression>& in,
+                                                 const std::function<bool(const Node& node)>& is_one) {
   const auto used = subexpressions(in);
   std::set<Expression> found;
   for (std::size_t e = 0; e < used.size(); ++e) {
     const auto& part = (*this)[static_cast<Expression>(e)];
-    if (!used[e] || !jumps(part)) continue;
-    found.insert(part.function ? sampled(part.function->alternation(), part.arguments[0])
-                               : part.arguments[0]);
+    if (!used[e] || !is_one(part)) continue;
+    const Expression argument = part.arguments[0];
+    found.insert(part.function                        ? sampled(part.function->alternation(), argument)
+                 : part.operation == Operation::floor ? make_expression(Operation::alternation, argument)
+                                                      : argument);
   }
   return {found.begin(), found.end()};
 }
 
 std::optional<long double> ExpressionPool::value(Expression of) const {
   if ((*this)[of].operation == Operation::number) return (*this)[of].value;
-  const auto used = subexpressions(of);
-  std::vector<long double> values(used.size());
-  for (Expression e = 0; e <= of; ++e) {
-    const auto& entry = (*this)[e];
-    if (!used[static_cast<std::size_t>(e)]) continue;
-    if (entry.operation == Operation::variable) return std::nullopt;
-    const auto at = [&](std::size_t i) {
-      return entry.arguments[i] == none ? 0.0L : values[static_cast<std::size_t>(entry.arguments[i])];
-    };
-    values[static_cast<std::size_t>(e)] =
-        entry.operation == Operation::number ? entry.value : apply(entry, at(0), at(1), at(2));
-  }
-  return values.back();
+  if (!variables_in(of).empty()) return std::nullopt;
+  return values_from_parts(*this, {of}, 0.0L,
+                           [](Expression, const Node& node, const auto& parts) {
+                             return node.operation == Operation::number
+                                        ? node.value
+                                        : apply(node, parts(0), parts(1), parts(2));
+                           })
+      .front();
 }
 
 std::vector<Expression> ExpressionPool::substituted(const std::vector<Expression>& of,
@@ -316,7 +348,7 @@ Expression ExpressionPool::without_variables(Expression of, int first) {
 
 bool jumps(const ExpressionPool::Node& node) {
   return node.operation == Operation::sign || node.operation == Operation::step ||
-         (node.function && node.function->jumping_derivative() == 0);
+         node.operation == Operation::floor || (node.function && node.function->jumping_derivative() == 0);
 }
 
 bool has_kink(const ExpressionPool::Node& node) {

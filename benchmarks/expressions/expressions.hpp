@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <deque>
@@ -48,8 +49,8 @@ using Expression = int;
 enum class NumberStorage { values, decimals, fractions };
 
 // Expressions of numbers and variables. Equal expressions are stored once, so that a program evaluates them
-// once and their number is a small multiple of the length of the formula. Sums with 0 and products with 0 and
-// 1 are simplified.
+// once and their number is a small multiple of the length of the formula. Sums with 0, products with 0 and 1
+// and (t + c) - d with numbers c and d are simplified.
 class ExpressionPool {
  public:
   explicit ExpressionPool(NumberStorage numbers) : numbers_(numbers) {}
@@ -79,8 +80,8 @@ class ExpressionPool {
   // The operation of a node with other arguments.
   Expression with_arguments(const Node& node, Expression a, Expression b = none, Expression c = none);
 
-  // d/dx for x the variable; 0 for abs and step at their kink or jump. Throws std::invalid_argument if x
-  // occurs in the argument of gamma or in one of the first two arguments of mittag_leffler.
+  // d/dx for x the variable; 0 for abs, step and floor at their kink or jump. Throws std::invalid_argument if
+  // x occurs in the argument of gamma or in one of the first two arguments of mittag_leffler.
   Expression derivative(Expression of, int variable);
   // The derivatives of several expressions, in which each common part is differentiated once.
   std::vector<Expression> derivatives(const std::vector<Expression>& of, int variable);
@@ -98,14 +99,19 @@ class ExpressionPool {
   // The arguments of the operations in the expressions of which this is true, each once, in increasing order.
   [[nodiscard]] std::vector<Expression> arguments(const std::vector<Expression>& in,
                                                   const std::function<bool(const Node& node)>& is_one) const;
-  // Expressions at whose changes of sign the given ones jump: the arguments of sign and step, and the
-  // alternation of a table, in increasing order.
-  std::vector<Expression> switches(const std::vector<Expression>& in);
+  // Expressions at whose changes of sign the given ones jump by an operation of which `is_one` is true: the
+  // arguments of sign and step, and the alternation of the argument of floor, or of a table, in increasing
+  // order. Precondition: jumps() is true of each such operation.
+  std::vector<Expression> switches(const std::vector<Expression>& in,
+                                   const std::function<bool(const Node& node)>& is_one);
   // The value, if the expression contains no variable.
   [[nodiscard]] std::optional<long double> value(Expression of) const;
   // Element e, up to the largest index in `of`: whether expression e is a subexpression of one of these.
   [[nodiscard]] std::vector<bool> subexpressions(const std::vector<Expression>& of) const;
   [[nodiscard]] std::vector<bool> subexpressions(Expression of) const;
+  // These subexpressions in increasing order, in a time that depends on their number alone and not on that of
+  // all expressions: so is the time for all rows of a field.
+  [[nodiscard]] std::vector<Expression> parts(const std::vector<Expression>& of) const;
 
   [[nodiscard]] bool has_fractions() const { return numbers_ == NumberStorage::fractions; }
 
@@ -123,6 +129,7 @@ class ExpressionPool {
   Expression derivative_of(Expression self, const Node& node,
                            const std::function<Expression(std::size_t i)>& derivatives);
   [[nodiscard]] bool is(Expression e, int whole) const;
+  std::optional<Expression> moved_time(Operation operation, Expression a, Expression b);
 
   NumberStorage numbers_;
   std::deque<Node> entries_{};  // of which none moves: a reference to one is kept while others are added
@@ -131,7 +138,8 @@ class ExpressionPool {
   std::map<double, Expression> constants_{};
 };
 
-// Whether an operation jumps for some argument: sign, step and tables between whose samples it is constant.
+// Whether an operation jumps for some argument: sign, step, floor and tables between whose samples it is
+// constant.
 bool jumps(const ExpressionPool::Node& node);
 // Whether it has a kink: abs, min, max and tables between whose samples it is linear.
 bool has_kink(const ExpressionPool::Node& node);
@@ -166,20 +174,21 @@ struct Operand {
 template <class Value, class ValueOf>
 std::vector<Value> values_from_parts(const ExpressionPool& pool, const std::vector<Expression>& of,
                                      const Value& absent, const ValueOf& value_of) {
-  const auto used = pool.subexpressions(of);
-  std::vector<Value> values(used.size(), absent);
-  for (std::size_t e = 0; e < used.size(); ++e) {
-    if (!used[e]) continue;
-    const ExpressionPool::Node& node = pool[static_cast<Expression>(e)];
+  const auto all = pool.parts(of);
+  std::vector<Value> values(all.size(), absent);
+  const auto value = [&](Expression e) -> Value& {
+    return values[static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), e) - all.begin())];
+  };
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const ExpressionPool::Node& node = pool[all[k]];
     const auto parts = [&](std::size_t i) -> const Value& {
-      return node.arguments[i] == ExpressionPool::none ? absent
-                                                       : values[static_cast<std::size_t>(node.arguments[i])];
+      return node.arguments[i] == ExpressionPool::none ? absent : value(node.arguments[i]);
     };
-    values[e] = value_of(static_cast<Expression>(e), node, parts);
+    values[k] = value_of(all[k], node, parts);
   }
   std::vector<Value> results;
   results.reserve(of.size());
-  for (const auto e : of) results.push_back(values[static_cast<std::size_t>(e)]);
+  for (const auto e : of) results.push_back(value(e));
   return results;
 }
 

@@ -26,7 +26,7 @@ constexpr std::string_view complex_numbers_here =
     "numbers are real; write the real and the imaginary part as two unknowns, as in fdebench scenes "
     "relaxation_pair --toml";
 constexpr std::string_view remainder_here =
-    "there is no remainder; for 0 < x < 3*a it is x - a*(step(x - a) + step(x - 2*a))";
+    "the remainder with the sign of a is mod(x, a), a sawtooth mod(t, 1)";
 constexpr std::string_view unknown_of_integral_here =
     "there are no integrals; one from 0 to t is an unknown with order = 1, the integrand as rhs and initial "
     "= [0]";
@@ -65,18 +65,17 @@ constexpr std::array foreign_functions{
     ForeignNotation{" sinc ", "here it is sin(x)/x, in MATLAB and NumPy sin(pi*x)/(pi*x)"},
     ForeignNotation{" hypot ", "here it is sqrt(x^2 + y^2)"},
     ForeignNotation{" clip clamp saturate saturation sat ", "here it is min(max(x, a), b)"},
-    ForeignNotation{" floor fix trunc ", "for 0 < x < 3 it is step(x - 1) + step(x - 2)"},
-    ForeignNotation{" ceil ceiling ", "for 0 < x < 3 it is 1 + step(x - 1) + step(x - 2)"},
-    ForeignNotation{" round rint nint ", "for 0 < x < 2.5 it is step(x - 0.5) + step(x - 1.5)"},
-    ForeignNotation{" mod fmod rem remainder sawtooth ", remainder_here},
+    ForeignNotation{" fix trunc ", "here it is sign(x)*floor(abs(x))"},
+    ForeignNotation{" ceiling ", "here it is ceil(x)"},
+    ForeignNotation{" round rint nint ", "here it is floor(x + 0.5)"},
+    ForeignNotation{" fmod rem ", "here it is sign(x)*mod(abs(x), y) for y > 0"},
+    ForeignNotation{" modulo remainder sawtooth ", remainder_here},
     ForeignNotation{" rect rectpuls boxcar unitbox rectangularpulse pulse ",
                     "from a to b it is step(t - a) - step(t - b)"},
     ForeignNotation{" tri tripuls trianglewave ",
                     "a triangle is max(0, 1 - abs(x)), a triangle wave asin(sin(x))"},
     ForeignNotation{" dirac diracdelta delta impulse ",
                     "there is no impulse; a pulse of area 1 is (step(t - a) - step(t - b))/(b - a)"},
-    ForeignNotation{" erf ", "here it is 1 - exp(-x^2)*mittag_leffler(0.5, 1, -x)"},
-    ForeignNotation{" erfc ", "here it is exp(-x^2)*mittag_leffler(0.5, 1, -x)"},
     ForeignNotation{" erfcx ", "here it is mittag_leffler(0.5, 1, -x)"},
     ForeignNotation{" tgamma ", "here it is gamma(x)"},
     ForeignNotation{" lgamma gammaln loggamma ", "here it is log(gamma(x)) for x > 0"},
@@ -96,7 +95,8 @@ constexpr std::array foreign_functions{
     ForeignNotation{
         " interp interp1 interp1d interpolate interpolation lookup table griddedinterpolant spline ",
         "a function of samples is a [table.u] with file = \"u.csv\", called as u(t)"},
-    ForeignNotation{" sum prod ", "write the terms one by one"},
+    ForeignNotation{" summation ", "here it is sum(j, 1, 3, j*x)"},
+    ForeignNotation{" prod product ", "write the factors one by one"},
     ForeignNotation{" real imag re im conj complex ", complex_numbers_here},
 };
 
@@ -161,7 +161,7 @@ constexpr std::array foreign_keys{
     ForeignNotation{" hamiltonian kinetic potential ", "write T - V as the lagrangian"},
     ForeignNotation{" dissipation rayleigh friction damping ",
                     "write it as a force, as forces = { x = \"-0.1*D(x,1)\" }"},
-    ForeignNotation{" start begin t0 from ", "the time begins at 0"},
+    ForeignNotation{" begin t0 from tstart t_start ", "here it is start"},
     ForeignNotation{" until tspan t_end tend stop duration tmax t_final ", "here it is end"},
     ForeignNotation{" scheme steps grid accuracy tolerance method solver ",
                     "it is an option of the commands"},

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 #include "fdebench/benchmarks/expressions/foreign_notation.hpp"
 #include "fdebench/benchmarks/expressions/formula_tokens.hpp"
@@ -160,18 +162,98 @@ class FormulaParser {
 
   Expression named(const FormulaToken& token) {
     if (token.text == "D") return derivative(token);
+    const auto bound = std::ranges::find(bound_, token.text, &BoundName::name);
+    if (bound != bound_.end()) return into_.number(bound->value);
     const auto table =
         std::ranges::find(names_.tables, token.text, [](const auto& one) { return one->name(); });
     const auto function = function_named(token.text);
-    const bool named_alike =
-        token_.text != "(" && names_.resolve && names_.resolve(token.text);  // e.g. gamma as an order
+    if (names_.component && token_.text == "[" && !function && table == names_.tables.end())
+      return at_time(component(token), token, true);
+    const bool named_alike = token_.text != "(" && is_known(token.text);  // e.g. gamma as an order
     if (table != names_.tables.end() && !named_alike) return sampled(*table, token);
     if (function && !named_alike) return call(*function);
     if (token.text == "pi") return into_.pi();
+    if (token_.text == "(" && token.text == "sum" && !is_known("sum")) return sum_of_terms();
     if (names_.resolve) {
       if (const auto known = names_.resolve(token.text)) return at_time(*known, token);
     }
     unknown_name(token);
+  }
+
+  [[nodiscard]] bool is_known(std::string_view name) const {
+    return names_.resolve && names_.resolve(name).has_value();
+  }
+
+  // The value of a formula that is a whole number.
+  int whole_number(std::string_view what) {
+    constexpr long double largest = 1e9L;
+    const FormulaToken first = token_;
+    const auto value = into_.value(sum());
+    if (!value)
+      fault(fmt::format("{}: must be a formula of whole numbers and parameters", what), first.byte_offset);
+    if (!(std::abs(*value) <= largest) || *value != std::rint(*value)) {
+      fault(fmt::format("{} = {}: must be a whole number", what, static_cast<double>(*value)),
+            first.byte_offset);
+    }
+    return static_cast<int>(*value);
+  }
+
+  // The index in square brackets, which come next.
+  int index_of(const FormulaToken& vector) {
+    advance();
+    const int index = whole_number(fmt::format("the index of {}", vector.text));
+    if (!take("]")) expected(fmt::format("an operation or ']', as in {}[1]", vector.text));
+    return index;
+  }
+
+  Expression component(const FormulaToken& vector) {
+    const int index = index_of(vector);
+    try {
+      return names_.component(vector.text, index);
+    } catch (const std::invalid_argument& none) {
+      fault(none.what(), vector.byte_offset);
+    }
+  }
+
+  // Up to the bracket that closes the arguments: f of an empty sum may name what there is not.
+  void skip_argument() {
+    for (int depth = 0; !token_.text.empty() && (depth > 0 || token_.text != ")"); advance()) {
+      if (token_.text == "(") ++depth;
+      if (token_.text == ")") --depth;
+    }
+  }
+
+  // sum(j, a, b, f), of which "sum" is read. f is read once for each j, from the same place.
+  Expression sum_of_terms() {
+    constexpr int most = 100'000;
+    constexpr std::string_view form = ", as in sum(j, 1, 3, u[j])";
+    advance();
+    const FormulaToken name = token_;
+    if (!is_name(name.text) || is_symbol(name.text) || is_known(name.text))
+      fault(fmt::format("{}: must be a new name{}", name.text, form), name.byte_offset);
+    advance();
+    const auto next = [&](std::string_view symbol) {
+      if (!take(symbol)) expected(fmt::format("'{}'{}", symbol, form));
+    };
+    next(",");
+    const int from = whole_number("the first index of sum");
+    next(",");
+    const int to = whole_number("the last index of sum");
+    if (to - from >= most)
+      fault(fmt::format("the sum has {} terms: must be at most {}", to - from + 1, most), name.byte_offset);
+    const FormulaToken before = token_;
+    Expression total = into_.number(0);
+    bound_.push_back({name.text, from});
+    if (to < from) skip_argument();
+    for (int j = from; j <= to; ++j) {
+      bound_.back().value = j;
+      token_ = before;
+      next(",");
+      total = made(Operation::add, total, sum());
+    }
+    bound_.pop_back();
+    next(")");
+    return total;
   }
 
   [[noreturn]] void unknown_name(const FormulaToken& token) const {
@@ -239,8 +321,8 @@ class FormulaParser {
 
   // The value, or, with a time in brackets behind it, the value at that time. x(t) and x(0) are refused with
   // the hint of what to write.
-  Expression at_time(Expression value, const FormulaToken& token) {
-    const bool is_unknown = into_.depends_on_unknowns(value);
+  Expression at_time(Expression value, const FormulaToken& token, bool is_component = false) {
+    const bool is_unknown = is_component || into_.depends_on_unknowns(value);
     const auto first = next_token(text_, token_.byte_offset + token_.text.size());
     const auto second = next_token(text_, first.byte_offset + first.text.size());
     const bool is_now_or_start = (first.text == "t" || first.text == "0") && second.text == ")";
@@ -267,6 +349,9 @@ class FormulaParser {
     if (names_.time_derivative && !is_before_comma(unknown)) return time_derivative(token);
     if (!is_letter(unknown.text.empty() ? ' ' : unknown.text.front())) expected("an unknown");
     advance();
+    const bool is_component = names_.component && token_.text == "[";
+    const std::string name =
+        is_component ? fmt::format("{}[{}]", unknown.text, index_of(unknown)) : std::string(unknown.text);
     if (!take(",")) expected("',', as in D(x, 0.5)");
     const FormulaToken first = token_;
     const auto order = sum();
@@ -274,16 +359,17 @@ class FormulaParser {
     const bool is_decimal = second.byte_offset == token_.byte_offset && !is_letter(first.text.front());
     if (!take(")")) expected("')', as in D(x, 0.5)");
     try {
-      return at_time(names_.derivative(unknown.text, order, is_decimal), token);
+      return at_time(names_.derivative(name, order, is_decimal), token, is_component);
     } catch (const std::invalid_argument& none) {
       fault(none.what(), token.byte_offset);
     }
   }
 
-  // Whether it is the name of something else than the time, with a comma behind it.
+  // Whether it is the name of something else than the time, with a comma or an index behind it.
   [[nodiscard]] bool is_before_comma(const FormulaToken& token) const {
+    const auto behind = next_token(text_, token.byte_offset + token.text.size()).text;
     return !token.text.empty() && is_letter(token.text.front()) && token.text != "t" &&
-           next_token(text_, token.byte_offset + token.text.size()).text == ",";
+           (behind == "," || behind == "[");
   }
 
   // D(of, order) of a formula, of which "D(" is read.
@@ -304,6 +390,11 @@ class FormulaParser {
   ExpressionPool& into_;
   FormulaToken token_{}, previous_{};
   int depth_ = 0;
+  struct BoundName {
+    std::string_view name;
+    int value;
+  };
+  std::vector<BoundName> bound_{};  // of sums, the innermost last
 };
 
 }  // namespace

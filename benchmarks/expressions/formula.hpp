@@ -17,9 +17,9 @@ namespace fde::bench {
 // The names in a formula, other than functions and pi.
 struct FormulaNames {
   std::function<std::optional<Expression>(std::string_view name)> resolve{};
-  // D(x, order), a derivative of an unknown; `is_decimal`: whether the order is written as a number, as in
-  // D(x, 1). Empty: derivatives are not allowed. Throws std::invalid_argument with the reason if there is no
-  // derivative of that order.
+  // D(x, order), a derivative of an unknown, or of a component as "u[3]"; `is_decimal`: whether the order is
+  // written as a number, as in D(x, 1). Empty: derivatives are not allowed. Throws std::invalid_argument with
+  // the reason if there is no derivative of that order.
   std::function<Expression(std::string_view unknown, Expression order, bool is_decimal)> derivative{};
   // D(of, order), where `of` is a formula of t. Empty: such derivatives are not allowed. Throws
   // std::invalid_argument with the reason if there is none.
@@ -27,6 +27,9 @@ struct FormulaNames {
   // x(time), where `of` is the variable of an unknown or of a derivative. Empty: earlier values are not
   // allowed. Throws std::invalid_argument with the reason if there is no such value.
   std::function<Expression(Expression of, Expression time)> earlier{};
+  // The component name[index] of a vector. Empty: there are no vectors. Throws std::invalid_argument with the
+  // reason if there is no such vector or component.
+  std::function<Expression(std::string_view name, int index)> component{};
   std::span<const std::shared_ptr<const SampledFunction>> tables{};  // functions of one argument
   // Called for each value of a table, with the place of its name.
   std::function<void(Expression value, std::size_t byte_offset)> on_sampled{};
@@ -43,7 +46,8 @@ inline constexpr std::size_t max_formula_bytes = 20'000;
 inline constexpr int max_nesting_depth = 200;  // nesting of brackets, signs and powers
 
 // Parses sums, products, quotients, powers (x^y^z = x^(y^z), -x^2 = -(x^2)), brackets, decimals, names and
-// functions. Throws FormulaError.
+// functions; components u[i], and sum(j, a, b, f), the sum of f for j = a, a + 1, ..., b, which is 0 where b
+// < a. Throws FormulaError.
 Expression read_formula(std::string_view text, const FormulaNames& names, ExpressionPool& into);
 
 // A letter followed by letters, digits and _.

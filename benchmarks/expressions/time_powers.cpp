@@ -61,13 +61,24 @@ std::vector<double> values_of_parts(const ExpressionPool& pool, const std::vecto
   return values;
 }
 
+namespace {
+
+// Whether it is constant after t = 0: its argument is no whole number there, or a function of t that
+// increases.
+bool floor_is_smooth(const ExpressionPool& pool, Expression argument, double at_start) {
+  constexpr double soon = 0x1p-40;
+  if (at_start != std::floor(at_start)) return true;
+  return !pool.depends_on_unknowns(argument) && Program(pool, {argument}, 0)(soon, Vec()) > at_start;
+}
+
+}  // namespace
+
 std::optional<std::set<double>> time_powers(const ExpressionPool& pool, Expression of,
                                             const std::vector<double>& values) {
   std::set<double> powers;
-  const auto used = pool.subexpressions(of);
-  for (Expression e = 0; e <= of; ++e) {
+  for (const auto e : pool.parts({of})) {
     const auto& entry = pool[e];
-    if (!used[static_cast<std::size_t>(e)] || entry.arguments[0] == ExpressionPool::none) continue;
+    if (entry.arguments[0] == ExpressionPool::none) continue;
     if (const auto power = power_of_time(pool, entry)) {
       powers.insert(*power);
       continue;
@@ -77,7 +88,9 @@ std::optional<std::set<double>> time_powers(const ExpressionPool& pool, Expressi
                  ? 0.0
                  : values[static_cast<std::size_t>(entry.arguments[i])];
     };
-    if (!is_smooth(entry, at(0), at(1)) && !pool.variables_in(e).empty()) return std::nullopt;
+    const bool smooth = entry.operation == Operation::floor ? floor_is_smooth(pool, entry.arguments[0], at(0))
+                                                            : is_smooth(entry, at(0), at(1));
+    if (!smooth && !pool.variables_in(e).empty()) return std::nullopt;
   }
   return powers;
 }

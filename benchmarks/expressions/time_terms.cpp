@@ -19,7 +19,7 @@ constexpr std::size_t most_terms = 2000;
 // Computes the terms of an expression from those of its arguments, by rules for sums, products and powers.
 class TimeTermRules {
  public:
-  explicit TimeTermRules(ExpressionPool& pool) : pool_(pool) {}
+  TimeTermRules(ExpressionPool& pool, double end) : pool_(pool), end_(end) {}
 
   Terms of(Operation operation, const Terms& a, const Terms& b) {
     switch (operation) {
@@ -40,6 +40,8 @@ class TimeTermRules {
         return power(a, pool_.number("0.5"));
       case Operation::step:
         return step(a);
+      case Operation::floor:
+        return floor(a);
       default:
         return std::nullopt;
     }
@@ -183,16 +185,44 @@ class TimeTermRules {
     return rises ? std::vector{behind} : std::vector{TimeTerm{pool_.number(1), pool_.number(0)}, behind};
   }
 
+  // floor(a0 + a1 t): its value at 0, and one more, or one less, after each time at which the argument is a
+  // whole number.
+  Terms floor(const Terms& a) {
+    const auto line = affine(a);
+    if (!line) return std::nullopt;
+    const auto& [first, rate] = *line;
+    const auto slope = pool_.value(rate.value), start = pool_.value(first.value);
+    if (!slope || !start || !(std::abs(*slope) * end_ <= static_cast<long double>(most_terms)))
+      return std::nullopt;
+    const bool rises = *slope > 0.0L;
+    Operand value = first.of(Operation::floor), next = rises ? value + 1 : value;
+    const Operand step = number(rises ? 1.0 : -1.0);
+    std::vector<TimeTerm> terms;
+    for (; *slope != 0.0L; next = next + step) {
+      const auto from = ((next - first) / rate).value;
+      const auto time = pool_.value(from);
+      if (!time || *time >= static_cast<long double>(end_)) break;
+      if (*time > 0.0L) {
+        terms.push_back({step.value, pool_.number(0), from});
+      } else {
+        value = value + step;
+      }
+    }
+    terms.push_back({value.value, pool_.number(0)});
+    return terms;
+  }
+
   ExpressionPool& pool_;
+  double end_;
 };
 
 // The terms of an expression that is no sum.
-Terms terms_of_part(Expression of, ExpressionPool& pool) {
+Terms terms_of_part(Expression of, ExpressionPool& pool, double end) {
   struct Part {
     Terms terms{};
     bool varies = false;
   };
-  TimeTermRules rules(pool);
+  TimeTermRules rules(pool, end);
   const auto part_of = [&](Expression e, const ExpressionPool::Node& node, const auto& parts) {
     if (node.operation == Operation::variable) return Part{node.variable == 0 ? rules.time() : Terms(), true};
     const bool varies = parts(0).varies || parts(1).varies || parts(2).varies;
@@ -206,8 +236,8 @@ Terms terms_of_part(Expression of, ExpressionPool& pool) {
 
 }  // namespace
 
-Terms time_terms(Expression of, ExpressionPool& pool) {
-  TimeTermRules rules(pool);
+Terms time_terms(Expression of, ExpressionPool& pool, double end) {
+  TimeTermRules rules(pool, end);
   std::vector<TimeTerm> terms;
   std::vector<std::pair<Expression, bool>> open{{of, false}};  // summands, and whether they are subtracted
   for (std::size_t parts = 0; !open.empty(); ++parts) {
@@ -221,7 +251,7 @@ Terms time_terms(Expression of, ExpressionPool& pool) {
     } else if (operation == Operation::negate) {
       open.emplace_back(arguments[0], !is_negative);
     } else {
-      auto some = terms_of_part(part, pool);
+      auto some = terms_of_part(part, pool, end);
       if (is_negative) some = rules.of(Operation::negate, some, {});
       if (!some) return std::nullopt;
       terms.insert(terms.end(), some->begin(), some->end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,9 +16,10 @@ struct TimeTerm {
   std::optional<Expression> from{};
 };
 
-// An expression of t, t >= 0, as a sum of such terms; nullopt if it is not of this form or has more than 2000
-// terms.
-std::optional<std::vector<TimeTerm>> time_terms(Expression of, ExpressionPool& pool);
+// An expression of t, 0 <= t <= end, as a sum of such terms; nullopt if it is not of this form or has more
+// than 2000 terms. Only floor(a + b t) depends on the end: it has one term for each of its steps.
+std::optional<std::vector<TimeTerm>> time_terms(Expression of, ExpressionPool& pool,
+                                                double end = std::numeric_limits<double>::infinity());
 
 // The fractional integral of the term c t^p, c Gamma(p+1) / Gamma(p+1+order) t^(p+order); with a negative
 // order its derivative. Precondition: the term has no `from`.

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 
@@ -59,7 +60,7 @@ Json json_of(const SceneFactory& factory) {
   for (const auto& parameter : factory.parameters) parameters.push_back(parameter_json(parameter));
   return {{"id", factory.id},         {"title", factory.title},
           {"source", factory.source}, {"parameters", parameters},
-          {"end", scene.problem.end}, {"columns", names_json(scene.outputs.names)},
+          {"end", end_time(scene)},   {"columns", names_json(scene.outputs.names)},
           {"has", defined_by(scene)}, {"reference", evidence_of(scene)}};
 }
 

@@ -17,6 +17,7 @@
 #include "fdebench/benchmarks/requests/own_scheme.hpp"
 #include "fdebench/benchmarks/requests/recommendation_from_search.hpp"
 #include "fdebench/benchmarks/requests/solve_request.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/search/estimated_reference.hpp"
 #include "fdebench/benchmarks/search/search.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
@@ -103,6 +104,7 @@ Recommendation choose(Scene scene, const ChoiceRequest& request, const SceneSett
   const auto found =
       search(scene, target, std::max(0.0, request.seconds - taken.count()), tell, request.schemes);
   auto made = recommend(found, settings, scene.outputs.names, target, known.estimate);
+  for (auto& missing : made.missing) missing = with_note_of_start(scene, missing);
   made.small = small_columns(scene, target);
   made.examined_at_points_only = at_points_only;
   made.columns = request.columns;

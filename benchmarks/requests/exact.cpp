@@ -7,10 +7,12 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <string_view>
 
 #include "fdebench/benchmarks/references/decimal_bound.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/text/range.hpp"
 #include "fdebench/benchmarks/text/refusal.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
@@ -25,12 +27,27 @@ void require_finite(bool finite, std::string_view what, std::string_view range, 
 }
 
 void require_times(const Scene& scene, const std::vector<double>& times) {
-  const double last = is_two_sided(scene.problem) ? scene.problem.end : std::numeric_limits<double>::max();
+  const bool ends = is_two_sided(scene.problem);
+  const double last = ends ? end_time(scene) : std::numeric_limits<double>::max();
+  const Range allowed{.low = scene.start};
   for (const double t : times) {
-    if (t >= 0.0 && t <= last) continue;
-    refuse_value("times", fmt::format("{}", t),
-                 {is_two_sided(scene.problem) ? fmt::format("in [0, {}], the time of the scene", last)
-                                              : not_negative.text()});
+    if (t >= scene.start && t <= last) continue;
+    refuse_value(
+        "times", fmt::format("{}", t),
+        {ends ? fmt::format("in [{}, {}], the time of the scene", scene.start, last) : allowed.text()});
+  }
+}
+
+// What `known` gives; a failure of a reference counts time from the start.
+template <class Known>
+auto with_times_of(const Scene& scene, const Known& known) {
+  try {
+    return known();
+  } catch (const NumericalFailure&) {
+    throw;
+  } catch (const std::runtime_error& failure) {
+    if (scene.start == 0.0) throw;
+    throw std::runtime_error(with_note_of_start(scene, failure.what()));
   }
 }
 
@@ -42,25 +59,26 @@ void announce(const BeforeTime& before, double t) {
 
 ExactTable exact(Scene scene, const std::vector<double>& times, const BeforeTime& before) {
   require_times(scene, times);
-  const double last = times.empty() ? 0.0 : std::ranges::max(times);
+  const double last = times.empty() ? 0.0 : from_start(scene, std::ranges::max(times));
   if (!is_two_sided(scene.problem) && last > 0.0) set_end(scene, last);
   ExactTable table{.names = printed_names(scene)};
   const bool has_multipliers = scene.reactions.has_exact_multipliers();
   if (has_multipliers) std::ranges::copy(reaction_names(scene), std::back_inserter(table.names));
   table.values.resize(std::ssize(table.names), std::ssize(times));
   table.bounds.resize(std::ssize(scene.outputs.names), std::ssize(times));
-  announce(before, scene.problem.end);
-  const reference::Reference known = reference_of(scene);
-  for (Eigen::Index i = 0; const double t : times) {
-    announce(before, t);
-    const auto [columns, bounds] = known.at(t);
+  announce(before, end_time(scene));
+  const reference::Reference known = with_times_of(scene, [&] { return reference_of(scene); });
+  for (Eigen::Index i = 0; const double time : times) {
+    announce(before, time);
+    const double t = from_start(scene, time);
+    const auto [columns, bounds] = with_times_of(scene, [&] { return known.at(t); });
     report_progress(1, 1);
-    require_finite(columns.allFinite(), "exact solution", "double", t);
-    require_finite(bounds.allFinite(), "bound of the exact solution", "double", t);
+    require_finite(columns.allFinite(), "exact solution", "double", time);
+    require_finite(bounds.allFinite(), "bound of the exact solution", "double", time);
     const Vec values = printed_values(scene, t, columns);
     for (Eigen::Index c = columns.size(); c < values.size(); ++c) {
       require_finite(std::isfinite(values[c]) || !is_regular(scene, t, c),
-                     "exact " + table.names[static_cast<std::size_t>(c)], "double", t);
+                     "exact " + table.names[static_cast<std::size_t>(c)], "double", time);
     }
     table.values.col(i).head(values.size()) = values;
     if (has_multipliers) {
@@ -87,7 +105,7 @@ std::vector<std::vector<reference::Decimal>> exact_in_digits(const Scene& scene,
   std::vector<std::vector<reference::Decimal>> rows;
   for (const double t : times) {
     announce(before, t);
-    rows.push_back(scene.reference.digits(t, digits));
+    rows.push_back(scene.reference.digits(from_start(scene, t), digits));
     report_progress(1, 1);
     for (const auto& decimal : rows.back())
       require_finite(is_finite_bound(decimal.bound), "exact solution", "all exponents", t);

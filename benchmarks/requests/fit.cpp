@@ -17,6 +17,7 @@
 #include "fdebench/benchmarks/fit/linearised.hpp"
 #include "fdebench/benchmarks/fit/measured_model.hpp"
 #include "fdebench/benchmarks/fit/weighted.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/text/refusal.hpp"
 
 namespace fde::bench {
@@ -407,6 +408,7 @@ FittedScene fit(const FitRequest& request, const FitProgress& progress) {
   require_in("budget", request.budget, positive);
   auto parameters = free_parameters(request.vary, request.variant);
   const Scene scene = make_scene(request.variant);
+  require_start_at_zero(scene, "fit");
   const Scheme& scheme = adaptive_scheme_for(scene.problem, request.scheme);
   auto measured = request.data(scene);
   require_enough(measured, scene.outputs.names, parameters.size());

@@ -9,6 +9,7 @@
 #include "fdebench/benchmarks/measures/measures.hpp"
 #include "fdebench/benchmarks/records/record_validation.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/sweep/described_scene.hpp"
 #include "fdebench/benchmarks/text/refusal.hpp"
 
@@ -43,6 +44,7 @@ Record run_of(const SceneVariant& scene, const std::string& name, const External
 JudgedTrajectory judge(const JudgeRequest& request) {
   SceneVariant variant = request.variant;
   const auto scene = std::make_shared<Scene>(make_scene(variant));
+  require_start_at_zero(*scene, "judge");
   if (request.name) require_external_name("name", *request.name);
   for (const double duration : request.seconds) require_in("seconds", duration, positive);
   const auto path = request.trajectory(*scene);

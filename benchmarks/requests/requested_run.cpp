@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/text/refusal.hpp"
 #include "fdebench/schemes/history/history.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
@@ -45,19 +46,20 @@ void require_affordable(const Grid& grid, HistoryKind history) {
 }
 
 // The grid time that equals t up to rounding. Throws Refusal naming the neighbours if t is not a grid time.
-double time_at(const Grid& grid, double t) {
+double time_at(const Scene& scene, const Grid& grid, double t) {
   const int nearest = grid.nearest_index(t);
   if (std::abs(grid.time(nearest) - t) <= rounding * t) return grid.time(nearest);
   const int below = std::clamp(grid.time(nearest) < t ? nearest : nearest - 1, 0, grid.steps - 1);
-  refuse_value("at", fmt::format("{}", t),
-               {fmt::format("a time of the grid: its neighbours are {:.17g} and {:.17g}", grid.time(below),
-                            grid.time(below + 1))});
+  refuse_value("at", fmt::format("{}", from_zero(scene, t)),
+               {fmt::format("a time of the grid: its neighbours are {:.17g} and {:.17g}",
+                            from_zero(scene, grid.time(below)), from_zero(scene, grid.time(below + 1)))});
 }
 
 // The times of one kind of OutputTimes for a run over a grid, or without one (nullptr) up to the end.
 struct TimesOfRun {
   const Grid* grid;
   double end;
+  const Scene* scene;  // whose start users add to all of them
 
   std::vector<double> operator()(const AllTimes& /*all*/) const {
     if (grid == nullptr || grid->steps <= most_rows) return {};
@@ -69,11 +71,15 @@ struct TimesOfRun {
   std::vector<double> operator()(const GivenTimes& at) const {
     if (at.times.empty()) refuse_value("at", "[]", {"one time at least"});
     std::vector<double> times;
-    for (const double t : at.times) {
-      require_in("at", t, not_negative);
-      if (t > end * (1 + rounding))
-        refuse_value("at", fmt::format("{}", t), {fmt::format("in [0, {}], the times of the run", end)});
-      times.push_back(grid != nullptr ? time_at(*grid, t) : t);
+    for (const double asked : at.times) {
+      require_in("at", asked, not_negative);
+      const double t = from_start(*scene, asked);
+      if (t < 0.0 || t > end * (1 + rounding)) {
+        refuse_value(
+            "at", fmt::format("{}", asked),
+            {fmt::format("in [{}, {}], the times of the run", scene->start, from_zero(*scene, end))});
+      }
+      times.push_back(grid != nullptr ? time_at(*scene, *grid, t) : t);
     }
     return increasing(std::move(times));
   }
@@ -178,7 +184,7 @@ RequestedRun requested_run(const Scene& scene, const SolveRequest& request) {
   run.keeps_columns = run.grid && !scene.reactions && !request.field && !request.all_solutions;
   require_events(scene, request);
   require_several(scene, request);
-  run.times = std::visit(TimesOfRun{grid, scene.problem.end}, request.times);
+  run.times = std::visit(TimesOfRun{grid, scene.problem.end, &scene}, request.times);
   require_field(scene, request, run.times, run.grid);
   if (const auto reason = unsupported_reason(scheme, scene.problem, run.resolution))
     throw Refusal({RequestField{"scheme"}, fmt::format(" = {}: {} {}", scheme.id, scheme.id, *reason)});

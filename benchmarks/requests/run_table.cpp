@@ -8,18 +8,20 @@
 
 #include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/observers/reaction_path.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/schemes/diagnostics/warnings.hpp"
 
 namespace fde::bench {
 namespace {
 
 // A state may be finite and its energy not: throws NumericalFailure then.
-void require_finite(const Vec& values, const Scene& scene, const SolvedTable& table, const Scheme& scheme,
+void require_finite(const Scene& scene, const Vec& values, const SolvedTable& table, const Scheme& scheme,
                     const std::optional<Grid>& grid, double t) {
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i]) || !is_regular(scene, t, i)) continue;
-    throw NumericalFailure(fmt::format("{}: {} not finite {}", scheme.id,
-                                       table.names[static_cast<std::size_t>(i)], at_time(grid, t)));
+    throw NumericalFailure(
+        with_note_of_start(scene, fmt::format("{}: {} not finite {}", scheme.id,
+                                              table.names[static_cast<std::size_t>(i)], at_time(grid, t))));
   }
 }
 
@@ -44,7 +46,7 @@ SolvedTable table_of(const Scene& scene, const RequestedRun& run, const Trajecto
     const double t = times[static_cast<std::size_t>(c)];
     if (t != table.times[static_cast<std::size_t>(next)]) continue;
     const Vec values = printed_values(scene, t, columns.col(c));
-    require_finite(values, scene, table, run.scheme, run.grid, t);
+    require_finite(scene, values, table, run.scheme, run.grid, t);
     table.values.col(next++) << values, reactions.at(c, columns.col(c));
   }
   if (next < table.values.cols()) {
@@ -59,7 +61,7 @@ SolvedTable table_of_events(const Scene& scene, const Scheme& scheme, const Traj
   table.values.resize(std::ssize(table.names), std::ssize(path.events));
   for (Eigen::Index c = 0; const auto& [event, t, y] : path.events) {
     const Vec values = printed_values(scene, t, columns_at(scene.outputs, t, y));
-    require_finite(values, scene, table, scheme, std::nullopt, t);
+    require_finite(scene, values, table, scheme, std::nullopt, t);
     table.times.push_back(t);
     table.events->push_back(scene.events[event].name);
     table.values.col(c++) = values;

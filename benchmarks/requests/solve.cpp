@@ -15,6 +15,7 @@
 #include "fdebench/benchmarks/requests/checkpoint_file.hpp"
 #include "fdebench/benchmarks/requests/run_table.hpp"
 #include "fdebench/benchmarks/requests/run_warnings.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/schemes/problem/progress/progress.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
@@ -39,7 +40,7 @@ void add_others(SolvedTable& table, const Scene& scene, const RequestedRun& run,
 std::string ended_by(const Scene& scene, const Trajectory& path) {
   if (path.status != SolveStatus::terminal_event) return "";
   return fmt::format("event {} ended the run at t = {:.17g}", scene.events[path.events.back().event].name,
-                     path.last_time);
+                     from_zero(scene, path.last_time));
 }
 
 // The states of a path at some of its times.
@@ -112,7 +113,17 @@ Trajectory finished(const Scene& scene, const RequestedRun& run, const Checkpoin
   Trajectory path = run.scheme.solve(scene.problem, run.resolution, run.options);
   if (came_through(path)) return path;
   if (checkpoints != nullptr && path.status != SolveStatus::out_of_budget) checkpoints->remove();
-  throw RunFailure(fmt::format("{}: {}", run.scheme.id, describe(scene.problem, path)), run.scheme.id, path);
+  RunFailure failure(
+      with_note_of_start(scene, fmt::format("{}: {}", run.scheme.id, describe(scene.problem, path))),
+      run.scheme.id, path);
+  if (failure.time) failure.time = from_zero(scene, *failure.time);
+  throw failure;
+}
+
+// The times of a table as users read them.
+void count_from_zero(SolvedTable& table, const Scene& scene) {
+  for (double& t : table.times) t = from_zero(scene, t);
+  for (auto& warning : table.warnings) warning.text = with_note_of_start(scene, warning.text);
 }
 
 }  // namespace
@@ -155,6 +166,7 @@ SolvedTable solve(const Scene& scene, const SolveRequest& request, const SolveLi
     table.warnings = run.grid ? run_warnings(scene, run, path, request.check)
                               : run_warnings(scene, run, table, path, elapsed.count(), request.check);
   }
+  count_from_zero(table, scene);
   table.ended = ended_by(scene, path);
   table.cost =
       cost_of(scene, request, run, path.cost, elapsed.count(), checkpoints ? &*checkpoints : nullptr);

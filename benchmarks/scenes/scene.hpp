@@ -130,6 +130,8 @@ struct LoadTimes {
 struct Scene {
   std::string name{};  // id and all parameters: key of the cached reference; empty: not cached
   Problem problem{};
+  // The time that users read and write at t = 0 of the problem; all members count time from there.
+  double start = 0.0;
   // What the right-hand side does as a function of t alone, if it is computed for a given end; empty: the
   // jump times and the step limits of the problem are complete.
   std::function<LoadTimes(double end)> load_times{};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 
 namespace fde::bench {
@@ -115,12 +116,13 @@ namespace {
 
 Scene with_end(Scene scene, const SceneVariant& variant) {
   if (!variant.until) return scene;
-  const double end = scene.problem.end;
-  if (has_right_rows(scene.problem) && *variant.until != end) {
-    reject("until", *variant.until,
-           fmt::format("{}: scene {} is posed at both ends", end, variant.factory->id));
+  const double until = *variant.until;
+  if (has_right_rows(scene.problem) && until != end_time(scene)) {
+    reject("until", until,
+           fmt::format("{}: scene {} is posed at both ends", end_time(scene), variant.factory->id));
   }
-  set_end(scene, *variant.until);
+  if (!(until > scene.start)) reject("until", until, fmt::format("above {}, the start", scene.start));
+  set_end(scene, from_start(scene, until));
   return scene;
 }
 
@@ -176,14 +178,14 @@ SceneVariant parse_variant(const std::string& text, const SceneRegistry& among) 
 SceneVariant parse_variant(const std::string& text, const std::vector<std::string>& settings,
                            const SceneRegistry& among) {
   SceneVariant variant = read_variant(text, settings, among);
-  [[maybe_unused]] const Scene checked = make_scene(variant);
+  require_start_at_zero(make_scene(variant), "runs that are recorded");
   return variant;
 }
 
 std::vector<SceneVariant> parse_variants(const std::string& text, const std::vector<std::string>& settings,
                                          const SceneRegistry& among) {
   auto variants = read_variants(text, settings, among);
-  for (const auto& variant : variants) [[maybe_unused]] const Scene checked = make_scene(variant);
+  for (const auto& variant : variants) require_start_at_zero(make_scene(variant), "runs that are recorded");
   return variants;
 }
 

@@ -55,7 +55,8 @@ inline constexpr std::size_t max_variants = 1000;
 std::vector<SceneVariant> read_variants(const std::string& text, const std::vector<std::string>& settings,
                                         const SceneRegistry& among = built_in_scenes());
 
-// The same, and throw std::invalid_argument if make_scene does.
+// The same for runs that are recorded: throw std::invalid_argument if make_scene does, or where the time of
+// the scene does not begin at 0.
 SceneVariant parse_variant(const std::string& text, const SceneRegistry& among = built_in_scenes());
 SceneVariant parse_variant(const std::string& text, const std::vector<std::string>& settings,
                            const SceneRegistry& among = built_in_scenes());

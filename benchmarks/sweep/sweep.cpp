@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/sweep/described_scene.hpp"
 #include "fdebench/benchmarks/sweep/in_parallel.hpp"
 #include "fdebench/benchmarks/sweep/scene_refinements.hpp"
@@ -29,7 +30,9 @@ struct SweptScene {
         name(variant.key()),
         scene(make_scene(variant)),
         refinements(sweep, name, &scene.problem),
-        current(refinements.series.size()) {}
+        current(refinements.series.size()) {
+    require_start_at_zero(scene, "runs that are recorded");
+  }
 
   SceneVariant variant;
   SceneSettings name;

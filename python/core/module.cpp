@@ -29,6 +29,7 @@
 #include "fdebench/benchmarks/requests/own_problem.hpp"
 #include "fdebench/benchmarks/requests/recorded_sweep.hpp"
 #include "fdebench/benchmarks/requests/solve.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/benchmarks/text/refusal.hpp"
@@ -59,7 +60,7 @@ py::tuple facts(const std::string& name, const std::vector<std::string>& setting
   });
   std::vector<double> orders;
   for (const auto& component : scene.problem.components) orders.push_back(component.order);
-  return py::make_tuple(id, scene.outputs.names, orders, scene.problem.end, changes);
+  return py::make_tuple(id, scene.outputs.names, orders, end_time(scene), changes);
 }
 
 // The scene with its settings NAME=VALUE, made by `make`, or a problem defined in Python (if not nullptr).

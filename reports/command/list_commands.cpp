@@ -10,6 +10,7 @@
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "fdebench/benchmarks/requests/answers_json.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/sweep/measured_run.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
 #include "fdebench/benchmarks/text/output_text.hpp"
@@ -74,6 +75,12 @@ std::vector<Row> needs_of_all(std::span<const Scheme> known) {
   return rows;
 }
 
+// The end, and where the interval begins unless at 0.
+std::string time_text(const Scene& scene) {
+  const auto end = fmt::format("{}", end_time(scene));
+  return scene.start == 0.0 ? end : fmt::format("{}, from {}", end, scene.start);
+}
+
 // Prints all data of one scene, one item a line.
 void print_one(const SceneFactory& factory, std::ostream& out) {
   const Scene scene = make_scene_unchecked(factory);
@@ -88,7 +95,7 @@ void print_one(const SceneFactory& factory, std::ostream& out) {
   out << fmt::format(
       "{}: {}\nsource: {}\nend: {}\ncolumns: {}\nhas: {}\nreference: {}\nschemes: {}\n"
       "schemes that take an accuracy: {}\n",
-      factory.id, factory.title, factory.source, scene.problem.end, column_text(scene.outputs.names),
+      factory.id, factory.title, factory.source, time_text(scene), column_text(scene.outputs.names),
       fmt::join(defined_by(scene), ", "), evidence_of(scene), fmt::join(over_grids, ", "),
       fmt::join(to_accuracies, ", "));
   if (!factory.parameters.empty()) {
@@ -100,12 +107,12 @@ void print_one(const SceneFactory& factory, std::ostream& out) {
   }
   if (!over_grids.empty()) {
     out << fmt::format("\nfdebench solve {} --scheme {} --steps 1024 --at {}\n", shell_word(factory.id),
-                       over_grids.back(), scene.problem.end);
+                       over_grids.back(), end_time(scene));
   }
   if (!to_accuracies.empty()) {
     out << fmt::format("{}fdebench solve {} --scheme {} --accuracy 1e-6 --at {}\n",
                        over_grids.empty() ? "\n" : "", shell_word(factory.id), to_accuracies.front(),
-                       scene.problem.end);
+                       end_time(scene));
   }
 }
 

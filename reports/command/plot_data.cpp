@@ -13,6 +13,7 @@
 #include "fdebench/benchmarks/records/description_text.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/references/reference_of.hpp"
+#include "fdebench/benchmarks/scenes/start_time.hpp"
 #include "fdebench/benchmarks/sweep/sampled_solution.hpp"
 #include "fdebench/reports/page/page_data.hpp"
 #include "fdebench/reports/regions/stability_curves.hpp"
@@ -34,6 +35,7 @@ json solution(const SceneVariant& of, bool with_all_columns) {
   SampleLimits limits{.times = most_drawn_times};
   if (with_all_columns) limits.columns = std::numeric_limits<Eigen::Index>::max();
   const Scene scene = make_scene_unchecked(of);
+  require_start_at_zero(scene, "plot");
   try {
     return json_of(sample_solution(scene, reference_of(scene), limits));
   } catch (const std::runtime_error& none) {

@@ -206,4 +206,25 @@ Interval gamma(const Interval& a) {
   return {a.contains(minimum) ? outward(least, least, library).low : ends.low, ends.high};
 }
 
+Interval erf(const Interval& a) {
+  return within(increasing([](double x) { return std::erf(x); }, a), -1.0, 1.0);
+}
+Interval erfc(const Interval& a) {
+  return within(outward(std::erfc(a.high), std::erfc(a.low), library), 0.0, 2.0);
+}
+
+Interval floor(const Interval& a) { return {std::floor(a.low), std::floor(a.high)}; }
+
+// With its maxima 1/2 at 1/2 + 2k; the difference from the nearest whole number has no rounding.
+Interval alternation(const Interval& a) {
+  constexpr double largest = 1e12, half = 0.5;
+  if (!(a.magnitude() <= largest) || a.width() >= 2.0) return {-half, half};
+  const auto at = [](double x) {
+    const double n = std::floor(x + half);
+    return std::fmod(n, 2.0) == 0.0 ? x - n : n - x;
+  };
+  const auto [low, high] = std::minmax({at(a.low), at(a.high)});
+  return {may_contain(a, -half, 2.0) ? -half : low, may_contain(a, half, 2.0) ? half : high};
+}
+
 }  // namespace fde

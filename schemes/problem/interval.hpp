@@ -8,8 +8,8 @@ namespace fde {
 // A closed interval of real numbers, [low, high]; an end may be infinite. Every function below returns an
 // interval that contains its value at all points of its arguments at which it is defined, and all real
 // numbers where it is defined at none of them. Ends are rounded outwards: by one unit in the last place after
-// an operation of IEEE arithmetic, by four after a function of the C library, whose errors in glibc are at
-// most two (glibc manual, "Errors in Math Functions"). No rounding mode is changed, which is slow and which
+// an operation of IEEE arithmetic, by eight after a function of the C library, whose errors in glibc are at
+// most five (glibc manual, "Errors in Math Functions"). No rounding mode is changed, which is slow and which
 // compilers do not respect.
 struct Interval {
   double low, high;
@@ -56,5 +56,10 @@ Interval sign(const Interval& a);
 Interval min(const Interval& a, const Interval& b);
 Interval max(const Interval& a, const Interval& b);
 Interval gamma(const Interval& a);
+Interval erf(const Interval& a);
+Interval erfc(const Interval& a);
+Interval floor(const Interval& a);
+// (-1)^n (x - n) with the whole number n nearest to x.
+Interval alternation(const Interval& a);
 
 }  // namespace fde

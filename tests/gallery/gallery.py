@@ -118,7 +118,7 @@ class Examples(unittest.TestCase):
         modes = [transformed(lambda s: s**-0.4 / (s**0.6 + 4 * mp.sin(mp.pi * k / (2 * n))**2), t) for k in range(n)]
         for cell in range(1, n + 1):
             parts = [math.cos(math.pi * k * (cell - 0.5) / n) * math.cos(math.pi * k * 5.5 / n) * mode for k, mode in enumerate(modes)]
-            self.assert_near(known[f"u{cell}"][0], (parts[0] + 2 * sum(parts[1:])) / n, 1e-13)
+            self.assert_near(known[f"u[{cell}]"][0], (parts[0] + 2 * sum(parts[1:])) / n, 1e-13)
 
     def test_epidemic_keeps_the_population_and_kermacks_integral(self):
         known = exact("epidemic.toml", 5, 30, 60)

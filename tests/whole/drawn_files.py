@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from random import Random
 
-from drawn_formulas import frequency, number, right_side, signed
+from drawn_formulas import drive, frequency, number, right_side, signed, switch
 from drawn_mechanics import drawn_mechanics, free
 from drawn_numbers import spread, typed
 
@@ -143,6 +143,21 @@ def with_table(random: Random, lines: list[str], names: list[str]) -> list[str]:
     return [*changed, "[table.u]", f'between = "{random.choice(["constant", "linear", "cubic"])}"', f"samples = [{samples}]"]
 
 
+def field(random: Random) -> tuple[str, ...]:
+    """A vector of a few unknowns that are coupled to their neighbours, or to all; sometimes with a number beside it."""
+    leading = order(random)
+    rhs = random.choice(["u[i-1] - 2*u[i] + u[i+1]", "sum(j, 1, size, u[j])/size - u[i]", "u[size + 1 - i]/i - u[i]", "sin(u[i-1]) - i*u[i]",
+                         "k*(u[max(i - 1, 1)] - u[i])"])
+    rhs += random.choice(["", "", f" + {drive(random)}", " - u[i]^3", f" + 0.1*J(u[i], {typed(random.uniform(0.1, 1.5), 2)})",
+                          f" - {switch(random, 'u[i]')}", f" + {typed(leading / 2, 2)}*D(u[i], {typed(leading / 2, 3)})"])
+    initial = [f'"{random.choice(["i/size", "sin(pi*i/(size + 1))", signed(random)])}"' for _ in range(max(1, math.ceil(leading)))]
+    lines = [f"end = {typed(spread(random, 0.3, 8), 3)}", "[parameters]", f"k = {number(random)}", "[unknown.u]", f"size = {random.randint(1, 4)}",
+             f"order = {typed(leading)}", f'rhs = "{rhs}"', f"initial = [{', '.join(initial)}]", f'outside = "{random.choice(["0", "k", "sin(t)", "i"])}"']
+    if random.random() < 0.2:
+        lines += ["[unknown.x]", "order = 0.7", 'rhs = "u[1] - x"', "initial = [1]"]
+    return tuple(lines)
+
+
 def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str, ...]:
     """Lines of a file: mechanics, or one to three unknowns and sometimes parameters, an algebraic row or a jump; sometimes an event."""
     if random.random() < 0.35:
@@ -150,6 +165,8 @@ def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str,
         return (*lines, *event(random, "x")) if events and random.random() < 0.15 else lines
     if (chance := random.random()) < 0.2 and not rows:
         return made(random) if chance < 0.1 else example(random, events)
+    if not rows and random.random() < 0.08:
+        return field(random)
     names = ["x", "y", "z"][:rows or random.choice([1, 1, 1, 2, 2, 3])]
     parameters = ["a", "rate"][:random.choice([0, 0, 1, 2])]
     lines = [f"end = {typed(spread(random, 0.3, 12), 3)}"]

@@ -25,7 +25,7 @@ def drive(random: Random) -> str:
         a, f"{a}*t", f"{a}*t^{number(random)}", f"sqrt(t)", f"sin({w}*t)", f"{a}*cos({w}*t)", f"exp(-{a}*t)", f"sinh(t)/(1 + cosh(t))",
         f"step(t - {a})", f"{a}*step({number(random)} - t)", f"sign(sin({w}*t))", f"sign(t - {a})", f"abs(sin({w}*t))",
         f"min(t,{a})", f"max(t - {a},0)", f"step(sin({w}*t))", f"mittag_leffler({typed(random.uniform(0.3, 1.9), 2)},1,-t)", f"log(1 + {a}*t)",
-        f"gamma({number(random)})", f"{a}*pi", f"atan2(t,{a})"])
+        f"gamma({number(random)})", f"mod(t,{a})", f"{a}*floor({number(random)}*t)", f"ceil(t - {a})", f"erf({a}*t)", f"erfc(t - {a})", f"{a}*pi", f"atan2(t,{a})"])
 
 
 def switch(random: Random, x: str) -> str:
@@ -33,7 +33,8 @@ def switch(random: Random, x: str) -> str:
     a, level = number(random), signed(random)
     return random.choice([
         f"{a}*step({x} - {level})", f"-{a}*step({x} - {level})", f"{a}*sign({x} - {level})", f"-{a}*sign({x})", f"{a}*abs({x} - {level})",
-        f"-{a}*abs({x})", f"{a}*min({x},{level})", f"-{a}*max({x},{level})", f"{a}*max({x} - {level},0)", f"step({x})*step(t - {a})"])
+        f"-{a}*abs({x})", f"{a}*min({x},{level})", f"-{a}*max({x},{level})", f"{a}*max({x} - {level},0)", f"step({x})*step(t - {a})",
+        f"floor({a}*{x})", f"-{a}*mod({x},{a})", f"ceil({x} - {level})"])
 
 
 def smooth(random: Random, x: str) -> str:
@@ -41,7 +42,7 @@ def smooth(random: Random, x: str) -> str:
     a = signed(random)
     return random.choice([f"{a}*sin({x})", f"{a}*cos({x})", f"{a}*tanh({x})", f"{a}*atan({x})", f"-{x}^3", f"{a}/(1 + {x}^2)",
                           f"{a}*exp(-{x}^2)", f"{a}*sqrt(1 + {x}^2)", f"{a}*asin(tanh({x}))", f"{a}*log(1 + {x}^2)", f"{a}*tan(tanh({x})/2)",
-                          f"{a}*acos(tanh({x}))"])
+                          f"{a}*acos(tanh({x}))", f"{a}*erf({x})", f"{a}*erfc(abs(2 + {x}^2))"])
 
 
 def integral(random: Random, x: str) -> str:

@@ -136,8 +136,8 @@ def ends_there(case: Case) -> bool:
     """Cases in which these schemes fail according to docs/adaptive.md and docs/spectral.md: very small orders, small orders
     with jumps, and sliding along a discontinuity in an unknown."""
     text = " ".join(case.file)
-    jumps = case.scene == "bagley_torvik" or "[[jump]]" in text or "step(" in text or "sign(" in text
-    slides = re.search(r"(step|sign)\([^()]*(x|y|z|w|D\()", text) is not None
+    jumps = case.scene == "bagley_torvik" or "[[jump]]" in text or re.search(r"(step|sign|floor|ceil|mod)\(", text) is not None
+    slides = re.search(r"(step|sign|floor|ceil|mod)\([^()]*(x|y|z|w|D\()", text) is not None
     gap = least_gap(case)
     least = {"radau_exponentials": 0.03, "adaptive_pc": 0.17}.get(case.scheme, 0.006)
     return gap < least or slides or (case.scheme != "spectral_collocation" and jumps and gap < 0.17)

@@ -16,7 +16,7 @@ from properties import must_hold
 from table import Table
 
 FORMULATIONS = ("integrated", "acceleration", "stabilised", "multiplier")
-SWITCHES = ("step(", "sign(", "abs(", "min(", "max(")
+SWITCHES = ("step(", "sign(", "abs(", "min(", "max(", "floor(", "ceil(", "mod(")
 
 
 def has_switches(case: Case) -> bool:

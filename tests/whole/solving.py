@@ -2,10 +2,12 @@
 """The output of solve: complete, finite, and bitwise independent of output options."""
 
 import json
+import re
 from dataclasses import replace
 from random import Random
 
 from case import Case
+from drawn_files import drawn_file
 from drawn_scenes import Lists
 from drawn_solves import drawn_problem, drawn_solve, resolution
 from program import Fault, Outcome, Program
@@ -130,3 +132,39 @@ def growth(column: list[float]) -> float:
     """The growth factor of a column from its first twentieth on: a growing mode magnifies errors by it."""
     first = max(map(abs, column[: max(2, len(column) // 20)])) + 1e-300
     return max(map(abs, column)) / first if first > 1e-3 else max(map(abs, column)) / 1e-3
+
+
+def drawn_start(random: Random, lists: Lists) -> Case:
+    scheme = random.choice(list(lists.schemes))
+    return Case("a_start_moves_the_solution", file=drawn_file(random, events=False), scheme=scheme, words=(random.choice(["1", "0.1", "2.5", "100"]),),
+                options=resolution(random, lists, scheme) | {"--budget": "2", "--points": "5"})
+
+
+def moved(lines: tuple[str, ...], start: str) -> tuple[str, ...] | None:
+    """The file whose time begins at `start`, with t - start for t in its formulas; nothing where that is no formula of the same kind."""
+    text = "\n".join(lines)
+    if re.search(r"\(t - |\[\[jump|\[table|\(t, ", text) or "start" in text:
+        return None
+    later = re.sub(r'"[^"\n]*"', lambda found: re.sub(r"\bt\b", f"(t - {start})", found[0]), text)
+    return (f"start = {start}", *re.sub(r"^end = (\S+)", f'end = "\\1 + {start}"', later, flags=re.MULTILINE).split("\n"))
+
+
+@must_hold(drawn_start, 1)
+def a_start_moves_the_solution(program: Program, case: Case, lists: Lists) -> None:
+    """With another start, and t - start for t, the times are later and the values the same, up to rounding; or both files are refused."""
+    later = moved(case.file, case.words[0])
+    ended = solve(program, case)
+    if later is None or not ended.done:
+        return
+    replace(case, file=later).write(program.folder)
+    of_later = solve(program, case)
+    case.write(program.folder)
+    if not of_later.done:
+        raise Fault("start", f"refused: {of_later.err.strip()}")
+    first, second = Table.read(ended.out), Table.read(of_later.out)
+    size = max(1.0, *(abs(value) for row in first.rows for value in map(float, row[1:])))
+    for a, b in zip(first.rows, second.rows, strict=True):
+        if abs(float(a[0]) + float(case.words[0]) - float(b[0])) > 1e-12 * float(b[0]):
+            raise Fault("times", f"{a[0]} is {b[0]} later")
+        if max(abs(float(x) - float(y)) for x, y in zip(a[1:], b[1:], strict=True)) > 1e-4 * size and "warning" not in ended.err:
+            raise Fault("values", f"at t = {a[0]}: {a[1:]} and {b[1:]}")

@@ -26,9 +26,9 @@ def refuse(reason):
 def function_of(rows):
     """The function of t and y whose value is the array of these formulas."""
     names = {name: getattr(np, name) for name in
-             ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "abs", "sign", "power")}
+             ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "abs", "sign", "floor", "power")}
     names |= {"asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": np.arctan2, "min": min, "max": max,
-              "gamma": math.gamma, "step": lambda x: (np.sign(x) + 1) / 2, "np": np}
+              "gamma": math.gamma, "erf": math.erf, "erfc": math.erfc, "step": lambda x: (np.sign(x) + 1) / 2, "np": np}
     text = re.sub(r"\by(\d+)\b", lambda found: f"y[{int(found[1]) - 1}]", str(rows).replace("'", ""))
     return eval(f"lambda t, y: np.array({text}, dtype=float)", names)
 

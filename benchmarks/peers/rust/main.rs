@@ -100,6 +100,7 @@ fn value(of: &Formula, t: f64, y: &[f64]) -> f64 {
                 "log" => a.ln(),
                 "sqrt" => a.sqrt(),
                 "abs" => a.abs(),
+                "floor" => a.floor(),
                 "min" => a.min(b),
                 "max" => a.max(b),
                 "sign" => if a == 0.0 { 0.0 } else { a.signum() },

@@ -54,8 +54,12 @@ long double rounded<long double>(const Rational& x) {
 }
 
 int ceiling(const Rational& x) {
-  const auto whole = boost::multiprecision::mpz_int(numerator(x) / denominator(x));  // towards 0
-  return whole.convert_to<int>() + (x > Rational(whole) ? 1 : 0);
+  return -boost::multiprecision::mpz_int(numerator(floor(-x))).convert_to<int>();
+}
+
+Rational floor(const Rational& x) {
+  const Rational whole(boost::multiprecision::mpz_int(numerator(x) / denominator(x)));  // towards 0
+  return whole > x ? Rational(whole - 1) : whole;
 }
 
 }  // namespace fde::reference

@@ -26,5 +26,7 @@ Real rounded(const Rational& x);
 
 // The smallest integer >= x.
 int ceiling(const Rational& x);
+// The largest whole number that is at most x.
+Rational floor(const Rational& x);
 
 }  // namespace fde::reference

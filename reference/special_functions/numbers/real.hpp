@@ -84,6 +84,17 @@ Real gamma(const Real& x) {
   }
 }
 
+inline BigReal erf(const BigReal& x) {
+  BigReal value;
+  mpfr_erf(value.backend().data(), x.backend().data(), MPFR_RNDN);
+  return value;
+}
+inline BigReal erfc(const BigReal& x) {
+  BigReal value;
+  mpfr_erfc(value.backend().data(), x.backend().data(), MPFR_RNDN);
+  return value;
+}
+
 template <class Real>
 bool is_integer(const Real& x) {
   using std::floor;

@@ -164,7 +164,7 @@ TEST(DelaysInFiles, AreRefusedInOneLine) {
               HasSubstr("unknown x: must have the key before, its value for t < 0, as x(t - 1) is needed"));
   EXPECT_THAT(message_about(file_of("-x(t - 1)", "before = \"x\"\n")), HasSubstr("x: no such name here"));
   EXPECT_THAT(message_about(file_of("-step(x(t - 1))")),
-              HasSubstr("sign and step of an earlier value are not supported"));
+              HasSubstr("sign, step and floor of an earlier value are not supported"));
   EXPECT_THAT(message_about(file_of("-x(t - 1)", "before = \"step(t + 0.5)\"\n")),
               HasSubstr("before: must not jump"));
   EXPECT_THAT(message_about(file_of("-x", "before = \"yy\"\n")), HasSubstr("yy: no such name here"));

@@ -38,25 +38,39 @@ TEST_P(Formula, HasItsValue) {
 // mpmath, 30 digits.
 INSTANTIATE_TEST_SUITE_P(
     Values, Formula,
-    testing::Values(KnownValue{"1 + 2*3", 7.0}, KnownValue{"(1 + 2)*3", 9.0}, KnownValue{"2^3^2", 512.0},
-                    KnownValue{"-2^2", -4.0}, KnownValue{"2^-1", 0.5}, KnownValue{"8/4/2", 1.0},
-                    KnownValue{"1 - 2 - 3", -4.0}, KnownValue{"- - 3", 3.0}, KnownValue{"1e-3", 0.001},
-                    KnownValue{".5", 0.5}, KnownValue{"2.", 2.0}, KnownValue{"x^3", 0.027},
-                    KnownValue{"x^0", 1.0}, KnownValue{"x^-2", 11.111111111111111},
-                    KnownValue{"x^0.5", 0.54772255750516611}, KnownValue{"x^y", 4.2408654551313070},
-                    KnownValue{"sin(x)", 0.29552020666133958}, KnownValue{"cos(x)", 0.95533648912560602},
-                    KnownValue{"tan(x)", 0.30933624960962326}, KnownValue{"asin(x)", 0.30469265401539751},
-                    KnownValue{"acos(x)", 1.2661036727794991}, KnownValue{"atan(x)", 0.29145679447786709},
-                    KnownValue{"atan2(x, y)", 2.8966139904629289}, KnownValue{"sinh(x)", 0.30452029344714261},
-                    KnownValue{"cosh(x)", 1.0453385141288605}, KnownValue{"tanh(x)", 0.29131261245159090},
-                    KnownValue{"exp(y)", 0.30119421191220209}, KnownValue{"log(x)", -1.2039728043259359},
-                    KnownValue{"sqrt(t)", 0.83666002653407555}, KnownValue{"abs(y)", 1.2},
-                    KnownValue{"sign(y)", -1.0}, KnownValue{"step(y)", 0.0}, KnownValue{"step(x - x)", 0.5},
-                    KnownValue{"min(x, y)", -1.2}, KnownValue{"max(x, y)", 0.3},
-                    KnownValue{"pi", 3.1415926535897932}, KnownValue{"gamma(2.5)", 1.3293403881791370},
-                    // E_0.5(-1) = e erfc(1)
-                    KnownValue{"mittag_leffler(0.5, 1, -1)", 0.42758357615580701},
-                    KnownValue{" x *\ty\n", -0.36}));
+    testing::Values(
+        KnownValue{"1 + 2*3", 7.0}, KnownValue{"(1 + 2)*3", 9.0}, KnownValue{"2^3^2", 512.0},
+        KnownValue{"-2^2", -4.0}, KnownValue{"2^-1", 0.5}, KnownValue{"8/4/2", 1.0},
+        KnownValue{"1 - 2 - 3", -4.0}, KnownValue{"- - 3", 3.0}, KnownValue{"1e-3", 0.001},
+        KnownValue{".5", 0.5}, KnownValue{"2.", 2.0}, KnownValue{"x^3", 0.027}, KnownValue{"x^0", 1.0},
+        KnownValue{"x^-2", 11.111111111111111}, KnownValue{"x^0.5", 0.54772255750516611},
+        KnownValue{"x^y", 4.2408654551313070}, KnownValue{"sin(x)", 0.29552020666133958},
+        KnownValue{"cos(x)", 0.95533648912560602}, KnownValue{"tan(x)", 0.30933624960962326},
+        KnownValue{"asin(x)", 0.30469265401539751}, KnownValue{"acos(x)", 1.2661036727794991},
+        KnownValue{"atan(x)", 0.29145679447786709}, KnownValue{"atan2(x, y)", 2.8966139904629289},
+        KnownValue{"sinh(x)", 0.30452029344714261}, KnownValue{"cosh(x)", 1.0453385141288605},
+        KnownValue{"tanh(x)", 0.29131261245159090}, KnownValue{"exp(y)", 0.30119421191220209},
+        KnownValue{"log(x)", -1.2039728043259359}, KnownValue{"sqrt(t)", 0.83666002653407555},
+        KnownValue{"abs(y)", 1.2}, KnownValue{"sign(y)", -1.0}, KnownValue{"step(y)", 0.0},
+        KnownValue{"step(x - x)", 0.5}, KnownValue{"min(x, y)", -1.2}, KnownValue{"max(x, y)", 0.3},
+        KnownValue{"pi", 3.1415926535897932}, KnownValue{"gamma(2.5)", 1.3293403881791370},
+        KnownValue{"floor(y)", -2.0}, KnownValue{"ceil(y)", -1.0}, KnownValue{"floor(x - x)", 0.0},
+        KnownValue{"ceil(t)", 1.0}, KnownValue{"floor(3)", 3.0}, KnownValue{"ceil(3)", 3.0},
+        KnownValue{"mod(t, x)", 0.1}, KnownValue{"mod(y, 1)", 0.8}, KnownValue{"mod(t, y)", -0.5},
+        KnownValue{"mod(-3, 2)", 1.0}, KnownValue{"mod(3, -2)", -1.0},
+        KnownValue{"erf(x)", 0.32862675945912743}, KnownValue{"erf(y)", -0.91031397822963538},
+        KnownValue{"erfc(x)", 0.67137324054087257}, KnownValue{"erfc(y)", 1.9103139782296354},
+        // E_0.5(-1) = e erfc(1)
+        KnownValue{"mittag_leffler(0.5, 1, -1)", 0.42758357615580701}, KnownValue{" x *\ty\n", -0.36}));
+
+// mpmath, 25 digits: 1 - erf(x) would have none of them beyond x = 6.
+TEST(ErfcInFormulas, KeepsItsDigitsWhereItIsSmall) {
+  for (const auto& [text, value] : {KnownValue{"erfc(5)", 1.537459794428034850188e-12},
+                                    KnownValue{"erfc(10)", 2.088487583762544757001e-45},
+                                    KnownValue{"erfc(20)", 5.395865611607900928935e-176},
+                                    KnownValue{"erfc(26)", 5.663192408856142846476e-296}})
+    EXPECT_NEAR(value_of(text) / value, 1.0, 1e-15) << text;
+}
 
 class Derivative : public testing::TestWithParam<std::string> {};
 
@@ -83,7 +97,8 @@ INSTANTIATE_TEST_SUITE_P(OfEveryOperation, Derivative,
                                          "atan(x*y)", "atan2(x*y, y + x)", "sinh(x*y)", "cosh(x*y)",
                                          "tanh(x*y)", "exp(x*y)", "log(x*x + y*y)", "sqrt(x*x + y*y)",
                                          "abs(x*y)", "sign(x)*x", "step(x)*y", "min(x, y)*x", "max(x, y)*y",
-                                         "mittag_leffler(0.7, 1.3, x*y)"));
+                                         "mittag_leffler(0.7, 1.3, x*y)", "erf(x*y)", "erfc(x - y)",
+                                         "floor(y)*x", "ceil(y)*x", "mod(x*y, 1)", "mod(x, y)"));
 
 TEST(ExpressionPool, AreMadeOnce) {
   ExpressionPool pool(NumberStorage::values);

@@ -136,7 +136,7 @@ TEST(ImpliedRows, AreRefusedAtTheirPlace) {
               AllOf(StartsWith("line 4, column 12: J: no such function here"), HasSubstr("J(f, q)")));
   EXPECT_THAT(refusal("D(x^2, 0.5)"),
               StartsWith("line 4, column 8: D of a formula: must be of t and the parameters"));
-  EXPECT_THAT(refusal("x + D(step(t - 1), 0.5)"), HasSubstr("must not contain the sign or step of t"));
+  EXPECT_THAT(refusal("x + D(step(t - 1), 0.5)"), HasSubstr("must not contain the sign, step or floor of t"));
   EXPECT_THAT(refusal("x + D(abs(t - 1), 1.5)"), HasSubstr("must not contain abs, min or max of t"));
   EXPECT_THAT(refusal("D(t^2, x)"), StartsWith("line 4, column 15: x: no such name here"));
 }

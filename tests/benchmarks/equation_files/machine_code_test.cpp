@@ -85,10 +85,11 @@ constexpr std::array plain_operations{Operation::add,    Operation::subtract, Op
                                       Operation::divide, Operation::negate,   Operation::sqrt,
                                       Operation::abs,    Operation::sign,     Operation::step,
                                       Operation::min,    Operation::max};
-constexpr std::array called_operations{Operation::power, Operation::sin,  Operation::cos,  Operation::tan,
-                                       Operation::asin,  Operation::acos, Operation::atan, Operation::sinh,
-                                       Operation::cosh,  Operation::tanh, Operation::exp,  Operation::log,
-                                       Operation::atan2, Operation::gamma};
+constexpr std::array called_operations{
+    Operation::power, Operation::sin,   Operation::cos,        Operation::tan,   Operation::asin,
+    Operation::acos,  Operation::atan,  Operation::sinh,       Operation::cosh,  Operation::tanh,
+    Operation::exp,   Operation::log,   Operation::atan2,      Operation::gamma, Operation::erf,
+    Operation::erfc,  Operation::floor, Operation::alternation};
 
 bool has_two_arguments(Operation operation) {
   constexpr std::array two{Operation::add, Operation::subtract, Operation::multiply, Operation::divide,

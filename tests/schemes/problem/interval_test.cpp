@@ -50,6 +50,14 @@ std::vector<IntervalOperation> operations() {
       {"min", [](auto& a, auto& b) { return min(a, b); }, [](Long a, Long b) { return std::min(a, b); }},
       {"max", [](auto& a, auto& b) { return max(a, b); }, [](Long a, Long b) { return std::max(a, b); }},
       {"gamma", [](auto& a, auto&) { return gamma(a); }, [](Long a, Long) { return std::tgamma(a); }},
+      {"erf", [](auto& a, auto&) { return erf(a); }, [](Long a, Long) { return std::erf(a); }},
+      {"erfc", [](auto& a, auto&) { return erfc(a); }, [](Long a, Long) { return std::erfc(a); }},
+      {"floor", [](auto& a, auto&) { return floor(a); }, [](Long a, Long) { return std::floor(a); }},
+      {"alternation", [](auto& a, auto&) { return alternation(a); },
+       [](Long a, Long) {
+         const Long n = std::rint(a);
+         return std::fmod(n, 2.0L) == 0.0L ? a - n : n - a;
+       }},
   };
 }
 
@@ -99,6 +107,10 @@ TEST(Interval, KnowsTurningPointsAndPoles) {
   EXPECT_EQ((Interval(1.0) / Interval(-1.0, 1.0)).high, std::numeric_limits<double>::infinity());
   EXPECT_EQ(tan(Interval(1.0, 2.0)).low, -std::numeric_limits<double>::infinity());
   EXPECT_EQ(exp(Interval(-1e4, -1e3)).low, 0.0);
+  EXPECT_EQ(alternation(Interval(2.25, 2.75)).high, 0.5);
+  EXPECT_EQ(alternation(Interval(3.0, 3.25)).high, 0.0);
+  EXPECT_EQ(alternation(Interval(3.0, 3.5)).low, -0.5);
+  EXPECT_EQ(alternation(Interval(0.0, 2.5)).low, -0.5);
 }
 
 }  // namespace
