@@ -57,12 +57,12 @@ Program program_of(const std::vector<FormulaText>& texts, const std::vector<Syst
   return {formulas.pool(), values, std::ssize(columns)};
 }
 
-// The outputs that are infinite at t = 0, if their states are columns.
+// The outputs that are infinite at t = 0, beside their own columns.
 Outputs singular_outputs(const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
   std::vector<std::string> names;
   std::vector<FormulaText> values;
   for (const auto& output : formulas.text().outputs) {
-    if (!output.is_infinite_at_start || !formulas.text().columns.empty()) continue;
+    if (!output.weighted || !formulas.text().columns.empty()) continue;
     names.push_back(output.name);
     values.push_back({.text = output.name, .position = output.terms.front().order.position});
   }

@@ -72,13 +72,21 @@ struct UnknownText {
   bool is_implied = false;  // no unknown of the file, but a state or an integral; it is no column
 };
 
+// An output over a power of t, with which it is finite at t = 0: the column of an output that is infinite
+// there.
+struct WeightedText {
+  std::string name{};
+  FormulaText value{};  // of t and the state
+  FormulaText scale{};  // the power of t
+};
+
 // A name for a sum of derivatives of an unknown, the state, and a formula of t (with_states,
 // with_caputo_derivatives).
 struct OutputText {
   std::string name{}, state{};
   std::vector<TermText> terms{};
   std::optional<FormulaText> of_time{};
-  bool is_infinite_at_start = false;  // then the state is the column
+  std::optional<WeightedText> weighted{};
 };
 
 // A vector of unknowns, which are unknowns[first], unknowns[first + 1], ... of the file (with_components).

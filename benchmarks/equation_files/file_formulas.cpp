@@ -261,10 +261,15 @@ Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVa
 
 // D^order of the output: the state and its derivatives are 0 at the start, so that orders add up.
 Expression FileFormulas::output(const OutputText& of, double order, const FormulaVariables& variables) {
-  if (variables.resolve_output && !of.is_infinite_at_start) {
-    const auto known = order == 0.0 ? variables.resolve_output(of.name) : std::nullopt;
-    if (known) return *known;
-    throw std::invalid_argument(fmt::format("D({}, {}): must be a column of the scene", of.name, order));
+  if (variables.resolve_output) {
+    const auto known =
+        order == 0.0 ? variables.resolve_output(of.weighted ? of.weighted->name : of.name) : std::nullopt;
+    if (!known)
+      throw std::invalid_argument(fmt::format("D({}, {}): must be a column of the scene", of.name, order));
+    if (!of.weighted) return *known;
+    if (!variables.time)
+      throw std::invalid_argument(fmt::format("{}: must not occur here, it is infinite at t = 0", of.name));
+    return (Operand{&pool_, *known} * Operand{&pool_, read(of.weighted->scale, {})}).value;
   }
   if (of.of_time && order != 0.0) {
     throw std::invalid_argument(

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "fdebench/benchmarks/expressions/program.hpp"
 
@@ -76,6 +77,12 @@ SystemColumn column_of(const std::string& name, Expression value, const Equation
   return {name, SystemColumn::no_unknown, 0.0, -1, value};
 }
 
+// The name and the formula of the column of an output.
+std::pair<std::string, FormulaText> shown_formula(const OutputText& output) {
+  if (output.weighted) return {output.weighted->name, output.weighted->value};
+  return {output.name, {.text = output.name, .position = {}}};
+}
+
 bool is_shown(const SystemColumn& column, const UnknownText& unknown) {
   const auto& orders = unknown.quadrature_orders;
   return !unknown.is_implied && std::ranges::find(orders, column.order) == orders.end();
@@ -89,10 +96,10 @@ std::vector<SystemColumn> output_columns(const EquationSystem& system, FileFormu
     for (const auto& column : columns_of(system)) {
       const auto& outputs = formulas.text().outputs;
       const auto output = std::ranges::find(outputs, column.name, &OutputText::state);
-      if (output != outputs.end() && !output->is_infinite_at_start) {
-        const FormulaText name{.text = output->name, .position = {}};
-        const auto value = formulas.read(name, variables_of(system, formulas.pool()));
-        shown.push_back(column_of(output->name, value, system, formulas.pool()));
+      if (output != outputs.end()) {
+        const auto& [name, formula] = shown_formula(*output);
+        const auto value = formulas.read(formula, variables_of(system, formulas.pool()));
+        shown.push_back(column_of(name, value, system, formulas.pool()));
       } else if (is_shown(column, formulas.text().unknowns[column.unknown])) {
         shown.push_back(column);
       }

@@ -157,28 +157,33 @@ class StartingPowers {
   std::vector<Powers> of_unknown_, loads_;
 };
 
-// The sum over t^divisor as a formula of t.
-std::string sum_text(const Powers& powers, const Rational& divisor, const ExpressionPool& pool) {
+// The time since the start, and all of it up to the end, as formulas.
+struct TimeText {
+  explicit TimeText(const EquationText& text)
+      : since_start(text.start ? fmt::format("(t - ({}))", text.start->text) : "t"),
+        whole(text.start ? fmt::format("({} - ({}))", text.end.text, text.start->text)
+                         : fmt::format("({})", text.end.text)) {}
+  std::string since_start, whole;
+};
+
+// The sum over t^divisor as a formula.
+std::string sum_text(const Powers& powers, const Rational& divisor, const std::string& t,
+                     const ExpressionPool& pool) {
   std::string sum;
   for (const auto& [power, coefficient] : powers) {
-    sum += fmt::format("{}({})/gamma({})*t^({})", sum.empty() ? "" : " + ",
-                       formula_text(pool, coefficient.value, {}), Rational(power + 1).str(),
+    sum += fmt::format("{}({})/gamma({})*{}^({})", sum.empty() ? "" : " + ",
+                       formula_text(pool, coefficient.value, {}), Rational(power + 1).str(), t,
                        Rational(power - divisor).str());
   }
   return sum;
 }
 
-// The sum with its smallest power as a factor: at t = 0 it is infinite where that is below 0, and not a
-// difference of infinities.
-std::string factored_text(const Powers& powers, const ExpressionPool& pool) {
-  const Rational smallest = powers.begin()->first;
-  return fmt::format("t^({})*({})", smallest.str(), sum_text(powers, smallest, pool));
-}
-
 // The formula with other names.
 FormulaText renamed(const FormulaText& formula,
                     const std::map<std::string, std::string, std::less<>>& names) {
-  FormulaText result{.text = "", .position = formula.position};
+  FormulaText result = formula;
+  result.text.clear();
+  result.pieces.clear();
   std::size_t copied = 0;
   for (auto token = next_token(formula.text, 0); !token.text.empty();
        token = next_token(formula.text, token.byte_offset + token.text.size())) {
@@ -189,6 +194,33 @@ FormulaText renamed(const FormulaText& formula,
   }
   result.text += formula.text.substr(copied);
   return result;
+}
+
+// The unknown as an output, the sum of a state and these powers of t. Where it is infinite at t = 0, its
+// column is its quotient by a power of t/end, the norm of which is that of weighted spaces of continuous
+// functions (Kilbas, Srivastava & Trujillo, Theory and Applications of Fractional Differential Equations,
+// 2006, section 3.1).
+OutputText output_of(const EquationText& text, const UnknownText& unknown, const Powers& powers,
+                     const ExpressionPool& pool) {
+  const auto formula = [&](std::string written) {
+    return FormulaText{.text = std::move(written), .position = unknown.rhs.position};
+  };
+  const TimeText time(text);
+  const Rational smallest = powers.begin()->first;
+  const std::string quotient = sum_text(powers, smallest, time.since_start, pool);
+  OutputText output{
+      .name = unknown.name,
+      .state = free_name(unknown.name + "_state", text.contents),
+      .terms = {{formula("1"), formula("0")}},
+      .of_time = formula(fmt::format("{}^({})*({})", time.since_start, smallest.str(), quotient))};
+  if (smallest >= 0) return output;
+  const std::string part = fmt::format("({}/{})", time.since_start, time.whole),
+                    root = Rational(-smallest).str();
+  output.weighted = {.name = free_name(unknown.name + "_weighted", text.contents),
+                     .value = formula(fmt::format("{0}^({1})*{2} + (1/{3})^({1})*({4})", part, root,
+                                                  output.state, time.whole, quotient)),
+                     .scale = formula(fmt::format("{}^({})", part, smallest.str()))};
+  return output;
 }
 
 }  // namespace
@@ -205,23 +237,19 @@ EquationText with_caputo_derivatives(EquationText text, const Parameters& parame
     for (auto& value : unknown.initial)
       if (unknown.is_riemann_liouville) value.text = "0";
     if (powers.of(u).empty() || unknown.is_implied) continue;
-    const auto place = unknown.rhs.position;
-    const auto term = [&](std::string_view number) {
-      return FormulaText{.text = std::string(number), .position = place};
-    };
-    const bool is_infinite = powers.of(u).begin()->first < 0;
-    text.outputs.push_back({.name = unknown.name,
-                            .state = free_name(unknown.name + "_regular", text.contents),
-                            .terms = {{term("1"), term("0")}},
-                            .of_time = term(factored_text(powers.of(u), formulas.pool())),
-                            .is_infinite_at_start = is_infinite});
+    if (unknown.name.ends_with(']')) {
+      formulas.reject(unknown.rhs,
+                      "must not be of a vector, as a Riemann-Liouville derivative makes it infinite at 0");
+    }
+    text.outputs.push_back(output_of(given, unknown, powers.of(u), formulas.pool()));
     unknown.name = states[unknown.name] = text.outputs.back().state;
-    unknown.is_implied = !is_infinite;
+    unknown.is_implied = true;
   }
   for (std::size_t u = 0; u < text.unknowns.size(); ++u) {
     auto& rhs = text.unknowns[u].rhs;
     if (!states.empty()) rhs = renamed(rhs, states);
-    if (!powers.loads(u).empty()) rhs.text += " + " + sum_text(powers.loads(u), 0, formulas.pool());
+    if (!powers.loads(u).empty())
+      rhs.text += " + " + sum_text(powers.loads(u), 0, TimeText(given).since_start, formulas.pool());
   }
   return text;
 }

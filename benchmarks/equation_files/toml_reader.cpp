@@ -161,8 +161,7 @@ class EquationReader : DeclarationReader {
     const auto& of = table(*entry.node, name);
     require_keys(of, name,
                  {"size", "terms", "order", "derivative", "chain", "factor", "rhs", "initial", "final",
-                  "before", "outside",
-                  "transfer", "input", "unless"});
+                  "before", "outside", "transfer", "input", "unless"});
     UnknownText unknown{.name = entry.name, .position = entry.position};
     if (const auto* size = of.get("size")) unknown.size = formula(*size, "size");
     if (const auto* outside = of.get("outside")) {
