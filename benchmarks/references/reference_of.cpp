@@ -35,8 +35,6 @@ reference::Reference mapped_to_columns(const Outputs& outputs, reference::Refere
 
 reference::Reference found_reference(const Scene& scene) {
   if (scene.reference.at) return scene.reference;
-  if (!scene.problem.resets.empty())
-    throw std::runtime_error("there is no reference where events set unknowns");
   const auto [problem, outputs] = reference_problem_of(scene);
   if (scene.name.empty()) return mapped_to_columns(outputs, computed_reference(problem));
   return mapped_to_columns(outputs, cached_reference(scene.name, problem, ReferenceCache(cache_folder())));
