@@ -198,6 +198,12 @@ std::string reference_key(const std::string& name, const Problem& problem) {
     for (Eigen::Index i = 0; i < y.size(); ++i) y[i] += 0.25 * std::sin(3.0 * k + static_cast<double>(i));
     bound.problem().rhs(t, y, f);
     key += fmt::format("f {}\n", fmt::join(f, " "));
+    for (const Reset& reset : problem.resets) {
+      f = y;
+      reset.state(t, y, f);
+      key += fmt::format("event {} {} sets {}\n", static_cast<int>(reset.crossing), reset.value(t, y),
+                         fmt::join(f, " "));
+    }
     if (lags.empty()) continue;
     problem.delays.before(-lags.back() * (k + 1) / points, y);
     key += fmt::format("before {}\n", fmt::join(y, " "));

@@ -44,8 +44,6 @@ reference::Reference mapped_to_columns(const Outputs& outputs, reference::Refere
 
 reference::Reference found_reference(const Scene& scene) {
   if (scene.reference.at) return scene.reference;
-  if (!scene.problem.resets.empty())
-    throw std::runtime_error("there is no reference where events set unknowns");
   const auto computed = [&](const PosedProblem& posed) {
     return mapped_to_columns(
         posed.outputs, scene.name.empty()

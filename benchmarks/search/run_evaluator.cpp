@@ -81,6 +81,8 @@ bool RunEvaluator::is_accurate(const RefinementRun& run) const {
 }
 
 void RunEvaluator::compare_at_own_steps(const Configuration& configuration, RefinementRun& run) {
+  // A step next to an event at which y jumps is as far off as y jumps, whatever the error of its time.
+  if (!scene_.problem.resets.empty()) return;
   const auto path = solve(configuration, run.resolution, {}, std::numeric_limits<double>::infinity());
   if (path.status != SolveStatus::finished || path.y.cols() < 2) return;
   const auto steps = comparison_steps(static_cast<int>(path.y.cols()) - 1, evenly_spaced_comparisons);

@@ -25,7 +25,8 @@ class RunEvaluator {
                          double budget);
 
   // For Norm::maximum and adaptive step size: solves again and compares the run at its own steps too, at the
-  // first 16 and at 2048 of them spread evenly, which are dense where the comparison times need not be.
+  // first 16 and at 2048 of them spread evenly, which are dense where the comparison times need not be. Not
+  // where events set unknowns.
   void compare_at_own_steps(const Configuration& configuration, RefinementRun& run);
 
   // Solves again, once or, where that takes less than 5 ms, twice and for at least 0.2 ms, and sets

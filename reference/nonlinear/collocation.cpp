@@ -14,6 +14,7 @@
 #include "fdebench/reference/nonlinear/collocation/piecewise_solution.hpp"
 #include "fdebench/reference/nonlinear/collocation/residual.hpp"
 #include "fdebench/reference/nonlinear/diffusive/diffusive_solution.hpp"
+#include "fdebench/reference/nonlinear/event_windows.hpp"
 #include "fdebench/reference/nonlinear/march/march_limits.hpp"
 #include "fdebench/reference/nonlinear/march/rhs_noise.hpp"
 #include "fdebench/schemes/problem/delays.hpp"
@@ -27,25 +28,28 @@ namespace {
 
 constexpr double window = 10.0;  // ratio of times: the larger errors of earlier panels have decayed
 
-Vec difference_on(const Panel& panel, const PiecewiseSolution& solution, const PiecewiseSolution& other) {
+// The largest differences on the panel, next to no event.
+Vec difference_on(const Panel& panel, const PiecewiseSolution& solution, const PiecewiseSolution& other,
+                  const EventWindows& events) {
   constexpr int samples = 40;
   Vec largest = Vec::Zero(panel.values.cols());
   for (int k = 1; k <= samples; ++k) {
     const double t = k == samples ? panel.to : panel.from + panel.length() * k / samples;
-    largest = largest.cwiseMax((solution.at(t) - other.at(t)).cwiseAbs());
+    if (!events.contains(t)) largest = largest.cwiseMax((solution.at(t) - other.at(t)).cwiseAbs());
   }
   return largest;
 }
 
 // The largest differences from the second method on each panel, at the ends of the steps of that method.
-std::vector<Vec> differences_to(const DiffusiveSolution& second, const PiecewiseSolution& solution) {
+std::vector<Vec> differences_to(const DiffusiveSolution& second, const PiecewiseSolution& solution,
+                                const EventWindows& events) {
   constexpr double started =
       1e-12;  // relative to the end: the errors of the first steps of the second method have decayed
   const auto& panels = solution.panels();
   std::vector<Vec> largest(panels.size(), Vec::Zero(panels.front().values.cols()));
   for (std::size_t k = 0; k < second.times.size(); ++k) {
     const double t = second.times[k];
-    if (t >= started * panels.back().to) {
+    if (t >= started * panels.back().to && !events.contains(t)) {
       Vec& on_panel = largest[solution.panel_of(t)];
       on_panel = on_panel.cwiseMax((second.values[k] - solution.at(t)).cwiseAbs());
     }
@@ -69,28 +73,35 @@ Vec slope_on(const Panel& panel) {
 // share. As errors change sign, the largest difference over the last decade of time, and of the time since a
 // jump, counts; differences from the second method on earlier panels, as errors of phase, count in proportion
 // to the rate of change of the solution.
-std::vector<Vec> error_estimates(const Problem& problem, const PiecewiseSolution& solution,
-                                 const PiecewiseSolution& other, const DiffusiveSolution& second) {
+std::vector<Vec> error_estimates(const PiecewiseSolution& solution, const PiecewiseSolution& other,
+                                 const DiffusiveSolution& second, const EventWindows& events) {
   constexpr double safety = 2.0;
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const auto& panels = solution.panels();
-  const auto to_second = differences_to(second, solution);
+  const auto to_second = differences_to(second, solution, events);
   std::vector<Vec> to_other, slopes, estimates;
   for (const Panel& panel : panels) {
-    to_other.push_back(difference_on(panel, solution, other));
+    to_other.push_back(difference_on(panel, solution, other, events));
     slopes.push_back(slope_on(panel));
   }
   for (std::size_t last = 0; last < panels.size(); ++last) {
     const Vec slope = slopes[last].cwiseMax(slopes[last > 0 ? last - 1 : last]);
     Vec difference = to_other[last].cwiseMax(to_second[last]);
     for (std::size_t k = solution.panel_of(panels[last].from / window); k < last; ++k) {
-      if (has_decayed(problem, panels[k], panels[last].from)) continue;
+      if (has_decayed(solution.problem(), panels[k], panels[last].from)) continue;
       const Vec share = (slope.array() / (slopes[k].array() + std::numeric_limits<double>::min())).min(1.0);
       difference = difference.cwiseMax(to_other[k]).cwiseMax(to_second[k].cwiseProduct(share));
     }
     estimates.emplace_back(safety * difference + rounding * panels[last].size);
   }
   return estimates;
+}
+
+void require_supported_resets(const Problem& problem) {
+  if (problem.resets.empty() || (!is_two_sided(problem) && problem.delays.lags.empty())) return;
+  throw std::runtime_error(
+      "the two methods of a reference take events that set unknowns only without delays and values at both "
+      "ends");
 }
 
 // Both methods solve dense linear systems for all values of a panel or a step: one minute for 100 unknowns,
@@ -193,9 +204,9 @@ DiffusiveSolution diffusive(const OwnProblem& own) {
   const InitialLengths starts = initial_lengths(own.problem);
   DiffusiveOptions options{
       .first_step = starts.step, .negligible_before = starts.weightless, .looking_back = own.looking_back};
-  // Within a step y is less accurate than at its end, and f depends on it.
+  // Within a step y is less accurate than at its end, and f, or the time of an event, depends on it.
   constexpr double within_steps = 1e-13;
-  if (own.looking_back != nullptr) options.tolerance = within_steps;
+  if (own.looking_back != nullptr || !own.problem.resets.empty()) options.tolerance = within_steps;
   return diffusive_solution(own.problem, options);
 }
 
@@ -242,6 +253,23 @@ class CompleteProblems {
   MissingValues missing_{};
 };
 
+// The panels, which end where it begins to be unknown whether y has jumped.
+PanelTable table_of(const PiecewiseSolution& solution, const std::vector<Vec>& estimates,
+                    const EventWindows& events) {
+  PanelTable table;
+  const auto add = [&](std::size_t number, double from, double to) {
+    const Panel& panel = solution.panels()[number];
+    table.panels.push_back({from, to, solution.legendre_values(panel, from, to),
+                            estimates[number] + events.jump_within(from, to)});
+  };
+  for (std::size_t number = 0; const Panel& panel : solution.panels()) {
+    const auto cut = events.beginning(panel.from, panel.to);
+    if (cut) add(number, panel.from, *cut);
+    add(number++, cut.value_or(panel.from), panel.to);
+  }
+  return table;
+}
+
 PanelTable table_of(const Problem& problem, const CollocationOptions& options) {
   constexpr int many = 20, fewer = 16;
   constexpr double usual = 1.0, longer = 3.0;  // first panels
@@ -256,15 +284,11 @@ PanelTable table_of(const Problem& problem, const CollocationOptions& options) {
       problems.found_by([](const OwnProblem& own) { return diffusive(own).values.back(); });
   const OwnProblem first(of_first), again(of_again), last(of_last);
   const auto solution = collocation(first, many, usual, options.tolerance);
-  require_small_residual(first.problem, solution);
+  require_small_residual(solution.problem(), solution);
   const auto other = collocation(again, fewer, longer, options.tolerance);
-  const auto estimates = error_estimates(first.problem, solution, other, diffusive(last));
-  PanelTable table;
-  for (const Panel& panel : solution.panels()) {
-    table.panels.push_back(
-        {panel.from, panel.to, solution.legendre_values(panel), estimates[table.panels.size()]});
-  }
-  return table;
+  const auto second = diffusive(last);
+  const EventWindows events(solution, other, second);
+  return table_of(solution, error_estimates(solution, other, second, events), events);
 }
 
 // The bound of the initial values, where unknown ones have that of the first panel.
@@ -285,6 +309,7 @@ Reference reference_from_table(PanelTable table, const Problem& problem) {
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options) {
   require_supported(with_some_initial_values(problem));
   require_affordable(problem);
+  require_supported_resets(problem);
   return table_of(problem, options);
 }
 

@@ -20,7 +20,12 @@ struct CollocationOptions {
 // std::runtime_error if one of the two methods does not converge (naming the method and the time), if an
 // order is too small for a problem with algebraic rows, or if there are more than 200 unknowns. With
 // conditions at both ends each method finds the unknown initial values by its own runs (shooting.hpp);
-// std::runtime_error is thrown also where one finds none, or others than the method before. Throws
+// std::runtime_error is thrown also where one finds none, or others than the method before.
+//
+// Each run finds the events that set unknowns (Problem::resets) by itself, and y is as before up to the time
+// of one. Where the runs do not tell whether an event has been passed the bound contains the jump of y:
+// within some rounding errors of its time, unless that depends on t alone. std::runtime_error is thrown where
+// the runs find different events. Throws
 // std::invalid_argument for a problem that require_supported() rejects and, from Reference::at, for a time
 // outside [0, problem.end].
 Reference reference_solution(const Problem& problem, const CollocationOptions& options = {});

@@ -58,7 +58,8 @@ Vec PanelBasis::interpolate(const Matrix& values, double x) const {
   return values.transpose() * share / share.sum();
 }
 
-HistoryTerm::HistoryTerm(const Problem& problem, const PanelBasis& basis) : problem_(problem), basis_(basis) {
+HistoryTerm::HistoryTerm(const Problem& problem, const PanelBasis& basis)
+    : problem_(problem), basis_(basis), jumps_(Vec::Zero(problem.size())) {
   for (Eigen::Index i = 0; i < problem.size(); ++i) {
     const double order = problem.component(i).order;
     if (order == 0.0) continue;
@@ -83,7 +84,7 @@ Matrix HistoryTerm::at_targets(const std::vector<Panel>& panels, double from, do
     }
   }
   for (Eigen::Index k = 0; k < offset.size(); ++k) {
-    sum.row(k) += taylor_part(problem_, from + offset[k]);
+    sum.row(k) += taylor_part(problem_, from + offset[k]) + jumps_;
   }
   if (panels.empty()) return sum;
   for (const auto i : algebraic_rows(problem_))

@@ -51,10 +51,13 @@ class HistoryTerm {
  public:
   HistoryTerm(const Problem& problem, const PanelBasis& basis);
 
-  // Taylor part + 1/Gamma(gamma_i) int_0^from (t-s)^(gamma_i-1) f_i(s) ds at the targets t of the panel
-  // [from, to]; for algebraic rows the value at `from`. One row per target, one column per component.
+  // Taylor part + jumps + 1/Gamma(gamma_i) int_0^from (t-s)^(gamma_i-1) f_i(s) ds at the targets t of the
+  // panel [from, to]; for algebraic rows the value at `from`. One row per target, one column per component.
   // Precondition: the panels in `panels` cover [0, from].
   [[nodiscard]] Matrix at_targets(const std::vector<Panel>& panels, double from, double to) const;
+
+  // y jumps at the end of the last panel.
+  void add_jump(In jump) { jumps_ += jump; }
 
  private:
   // Components of the same order share the evaluation of their kernel.
@@ -69,6 +72,7 @@ class HistoryTerm {
   const Problem& problem_;
   const PanelBasis& basis_;
   std::vector<Kernel> kernels_;
+  Vec jumps_;  // the sum so far
 };
 
 }  // namespace fde::reference

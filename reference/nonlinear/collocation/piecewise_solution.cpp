@@ -64,7 +64,8 @@ Vec value_at(double t, const std::vector<Panel>& panels, const PanelBasis& basis
 
 class CollocationSolver {
  public:
-  CollocationSolver(const Problem& problem, const PanelOptions& options, const PanelBasis& basis)
+  // The times of events are added to those at which the problem jumps.
+  CollocationSolver(Problem& problem, const PanelOptions& options, const PanelBasis& basis)
       : problem_(problem),
         options_(options),
         basis_(basis),
@@ -77,9 +78,9 @@ class CollocationSolver {
       options_.looking_back->set_solution(
           [this](double t, Out y) { y = panels_.empty() ? last_value_ : value_at(t, panels_, basis_); });
     }
-    // After each jump they double from 1e-11 of the time on.
-    const std::size_t most_panels = 2000 + 50 * problem_.jump_times.size();
     while (time() < problem_.end) {
+      // After each jump they double from 1e-11 of the time on.
+      const std::size_t most_panels = 2000 + 50 * problem_.jump_times.size();
       if (panels_.size() == most_panels || cannot_reach_end(most_panels)) {
         fail("more panels than it can afford", time());
       }
@@ -88,6 +89,8 @@ class CollocationSolver {
     }
     return std::move(panels_);
   }
+
+  [[nodiscard]] const ResetLocator& resets() const { return resets_; }
 
  private:
   using Solution = PanelEquations::Solution;
@@ -113,7 +116,7 @@ class CollocationSolver {
     const double from = time();
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       const double to = panel_end(from, std::min(length_, longest_step(problem_, from)),
-                                  next_discontinuity(problem_, from));
+                                  std::min(next_discontinuity(problem_, from), resets_.next()));
       if (to - from <= shortest * from) {
         break;
       }
@@ -125,10 +128,10 @@ class CollocationSolver {
         continue;
       }
       length_ = growth * (to - from);
-      if (growth >= 1.0) {
-        require_in_domain(*solution, from, to);
-        return accept(*solution, from, to);
-      }
+      if (growth < 1.0 || cut_by_event(*solution, from, to)) continue;
+      if (resets_.next() <= from) return pass_event();
+      require_in_domain(*solution, from, to);
+      return accept(*solution, from, to);
     }
     fail("no convergence", from);
   }
@@ -154,6 +157,36 @@ class CollocationSolver {
     return !panels_.empty() && noise_.detect(panels_.back(), sizes_);
   }
 
+  // y on the panel [from, to].
+  [[nodiscard]] Matrix values_of(const Solution& solution) const {
+    Matrix values(basis_.dense_nodes.size(), problem_.size());
+    values << last_value_.transpose(), solution.values;
+    return values;
+  }
+  [[nodiscard]] ResetLocator::Path path(const Matrix& values, double from, double to) const {
+    return
+        [this, &values, from, to](double t) { return basis_.interpolate(values, (t - from) / (to - from)); };
+  }
+
+  // Whether y jumps within the panel, so that it must end there. An event at its start is the next one.
+  bool cut_by_event(const Solution& solution, double from, double to) {
+    if (problem_.resets.empty()) return false;
+    const Matrix values = values_of(solution);
+    const auto event = resets_.find(from, to, path(values, from, to));
+    return event && *event > from && *event < to;
+  }
+
+  void pass_event() {
+    const double t = time();
+    Vec after = last_value_;
+    resets_.pass(after);
+    history_.add_jump(after - last_value_);
+    last_value_ = after;
+    last_rhs_ = rhs_at(problem_, t, after);
+    add_jump_time(problem_, t);
+    length_ = options_.first_after_jump * t;
+  }
+
   // Required since polynomials do not detect a pole of f between their nodes.
   void require_in_domain(const Solution& solution, double from, double to) const {
     for (Eigen::Index k = 0; k < basis_.targets.size(); ++k) {
@@ -165,8 +198,8 @@ class CollocationSolver {
 
   void accept(const Solution& solution, double from, double to) {
     constexpr double few_digits = 1e-3;
-    Matrix values(basis_.dense_nodes.size(), problem_.size());
-    values << last_value_.transpose(), solution.values;
+    const Matrix values = values_of(solution);
+    resets_.accept(from, to, path(values, from, to));
     last_value_ = values.bottomRows<1>().transpose();
     last_rhs_ = rhs_at(problem_, to, last_value_);
     const Vec size = noise_.record_panel(solution, from, to, values);
@@ -180,9 +213,10 @@ class CollocationSolver {
     sizes_.noise = noise_.known_rhs_noise();
     panels_.push_back({from, to, solution.rhs, values, size, noise_.negligible_rhs(solution)});
     if (jumps_at(problem_, to)) length_ = options_.first_after_jump * to;
+    if (resets_.next() <= to) pass_event();
   }
 
-  const Problem& problem_;
+  Problem& problem_;
   const PanelOptions& options_;
   const PanelBasis& basis_;
   HistoryTerm history_;
@@ -193,6 +227,7 @@ class CollocationSolver {
   Vec last_value_ = taylor_part(problem_, 0.0);
   Vec last_rhs_ = rhs_at(problem_, 0.0, last_value_);
   MagnitudeScales sizes_ = sizes_at_start(problem_);
+  ResetLocator resets_{problem_};
 };
 
 }  // namespace
@@ -200,19 +235,29 @@ class CollocationSolver {
 PiecewiseSolution::PiecewiseSolution(const Problem& problem, const PanelOptions& options)
     : problem_(problem),
       negligible_before_(options.negligible_before * problem.end),
-      basis_(options.points, points_for(problem)),
-      panels_(CollocationSolver(problem, options, basis_).run()) {
+      basis_(options.points, points_for(problem)) {
+  CollocationSolver solver(problem_, options, basis_);
+  panels_ = solver.run();
+  events_ = solver.resets().events();
+  const auto last = [this](double t) {
+    const Panel& panel = panels_.back();
+    return basis_.interpolate(panel.values, (t - panel.from) / panel.length());
+  };
+  event_at_end_ = solver.resets().next_to(problem_.end, last);
   const auto inner = static_cast<int>(basis_.dense_nodes.size()) - 2;
   kept_ = PanelBasis(inner, PanelPoints::legendre).dense_nodes;
   if (options.looking_back != nullptr)
     options.looking_back->set_solution([this](double t, Out y) { y = at(t); });
 }
 
-Matrix PiecewiseSolution::legendre_values(const Panel& panel) const {
-  if (kept_ == basis_.dense_nodes) return panel.values;
-  Matrix values(kept_.size(), panel.values.cols());
-  for (Eigen::Index k = 0; k < kept_.size(); ++k)
-    values.row(k) = basis_.interpolate(panel.values, kept_[k]).transpose();
+Matrix PiecewiseSolution::legendre_values(const Panel& panel, double from, double to) const {
+  const bool is_part = from > panel.from || to < panel.to;
+  if (kept_ == basis_.dense_nodes && !is_part) return panel.values;
+  Vec places = kept_;
+  if (is_part) places = ((from - panel.from) + (to - from) * kept_.array()) / panel.length();
+  Matrix values(places.size(), panel.values.cols());
+  for (Eigen::Index k = 0; k < places.size(); ++k)
+    values.row(k) = basis_.interpolate(panel.values, places[k]).transpose();
   return values;
 }
 

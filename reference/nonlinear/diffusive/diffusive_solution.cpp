@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -30,13 +31,13 @@ Vec largest(const Matrix& values) { return values.cwiseAbs().colwise().maxCoeff(
 
 class DiffusiveIntegrator {
  public:
-  DiffusiveIntegrator(const Problem& problem, const DiffusiveOptions& options)
-      : problem_(problem),
+  DiffusiveIntegrator(Problem problem, const DiffusiveOptions& options)
+      : problem_(std::move(problem)),
         options_(options),
         rule_(options.stages),
-        memory_(problem, rule_, options.first_step),
-        equations_(problem, rule_.nodes.cast<double>()),
-        noise_(problem, rule_) {
+        memory_(problem_, rule_, options.first_step),
+        equations_(problem_, rule_.nodes.cast<double>()),
+        noise_(problem_, rule_) {
     if (options.looking_back != nullptr)
       options.looking_back->set_solution([this](double t, Out y) { y = value_at(t); });
   }
@@ -52,7 +53,10 @@ class DiffusiveIntegrator {
       add_step(std::min(stop, next_discontinuity(problem_, time_)));
       solution.times.push_back(time_);
       solution.values.push_back(value_);
+      if (resets_.next() <= time_) pass_event();
     }
+    solution.events = resets_.events();
+    solution.event_at_end = event_at_end_;
   }
 
  private:
@@ -68,7 +72,7 @@ class DiffusiveIntegrator {
     constexpr double shortest = 1e-13;  // relative to the time
     while (length_ > longest_step(problem_, time_)) length_ /= 2;
     for (;;) {
-      const double left = stop - time_;
+      const double left = std::min(stop, resets_.next()) - time_;
       // Two steps of equal length rather than a long and a very short one.
       const double length = left <= length_ ? left : std::min(length_, left / 2);
       if (length <= shortest * time_ || length <= std::numeric_limits<double>::min()) {
@@ -81,7 +85,13 @@ class DiffusiveIntegrator {
         continue;
       }
       if (unresolved <= 1.0) {
-        return accept(*stages, length, length == left ? stop : time_ + length, unresolved);
+        const double end = length == left ? std::min(stop, resets_.next()) : time_ + length;
+        if (cut_by_event(*stages, end)) continue;
+        if (resets_.next() <= time_) {
+          pass_event();
+          continue;
+        }
+        return accept(*stages, length, end, unresolved);
       }
       length_ /= 2;
       steps_to_growth_ = 4;
@@ -91,16 +101,27 @@ class DiffusiveIntegrator {
   // y at a time up to this one, from the steps that are stored where the problem looks back.
   [[nodiscard]] Vec value_at(double t) const {
     const auto step = std::ranges::lower_bound(past_, t, {}, &Step::to);
-    if (step == past_.end()) return value_;
-    const double x = 2.0 * (t - step->from) / (step->to - step->from) - 1.0;
-    Vec sum = Vec::Zero(value_.size());
-    double polynomial = 1.0, before = 0.0;  // P_k(x)
-    for (Eigen::Index k = 0; k < step->coefficients.rows(); ++k) {
-      sum += polynomial * step->coefficients.row(k).transpose();
-      const auto n = static_cast<double>(k);
-      before = std::exchange(polynomial, ((2.0 * n + 1.0) * x * polynomial - n * before) / (n + 1.0));
-    }
-    return sum;
+    return step == past_.end() ? value_ : step->at(t);
+  }
+
+  // Whether y jumps within the step to `end`, so that it must end there. An event at its start is the next
+  // one.
+  bool cut_by_event(const StageSolution& stages, double end) {
+    if (problem_.resets.empty()) return false;
+    const Step step{time_, end, coefficients_of(stages)};
+    const auto event = resets_.find(time_, end, [&](double t) { return step.at(t); });
+    return event && *event > time_ && *event < end;
+  }
+
+  void pass_event() {
+    Vec after = value_;
+    resets_.pass(after);
+    memory_.add_jump(after - value_);
+    value_ = after;
+    size_ = size_.cwiseMax(after.cwiseAbs());
+    last_rhs_ = rhs_at(problem_, time_, after);
+    add_jump_time(problem_, time_);
+    restart_after_jump();
   }
 
   std::optional<StageSolution> solve(double length) {
@@ -163,7 +184,13 @@ class DiffusiveIntegrator {
   }
 
   void accept(const StageSolution& stages, double length, double end, double unresolved) {
-    if (options_.looking_back != nullptr) past_.push_back({time_, end, coefficients_of(stages)});
+    const Step step{time_, end, coefficients_of(stages)};
+    if (options_.looking_back != nullptr) past_.push_back(step);
+    if (!problem_.resets.empty()) {
+      const auto path = [&](double t) { return step.at(t); };
+      resets_.accept(time_, end, path);
+      if (end >= problem_.end) event_at_end_ = resets_.next_to(end, path);
+    }
     memory_.advance(length, stages.rhs);
     time_ = end;
     value_ = stages.y.bottomRows<1>().transpose();
@@ -173,20 +200,37 @@ class DiffusiveIntegrator {
     equations_.set_rhs_noise(noise_.known_rhs_noise());
     --steps_to_growth_;
     if (jumps_at(problem_, time_)) {
-      length_ = problem_.end * std::exp2(std::floor(std::log2(first_after_jump * time_ / problem_.end)));
-      steps_to_growth_ = 0;
+      restart_after_jump();
     } else if (unresolved * doubling() < 1.0 && length_ <= time_ - last_jump(problem_, time_) &&
                steps_to_growth_ <= 0) {
       length_ *= 2;
     }
   }
 
+  void restart_after_jump() {
+    length_ = problem_.end * std::exp2(std::floor(std::log2(first_after_jump * time_ / problem_.end)));
+    steps_to_growth_ = 0;
+  }
+
+  // y on a step.
   struct Step {
     double from, to;
     Matrix coefficients;
+
+    [[nodiscard]] Vec at(double t) const {
+      const double x = 2.0 * (t - from) / (to - from) - 1.0;
+      Vec sum = Vec::Zero(coefficients.cols());
+      double polynomial = 1.0, before = 0.0;  // P_k(x)
+      for (Eigen::Index k = 0; k < coefficients.rows(); ++k) {
+        sum += polynomial * coefficients.row(k).transpose();
+        const auto n = static_cast<double>(k);
+        before = std::exchange(polynomial, ((2.0 * n + 1.0) * x * polynomial - n * before) / (n + 1.0));
+      }
+      return sum;
+    }
   };
 
-  const Problem& problem_;
+  Problem problem_;  // with the times of the events among its jump times
   DiffusiveOptions options_;
   RadauRule rule_;
   MemoryVariables memory_;
@@ -199,6 +243,8 @@ class DiffusiveIntegrator {
   Vec value_ = taylor_part(problem_, 0.0);
   Vec size_ = value_.cwiseAbs();
   Vec last_rhs_ = rhs_at(problem_, 0.0, value_);
+  ResetLocator resets_{problem_};
+  std::optional<ResetEvent> event_at_end_{};
 };
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "fdebench/reference/nonlinear/march/reset_locator.hpp"
 #include "fdebench/schemes/problem/delays.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 
@@ -22,8 +24,10 @@ struct DiffusiveOptions {
 
 // A solution at the ends of the steps.
 struct DiffusiveSolution {
-  std::vector<double> times;  // increasing, without 0, with the stops and the end
-  std::vector<Vec> values;
+  std::vector<double> times;  // increasing, without 0, with the stops, the events and the end
+  std::vector<Vec> values;    // at an event before y jumps
+  std::vector<ResetEvent> events;
+  std::optional<ResetEvent> event_at_end;  // ResetLocator::next_to at the end
 };
 
 // A second method besides the collocation, with a different discretisation: the kernel is a sum of
@@ -31,7 +35,8 @@ struct DiffusiveSolution {
 // arXiv 2506.04188, 2025), and a Radau IIA method integrates these. Step sizes double and halve such that the
 // stages resolve the solution, so they grow geometrically away from 0. stops: increasing times in (0, end].
 // Throws std::invalid_argument for a problem that require_supported() rejects, std::runtime_error naming the
-// time where no step converges or too many are needed.
+// time where no step converges or too many are needed, or beyond ResetLocator::most_events. Where an event
+// sets y, located on the polynomial through the stages, a step ends and y jumps.
 DiffusiveSolution diffusive_solution(const Problem& problem, const DiffusiveOptions& options = {},
                                      const std::vector<double>& stops = {});
 

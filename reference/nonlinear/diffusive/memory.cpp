@@ -149,6 +149,18 @@ void MemoryVariables::advance(double length, const Matrix& rhs) {
   }
 }
 
+void MemoryVariables::add_jump(In jump) {
+  Eigen::Index i = 0;
+  for (State& state : states_) {
+    const double of_y = jump[i++];
+    if (state.order_above_one) {
+      state.integral.add(Vec::Constant(1, of_y));
+    } else {
+      state.initial += of_y;
+    }
+  }
+}
+
 DiffusiveKernels::DiffusiveKernels(const std::vector<double>& orders, double end, double shortest) {
   if (orders.empty()) {
     return;

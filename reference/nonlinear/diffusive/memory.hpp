@@ -60,6 +60,9 @@ class MemoryVariables {
   // Completes the step; rhs: F.
   void advance(double length, const Matrix& rhs);
 
+  // y jumps at the end of the step.
+  void add_jump(In jump);
+
  private:
   // A compensated sum of many small terms: its value and the rounding error so far.
   struct CompensatedSum {
@@ -70,7 +73,7 @@ class MemoryVariables {
     Eigen::Index kernel;   // -1: part = 1
     bool algebraic;        // without memory
     bool order_above_one;  // y' = v
-    double initial;        // of v
+    double initial;        // of v; with the jumps of y where y = v
     CompensatedSum memory;
     CompensatedSum integral;  // y, where y' = v
   };

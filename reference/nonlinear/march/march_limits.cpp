@@ -35,6 +35,11 @@ double next_discontinuity(const Problem& problem, double after) {
 
 bool jumps_at(const Problem& problem, double t) { return std::ranges::binary_search(problem.jump_times, t); }
 
+void add_jump_time(Problem& problem, double t) {
+  const auto next = std::ranges::lower_bound(problem.jump_times, t);
+  if (next == problem.jump_times.end() || *next != t) problem.jump_times.insert(next, t);
+}
+
 double last_jump(const Problem& problem, double t) {
   const auto next = std::ranges::upper_bound(problem.jump_times, t);
   return next == problem.jump_times.begin() ? 0.0 : *std::prev(next);

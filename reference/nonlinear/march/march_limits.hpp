@@ -37,6 +37,9 @@ double next_discontinuity(const Problem& problem, double after);
 // Whether f jumps at this time.
 bool jumps_at(const Problem& problem, double t);
 
+// Adds a time to those at which f jumps.
+void add_jump_time(Problem& problem, double t);
+
 // The latest jump at or before this time, or 0.
 double last_jump(const Problem& problem, double t);
 

@@ -86,6 +86,22 @@ TEST_F(Cache, KeepsProblemsApart) {
   EXPECT_EQ(files(), 5);
 }
 
+TEST(ReferenceKey, TellsEventsThatSetUnknownsApart) {
+  const auto key = [](double at, double jump, Crossing crossing) {
+    const Reset reset{.value = [at](double t, In) { return t - at; },
+                      .crossing = crossing,
+                      .state = [jump](double, In, Out y) { y[0] += jump; }};
+    return reference_key(
+        "dose",
+        {.components = {{0.5, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }, .resets = {reset}});
+  };
+  const auto known = key(0.5, 1.0, Crossing::either);
+  EXPECT_NE(key(0.25, 1.0, Crossing::either), known);
+  EXPECT_NE(key(0.5, 2.0, Crossing::either), known);
+  EXPECT_NE(key(0.5, 1.0, Crossing::rising), known);
+  EXPECT_EQ(key(0.5, 1.0, Crossing::either), known);
+}
+
 TEST_F(Cache, SolvesAnewWhatIsDamaged) {
   const Counted counted;
   EXPECT_FALSE(hit(counted));

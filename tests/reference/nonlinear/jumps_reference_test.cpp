@@ -9,17 +9,12 @@
 
 #include "fdebench/reference/nonlinear/collocation.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
+#include "support/exact_values.hpp"
 
 namespace fde::reference {
 namespace {
 
-void expect_exact(const Reference& reference, double t, const Vec& exact, double most_bound) {
-  const auto [value, bound] = reference.at(t);
-  for (Eigen::Index i = 0; i < exact.size(); ++i) {
-    EXPECT_NEAR(value[i], exact[i], bound[i]) << "t = " << t;
-    EXPECT_LE(bound[i], most_bound) << "t = " << t;
-  }
-}
+using bench::expect_exact;
 
 // 1 before the jump, 0 after it, and the mean value at the jump, as for schemes.
 double before(double time, double t) { return t < time ? 1.0 : t > time ? 0.0 : 0.5; }
