@@ -172,22 +172,24 @@ struct PosedText {
   const std::vector<SystemColumn> columns;
 };
 
-// The reference of the columns with another end.
-reference::Reference reference_to(double end, EquationText text, const Parameters& parameters) {
-  text.end = {.text = fmt::format("{} + ({})", end, text.start ? text.start->text : "0"),
-              .position = text.end.position};
-  return PosedText(std::move(text), parameters).reference();
+// Numbers of nodes that the quadratures of references have beside those of schemes.
+constexpr int more_nodes = 2, many_more_nodes = 4;
+
+// The reference of the columns; with distributed orders of a quadrature with more nodes, whose difference to
+// a still finer one is in the bound. Empty: there is none but by two methods.
+reference::Reference known_reference(const EquationText& all, const Parameters& parameters) {
+  const auto with_nodes = [&](int more) {
+    return PosedText(in_terms(all, parameters, more), parameters).reference();
+  };
+  if (!has_distributed_orders(all) || !all.exact.empty()) return with_nodes(0);
+  return reference::with_difference(with_nodes(many_more_nodes), with_nodes(many_more_nodes + more_nodes));
 }
 
-// The references with distributed orders: of quadratures with more nodes, whose difference is in the bound.
-void set_references(Scene& scene, const EquationText& all, const Parameters& parameters) {
-  constexpr int more = 2, many = 4;
-  if (!all.exact.empty()) return;
-  PosedText finer(in_terms(all, parameters, many), parameters),
-      finest(in_terms(all, parameters, many + more), parameters);
-  scene.reference = reference::with_difference(finer.reference(), finest.reference());
-  if (!scene.reference.at)
-    scene.comparison_problem = PosedText(in_terms(all, parameters, more), parameters).posed();
+// The reference of the columns with another end.
+reference::Reference reference_to(double end, EquationText all, const Parameters& parameters) {
+  all.end = {.text = fmt::format("{} + ({})", end, all.start ? all.start->text : "0"),
+             .position = all.end.position};
+  return known_reference(all, parameters);
 }
 
 // Whether the reference is made for one end: with values there, or a term for each step of a load by floor.
@@ -213,10 +215,12 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   scene.outputs = outputs_of(columns, system.size(), formulas.pool());
   scene.load_times = load_times(system.rows, system.jumps, formulas.pool());
   set_end(scene, system.end);
-  scene.reference = file_reference(system, scene.problem, columns, formulas);
-  if (has_distributed_orders(all)) set_references(scene, all, parameters);
+  scene.reference = has_distributed_orders(all) ? known_reference(all, parameters)
+                                                : file_reference(system, scene.problem, columns, formulas);
   if (scene.reference.at && has_reference_to_end(system, formulas.pool()))
-    scene.reference_to = [text, parameters](double end) { return reference_to(end, text, parameters); };
+    scene.reference_to = [all, parameters](double end) { return reference_to(end, all, parameters); };
+  if (!scene.reference.at && has_distributed_orders(all))
+    scene.comparison_problem = PosedText(in_terms(all, parameters, more_nodes), parameters).posed();
   if (!scene.reference.at && scene.problem.resets.empty())
     scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
   scene.singular = singular_outputs(columns, formulas);
