@@ -74,6 +74,12 @@ class AdaptiveRule {
   // D^g y on the last accepted step, and the components that are interpolated on it.
   [[nodiscard]] virtual DerivativePolynomials derivative_polynomials() const = 0;
   [[nodiscard]] virtual const InterpolatedRows& interpolated_rows() const = 0;
+  // The slopes of algebraic rows (algebraic_slopes.hpp) that are left out of their polynomials on the last
+  // accepted step; empty: none.
+  [[nodiscard]] virtual const Matrix& slopes_left_out() const {
+    static const Matrix none;
+    return none;
+  }
 
   // Restarts after a jump of f at the last accepted time: f is no longer extrapolated from the steps before
   // it.

@@ -82,7 +82,9 @@ class ControlledStepper final : public Stepper {
     if (crosses_jump_) rule_->evaluate_behind_jump(run_);
     rule_->accept();
     is_first_step_ = false;
-    if (dense_) dense_->add(t, rule_->derivative_polynomials(), rule_->interpolated_rows());
+    if (dense_) {
+      dense_->add(t, rule_->derivative_polynomials(), rule_->interpolated_rows(), rule_->slopes_left_out());
+    }
     blow_up_.accept_step(t, rule_->result());
     time_ = t;
     if (std::exchange(crosses_jump_, false) && !run_.ended_by_event()) restart();

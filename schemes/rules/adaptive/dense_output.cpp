@@ -29,7 +29,11 @@ DenseOutput::DenseOutput(const Problem& problem) : taylor_(problem), size_(probl
 }
 
 void DenseOutput::add(double t, const DerivativePolynomials& derivatives,
-                      const InterpolatedRows& interpolated) {
+                      const InterpolatedRows& interpolated, const Matrix& slopes) {
+  if (slopes.size() > 0) {
+    sloped_steps_.push_back(times_.size() - 1);
+    slopes_.push_back(slopes);
+  }
   times_.push_back(t);
   interpolated_.insert(interpolated_.end(), interpolated.begin(), interpolated.end());
   interpolated_offsets_.push_back(interpolated_.size());
@@ -74,6 +78,9 @@ Vec DenseOutput::at(double t) const {
   const auto newest = static_cast<std::size_t>(last);
   for (auto k = interpolated_offsets_[newest]; k < interpolated_offsets_[newest + 1]; ++k)
     y[interpolated_[k].row] = interpolated_[k].at(since / 2.0);
+  const auto sloped = std::ranges::lower_bound(sloped_steps_, newest);
+  if (sloped != sloped_steps_.end() && *sloped == newest)
+    y += slopes_[static_cast<std::size_t>(sloped - sloped_steps_.begin())] * y;
   return y;
 }
 
@@ -81,6 +88,9 @@ void DenseOutput::state(Archive& archive) {
   archive.resizable(times_);
   archive.resizable(interpolated_);
   archive.resizable(interpolated_offsets_);
+  archive.resizable(sloped_steps_);
+  slopes_.resize(sloped_steps_.size());
+  for (auto& slopes : slopes_) archive.resizable(slopes);
   archive.resizable(derivatives_);
 }
 

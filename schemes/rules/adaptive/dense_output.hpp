@@ -16,8 +16,10 @@ class DenseOutput {
  public:
   explicit DenseOutput(const Problem& problem);
 
-  // Adds the step from the end of the previous one to t: D^g y on it, and its interpolated components.
-  void add(double t, const DerivativePolynomials& derivatives, const InterpolatedRows& interpolated);
+  // Adds the step from the end of the previous one to t: D^g y on it, its interpolated components, and the
+  // slopes that are left out of its polynomials.
+  void add(double t, const DerivativePolynomials& derivatives, const InterpolatedRows& interpolated,
+           const Matrix& slopes);
 
   // y at t. Precondition: 0 <= t <= the end of the last step.
   [[nodiscard]] Vec at(double t) const;
@@ -38,6 +40,9 @@ class DenseOutput {
   std::vector<double> times_{0.0};
   InterpolatedRows interpolated_;
   std::vector<std::size_t> interpolated_offsets_{0};  // index of the first one of each step, and their number
+  // The steps whose polynomials leave out slopes, which are few, and the slopes.
+  std::vector<std::size_t> sloped_steps_{};
+  std::vector<Matrix> slopes_{};
   std::vector<double> derivatives_;  // step after step, as coefficients of Legendre polynomials
 };
 

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fdebench/schemes/rules/implicit/algebraic_slopes.hpp"
+#include "fdebench/schemes/rules/implicit/difference_jacobian.hpp"
+
 namespace fde {
 namespace {
 
@@ -276,6 +279,18 @@ void RadauRule::compute_derivatives() {
   }
 }
 
+// On a first step the unknowns of algebraic rows begin like a power of the time.
+void RadauRule::compute_slopes(Run& run) {
+  slopes_.resize(0, 0);
+  if (!has_algebraic_rows_ || steps_since_jump_ > 0) return;
+  const double t = time_ + points().front() * length_;
+  const Vec y = y_.col(0);
+  Matrix jacobian(y.size(), y.size());
+  if (!evaluate_jacobian(problem_, t, y, jacobian))
+    difference_jacobian_of_rhs(run, problem_, t, y, run.rhs(t, y), Vec::Zero(y.size()), jacobian);
+  slopes_ = algebraic_slopes(problem_, jacobian);
+}
+
 double RadauRule::attempt(Run& run, double t) {
   prepare(t);
   guess();
@@ -283,6 +298,7 @@ double RadauRule::attempt(Run& run, double t) {
   result_ = y_.col(stages - 1);
   if (!solved) return no_solution;
   compute_derivatives();
+  compute_slopes(run);
   return error(run);
 }
 
@@ -327,8 +343,9 @@ void RadauRule::interpolate(Eigen::Index row) {
   interpolated_.push_back({row, to_cubic() * values});
 }
 
-// y at t where D^g y is this polynomial of (t' - time_) / (t - time_), one row a component.
-Vec RadauRule::integrated(double t, const Values& polynomials) {
+// y at t where D^g y is this polynomial of (t' - time_) / (t - time_), one row a component; in algebraic rows
+// the polynomial leaves out these slopes.
+Vec RadauRule::integrated(double t, const Values& polynomials, const Matrix& slopes) {
   Vec y = previous_;
   taylor_.at(t, y);
   for (auto& kernel : kernels_) kernel.integrals.prepare(t - time_, kernel.to_stage.front());
@@ -342,6 +359,7 @@ Vec RadauRule::integrated(double t, const Values& polynomials) {
     const Polynomial newest(polynomials(r, 0), polynomials(r, 1), 2.0 * polynomials(r, 2));
     y[r] += kernel.integrals.integral(kernel.to_stage.front(), row->function, newest);
   }
+  if (slopes.size() > 0) y += slopes * y;
   return y;
 }
 
@@ -352,6 +370,7 @@ RadauRule::Values RadauRule::parabolas() const {
     const auto row = static_cast<Eigen::Index>(r);
     if (!rows_[r]) values.row(row) = y_.row(row);
   }
+  if (slopes_.size() > 0) values -= slopes_ * y_;
   return values * to_powers().transpose();
 }
 
@@ -360,7 +379,7 @@ Vec RadauRule::dense_output(double t) {
   Values polynomials = parabolas();
   polynomials.col(1) *= share;
   polynomials.col(2) *= share * share;
-  Vec y = integrated(t, polynomials);
+  Vec y = integrated(t, polynomials, slopes_);
   for (const auto& row : interpolated_) y[row.row] = row.at(share);
   return y;
 }
@@ -372,14 +391,14 @@ Vec RadauRule::extrapolate(double t) {
     polynomials.col(0) = previous_parabolas_.rowwise().sum();
     polynomials.col(1) = ratio * (previous_parabolas_.col(1) + 2.0 * previous_parabolas_.col(2));
     polynomials.col(2) = ratio * ratio * previous_parabolas_.col(2);
-  } else {
-    polynomials.col(0) = derivatives_at_start_;
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-      const auto row = static_cast<Eigen::Index>(r);
-      if (!rows_[r]) polynomials(row, 0) = previous_[row];
-    }
+    return integrated(t, polynomials, previous_slopes_);
   }
-  return integrated(t, polynomials);
+  polynomials.col(0) = derivatives_at_start_;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const auto row = static_cast<Eigen::Index>(r);
+    if (!rows_[r]) polynomials(row, 0) = previous_[row];
+  }
+  return integrated(t, polynomials, {});
 }
 
 void RadauRule::extrapolate_over_jump(double t) {
@@ -388,6 +407,7 @@ void RadauRule::extrapolate_over_jump(double t) {
   derivatives_.colwise() = derivatives_at_start_;
   y_.colwise() = result_;
   interpolated_.clear();
+  slopes_.resize(0, 0);
 }
 
 void RadauRule::restart(Run& run) {
@@ -400,6 +420,7 @@ void RadauRule::restart(Run& run) {
 
 void RadauRule::accept() {
   previous_parabolas_ = parabolas();
+  previous_slopes_ = slopes_;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     if (!rows_[r]) continue;
     const auto powers = previous_parabolas_.row(static_cast<Eigen::Index>(r));
@@ -425,6 +446,7 @@ void RadauRule::state(Archive& archive) {
   for (auto& kernel : kernels_) archive(kernel.integrals);
   archive(allowed_, rhs_error_, last_jump_time_, steps_since_jump_, time_, previous_length_,
           previous_parabolas_, derivatives_at_start_, previous_, result_);
+  archive.resizable(previous_slopes_);
 }
 
 }  // namespace fde

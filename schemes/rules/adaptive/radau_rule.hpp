@@ -34,6 +34,7 @@ class RadauRule final : public AdaptiveRule {
   void accept() override;
   [[nodiscard]] DerivativePolynomials derivative_polynomials() const override { return previous_parabolas_; }
   [[nodiscard]] const InterpolatedRows& interpolated_rows() const override { return interpolated_; }
+  [[nodiscard]] const Matrix& slopes_left_out() const override { return previous_slopes_; }
   void restart(Run& run) override;
   [[nodiscard]] double rate() const override;
   [[nodiscard]] std::size_t bytes() const override;
@@ -62,8 +63,9 @@ class RadauRule final : public AdaptiveRule {
   [[nodiscard]] Vec residual() const;
   bool evaluate(Run& run);
   void compute_derivatives();
+  void compute_slopes(Run& run);
   [[nodiscard]] Values parabolas() const;
-  Vec integrated(double t, const Values& polynomials);
+  Vec integrated(double t, const Values& polynomials, const Matrix& slopes);
   [[nodiscard]] double error(Run& run);
   void measure_rhs_error(Run& run);
   [[nodiscard]] bool is_rounding(Run& run, const Vec& increment);
@@ -88,10 +90,11 @@ class RadauRule final : public AdaptiveRule {
   std::optional<double> previous_length_{};
   // derivatives_: D^g y from the equations of the step, in place of f(t, y).
   Values known_, y_, f_, derivatives_;
-  Values previous_parabolas_;      // coefficients of their parabolas on the last accepted step
-  InterpolatedRows interpolated_;  // on the newest attempt
-  RhsError rhs_error_;             // measured where the error test or Newton's method failed last
-  Vec derivatives_at_start_;       // f at the beginning of the step
+  Values previous_parabolas_;        // coefficients of their parabolas on the last accepted step
+  InterpolatedRows interpolated_;    // on the newest attempt
+  Matrix slopes_, previous_slopes_;  // left out of the parabolas on the newest attempt, and on the last step
+  RhsError rhs_error_;               // measured where the error test or Newton's method failed last
+  Vec derivatives_at_start_;         // f at the beginning of the step
   Vec previous_, result_;
 };
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "fdebench/schemes/rules/implicit/algebraic_slopes.hpp"
 #include "fdebench/schemes/rules/implicit/difference_jacobian.hpp"
 #include "fdebench/schemes/rules/spectral/mode_count.hpp"
 
@@ -210,15 +211,10 @@ void PanelSolver::differentiate(Run& run, double t, In sizes) {
 }
 
 Matrix PanelSolver::algebraic_slopes(Run& run, const PanelSystem& task, const Matrix& rows) {
-  const auto algebraic = algebraic_rows(problem_);
-  if (algebraic.empty()) return {};
+  if (!has_algebraic_rows(problem_)) return {};
   y_ = rows.row(0);
   differentiate(run, task.times[0], task.term_sizes);
-  Matrix slopes = Matrix::Zero(jacobian_.rows(), jacobian_.cols()), others = jacobian_(algebraic, Eigen::all);
-  others(Eigen::all, algebraic).setZero();
-  const Eigen::FullPivLU<Matrix> factors(jacobian_(algebraic, algebraic));
-  if (jacobian_.allFinite() && factors.isInvertible()) slopes(algebraic, Eigen::all) = -factors.solve(others);
-  return slopes;
+  return fde::algebraic_slopes(problem_, jacobian_);
 }
 
 bool PanelSolver::has_growing_mode(Run& run, const PanelSystem& task, const Matrix& rows, double folds) {

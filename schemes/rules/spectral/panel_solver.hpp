@@ -54,9 +54,7 @@ class PanelSolver {
   // their last values.
   Vec unknowns_at_first_point(Run& run, const PanelSystem& task);
 
-  // The derivatives of the unknowns of algebraic rows by the other rows, -(df_a/dy_a)^-1 df_a/dy_d at the
-  // first point, in the places of both in a Jacobian; 0 where constraints determine multipliers, whose
-  // df_a/dy_a is singular. Empty: there are no algebraic rows.
+  // algebraic_slopes (algebraic_slopes.hpp) at the first point.
   [[nodiscard]] Matrix algebraic_slopes(Run& run, const PanelSystem& task, const Matrix& rows);
 
   // The change of a row for x_k = 1 on the whole panel: its fractional integral, 1 for an algebraic row.

@@ -101,8 +101,7 @@ Vec PanelSolution::interpolated(const MemoryBlock& panel, double t) const {
   return (weights * panel.values).transpose();
 }
 
-// A polynomial does not follow a power of time. So the algebraic rows are interpolated less their linear
-// dependence on the other rows, of which the integrals are then added.
+// Algebraic rows are interpolated less their linear dependence on the other rows (algebraic_slopes.hpp).
 Vec PanelSolution::from_integrals(const MemoryBlock& panel, double t) const {
   Vec rows = integrated_rows.taylor_part(t);
   for (const auto& tree : trees) {

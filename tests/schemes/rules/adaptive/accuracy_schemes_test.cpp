@@ -135,6 +135,31 @@ TEST_P(AccuracyScheme, HasDenseOutputOfAlgebraicRows) {
   }
 }
 
+// v = 1 - J^1/2 v begins like a power of t, v = E_1/2,1(-t^1/2), as the solution of Abel's equation of the
+// second kind.
+TEST_P(AccuracyScheme, HasDenseOutputOfAlgebraicRowsInTheFirstStep) {
+  const Problem problem{.components = {{0.5, {0.0}}, {0.0, {1.0}}},
+                        .rhs = [](double, In y, Out f) { f << y[1], 1.0 - y[0] - y[1]; },
+                        .derivatives = DenseLinearPart{Matrix{{0.0, 1.0}, {-1.0, -1.0}}}};
+  if (unsupported_reason(*GetParam(), problem, Tolerance{1e-6, 1e-6}))
+    GTEST_SKIP() << "takes no algebraic rows";
+  for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+    std::vector<double> at;
+    for (double t = 1e-14; t < 0.5; t *= std::sqrt(10.0)) at.push_back(t);
+    at.push_back(1.0);
+    const auto path = run(problem, accuracy, {.output_times = at});
+    ASSERT_EQ(path.times, at) << accuracy;
+    const auto all = run(problem, accuracy);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const double exact = solution_of_half_order_relaxation(at[i]), allowed = 3.0 * accuracy + 1e-14;
+      EXPECT_NEAR(path.y(1, static_cast<Eigen::Index>(i)), exact, allowed) << accuracy << ' ' << at[i];
+      if (all.dense_output) {
+        EXPECT_NEAR(all.dense_output(at[i])[1], exact, allowed) << accuracy << ' ' << at[i];
+      }
+    }
+  }
+}
+
 // A multiplier that starts like t^-0.38, which a first step does not resolve: at the end of the step the
 // constraint removes the error that this leaves in the velocities.
 TEST_P(AccuracyScheme, DenseOutputOfConstrainedRowsIsAccurateInTheFirstStep) {
