@@ -51,6 +51,13 @@ auto with_times_of(const Scene& scene, const Known& known) {
   }
 }
 
+// Bounds of the errors of the singular values, 0 where they are infinite.
+Vec singular_bounds(const Scene& scene, double t, const reference::ReferenceValue& columns, In values) {
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  if (values.size() == 0 || t == 0.0) return Vec::Zero(values.size());
+  return propagated_bound(scene.singular, t, columns, values) + rounding * values.cwiseAbs();
+}
+
 void announce(const BeforeTime& before, double t) {
   if (before) before(t);
 }
@@ -65,7 +72,8 @@ ExactTable exact(Scene scene, const std::vector<double>& times, const BeforeTime
   const bool has_multipliers = scene.reactions.has_exact_multipliers();
   if (has_multipliers) std::ranges::copy(reaction_names(scene), std::back_inserter(table.names));
   table.values.resize(std::ssize(table.names), std::ssize(times));
-  table.bounds.resize(std::ssize(scene.outputs.names), std::ssize(times));
+  const auto singular = std::ssize(scene.singular.names);
+  table.bounds.resize(std::ssize(scene.outputs.names) + singular, std::ssize(times));
   announce(before, end_time(scene));
   const reference::Reference known = with_times_of(scene, [&] { return reference_of(scene); });
   for (Eigen::Index i = 0; const double time : times) {
@@ -85,7 +93,8 @@ ExactTable exact(Scene scene, const std::vector<double>& times, const BeforeTime
       const Vec multipliers = exact_reactions(scene, t, columns);
       table.values.col(i).tail(multipliers.size()) = multipliers;
     }
-    table.bounds.col(i++) = bounds;
+    table.bounds.col(i++) << bounds,
+        singular_bounds(scene, t, {columns, bounds}, values.segment(columns.size(), singular));
   }
   return table;
 }

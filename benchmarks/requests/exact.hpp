@@ -16,7 +16,8 @@ namespace fde::bench {
 struct ExactTable {
   std::vector<std::string> names{};
   Rows values{};  // one row a name, one column a time
-  Rows bounds{};  // one row a column of the scene: of the absolute error, or an estimate of it
+  // Of the absolute error, or an estimate of it: one row a column of the scene and a singular value.
+  Rows bounds{};
 };
 
 // Called with each time before the reference is evaluated there, and first with the last time for which the

@@ -28,11 +28,9 @@ double size_of_symbol(const std::vector<Term>& terms, const Symbol& log_s) {
   return sum;
 }
 
-}  // namespace
-
 // The nodes are the eigenvalues of the Jacobi matrix of the Legendre polynomials, the weights follow from its
 // eigenvectors (Golub & Welsch, Math. Comp. 23, 1969).
-std::vector<Term> terms_of(const DistributedOrder& distributed, int nodes) {
+void add_terms(const DistributedOrder& distributed, int nodes, std::vector<Term>& terms) {
   using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   using LongVec = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
   LongVec beside(nodes - 1);
@@ -40,13 +38,23 @@ std::vector<Term> terms_of(const DistributedOrder& distributed, int nodes) {
   Eigen::SelfAdjointEigenSolver<LongMatrix> eigen;
   eigen.computeFromTridiagonal(LongVec::Zero(nodes), beside);
   const long double length = static_cast<long double>(distributed.to) - distributed.from;
-  std::vector<Term> terms;
   for (int k = 0; k < nodes; ++k) {
     const long double part = (1.0L + eigen.eigenvalues()[k]) / 2.0L, first = eigen.eigenvectors()(0, k);
     const auto order = static_cast<double>(distributed.from + length * part);
     const double weight = distributed.weight(order);
     if (!std::isfinite(weight)) throw std::invalid_argument("weight: must be finite between the orders");
     if (weight != 0.0) terms.push_back({static_cast<double>(length * first * first) * weight, order});
+  }
+}
+
+}  // namespace
+
+std::vector<Term> terms_of(const DistributedOrder& distributed, int nodes) {
+  std::vector<Term> terms;
+  for (double from = distributed.from; from < distributed.to;) {
+    const double to = std::min(distributed.to, std::floor(from) + 1.0);
+    add_terms({distributed.weight, from, to}, nodes, terms);
+    from = to;
   }
   return terms;
 }

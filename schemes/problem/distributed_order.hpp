@@ -15,8 +15,9 @@ struct DistributedOrder {
   double from, to;
 };
 
-// sum_k c_k D^(q_k) u with the nodes q_k of the Gauss-Legendre rule, by increasing order, without terms of
-// coefficient 0 (Diethelm & Ford, J. Comput. Appl. Math. 225, 2009, with the trapezoidal rule). D^q has the
+// sum_k c_k D^(q_k) u, by increasing order and without terms of coefficient 0; the q_k are the nodes of the
+// Gauss-Legendre rule, `nodes` of them between two whole orders, as the initial values that D^q contains
+// change there (Diethelm & Ford, J. Comput. Appl. Math. 225, 2009, with the trapezoidal rule). D^q has the
 // Laplace symbol s^q, which is entire in q: where the weight is smooth, the error falls geometrically with
 // the number of nodes.
 std::vector<Term> terms_of(const DistributedOrder& distributed, int nodes);

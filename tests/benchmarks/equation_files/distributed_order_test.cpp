@@ -53,6 +53,13 @@ TEST(DistributedOrder, MayExceedOne) {
   EXPECT_LT(row[3], 1e-12);
 }
 
+// The same with x'(0) = 1, which only derivatives of orders above 1 contain: int_1^2 s^(q-2) dq = (1 -
+// 1/s)/log s.
+TEST(DistributedOrder, StartsWithTheInitialValuesOfEachOrder) {
+  const auto row = exact(equation("1", "0", "2", "-4*x", "1, 1"), "0.5");
+  EXPECT_NEAR(row[1], 0.61410009482208150572, row[3]);  // by mpmath
+}
+
 // The bound contains the error of the quadrature also where that is large, next to the start.
 TEST(DistributedOrder, BoundsTheErrorOfItsQuadrature) {
   const auto row = exact(equation("6*q*(1 - q)", "0", "1"), "1e-12");
