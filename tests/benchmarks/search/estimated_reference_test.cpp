@@ -114,7 +114,7 @@ TEST(Estimates, TakeMoreForTheErrorTheSlowerItFalls) {
 
 TEST(Estimates, AreRefusedWhereTwoSchemesDoNotAgree) {
   const std::string begin = "there is no reference (it is taken away), and no estimate: ";
-  EXPECT_THAT(refusal(without_reference(scene_of("relaxation")), 1e-14, 600.0),
+  EXPECT_THAT(refusal(without_reference(scene_of("relaxation")), 1e-14, 4.0),
               AllOf(HasSubstr(begin), HasSubstr(" differ by "), HasSubstr("of 1.0e-14")));
 }
 
