@@ -192,6 +192,15 @@ reference::Reference reference_to(double end, EquationText all, const Parameters
   return known_reference(all, parameters);
 }
 
+// The event functions of events that set unknowns.
+std::vector<Expression> functions_of_resets(const EquationSystem& system, FileFormulas& formulas) {
+  std::vector<Expression> functions;
+  for (const auto& event : formulas.text().events)
+    if (!event.set.empty())
+      functions.push_back(formulas.read(event.zero, variables_of(system, formulas.pool())));
+  return functions;
+}
+
 // Whether the reference is made for one end: with values there, or a term for each step of a load by floor.
 bool has_reference_to_end(const EquationSystem& system, const ExpressionPool& pool) {
   const auto is_floor = [](const ExpressionPool::Node& node) { return node.operation == Operation::floor; };
@@ -213,7 +222,8 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   scene.smoothness = file_smoothness(started, with_some_initial_values(scene.problem), formulas);
   exclude_unshown_rows(scene.smoothness, columns, system.size());
   scene.outputs = outputs_of(columns, system.size(), formulas.pool());
-  scene.load_times = load_times(system.rows, system.jumps, formulas.pool());
+  scene.load_times =
+      load_times(system.rows, system.jumps, formulas.pool(), functions_of_resets(system, formulas));
   set_end(scene, system.end);
   scene.reference = has_distributed_orders(all) ? known_reference(all, parameters)
                                                 : file_reference(system, scene.problem, columns, formulas);

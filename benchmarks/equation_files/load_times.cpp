@@ -234,10 +234,18 @@ std::vector<StepLimit> limits_until(double end, const std::vector<Curve>& curves
   return limits;
 }
 
+// Limits by which no step passes over two zeros of a function.
+void add_limits_between_zeros(const TimeFunction& function, double end, std::vector<StepLimit>& limits) {
+  const auto zeros = times_until(end, {.functions = {function}}, {});
+  for (std::size_t k = 1; k < zeros.size(); ++k)
+    limits.push_back({zeros[k - 1], zeros[k], (zeros[k] - zeros[k - 1]) / 2.0});
+}
+
 }  // namespace
 
 std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& rows,
-                                                std::vector<double> declared_jumps, ExpressionPool& pool) {
+                                                std::vector<double> declared_jumps, ExpressionPool& pool,
+                                                const std::vector<Expression>& event_functions) {
   Breaks of_jumps, of_kinks;
   for (const auto argument : pool.switches(rows, jumps_without_table))
     if (!pool.depends_on_unknowns(argument)) of_jumps.functions.emplace_back(argument, pool);
@@ -258,9 +266,13 @@ std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& r
       continue;  // the argument of gamma, for example: such a part is known at points only
     }
   }
+  std::vector<TimeFunction> events;
+  for (const auto function : event_functions)
+    if (!pool.depends_on_unknowns(function)) events.emplace_back(function, pool);
   return [=, declared = std::move(declared_jumps)](double end) {
     LoadTimes times{.jumps = times_until(end, of_jumps, declared), .kinks = times_until(end, of_kinks, {})};
     times.limits = limits_until(end, curves, times_until(end, {.tables = of_kinks.tables}, times.jumps));
+    for (const auto& function : events) add_limits_between_zeros(function, end, times.limits);
     return times;
   };
 }

@@ -15,9 +15,11 @@ namespace fde::bench {
 // times at which a table passes a sample where it jumps, or where a derivative of it does, among the jumps
 // and the kinks; as limits the intervals in which a part of t alone, or its derivative, rises or falls within
 // a time that is short beside the time before or after, in which it hardly changes or goes on the other way.
-// A quarter of such an interval is the longest step. All are found by interval arithmetic
-// (TimeFunction::signs), not by samples.
+// A quarter of such an interval is the longest step. Between two zeros of an event function that sets
+// unknowns it is half of the time, if the function depends on t only: a step over both would see no change of
+// its sign. All are found by interval arithmetic (TimeFunction::signs), not by samples.
 std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& rows,
-                                                std::vector<double> declared_jumps, ExpressionPool& pool);
+                                                std::vector<double> declared_jumps, ExpressionPool& pool,
+                                                const std::vector<Expression>& event_functions = {});
 
 }  // namespace fde::bench

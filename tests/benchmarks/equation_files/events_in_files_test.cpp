@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
@@ -108,6 +109,24 @@ TEST(EventsOfAFile, AreRefusedInOneLine) {
 std::string dosed(const std::string& set) {
   return "end = 2\n[unknown.x]\norder = 0.6\nrhs = \"-x\"\ninitial = [1]\n[event.dose]\nzero = \"t - 1\"\n" +
          set;
+}
+
+// x' = 1 with half of x taken at each zero of sin(5.13 t), z and 2 z up to the end: a step up to the end
+// would be exact, and see no change of sign.
+TEST(EventsOfAFile, AreNotPassedOverInPairs) {
+  constexpr double start = 0.334, end = 1.5, z = std::numbers::pi / 5.13;
+  const TemporaryFolder folder;
+  folder.write("line.toml",
+               fmt::format("end = {}\n[unknown.x]\norder = 1\nrhs = \"1\"\ninitial = [{}]\n[event.half]\n"
+                           "zero = \"sin(5.13*t)\"\nset = {{ x = \"x/2\" }}\n",
+                           end, start));
+  const std::string file = folder.path() / "line.toml";
+  for (const auto* scheme :
+       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+    const auto answer = fdebench({"solve", file, "--scheme", scheme, "--accuracy", "1e-7", "--at", "1.5"});
+    EXPECT_NEAR(csv_rows(answer.out).back()[1], ((start + z) / 2.0 + z) / 2.0 + end - 2.0 * z, 1e-7)
+        << scheme;
+  }
 }
 
 // Half of x is taken at t = 1, which decays as x does: x(2) = E(-2^0.6) - E(-1) E(-1)/2, E(z) = E_0.6,1(z).
