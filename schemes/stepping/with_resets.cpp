@@ -27,26 +27,29 @@ class Jumps {
   }
   [[nodiscard]] double last_time() const { return times_.empty() ? -1.0 : times_.back(); }
 
-  // `ahead`: the value of each event function a short time later.
-  void add(double t, const Vec& jump, std::vector<double> ahead) {
+  void add(double t, const Vec& jump) {
     times_.push_back(t);
     sums_.emplace_back(sums_.back() + jump);
-    ahead_ = std::move(ahead);
   }
 
-  // A jump may leave y next to a zero of its event function, where rounding decides the sign. For a short
-  // time after the jump the event function therefore has its value at the end of that time.
+  // A jump, or the start, may leave y next to a zero of an event function, where rounding decides the sign.
+  // For a short time after it the event functions therefore have their values at the end of that time.
   [[nodiscard]] static double short_time(double t) { return 1e-10 * t; }
+  void hold(double from, double to, std::vector<double> ahead) {
+    held_from_ = from;
+    held_to_ = to;
+    ahead_ = std::move(ahead);
+  }
   [[nodiscard]] std::optional<double> held(std::size_t reset, double t) const {
-    const double last = last_time();
-    if (times_.empty() || t < last || t > last + short_time(last)) return std::nullopt;
+    if (t < held_from_ || t > held_to_) return std::nullopt;
     return ahead_[reset];
   }
 
  private:
   std::vector<double> times_{};  // increasing
   std::vector<Vec> sums_;        // one more
-  std::vector<double> ahead_{};  // of the last jump
+  double held_from_ = 0.0, held_to_ = -1.0;
+  std::vector<double> ahead_{};
 };
 
 // df/dy of y as one of u.
@@ -97,17 +100,28 @@ Problem problem_of_u(const Problem& problem, const std::shared_ptr<Jumps>& jumps
 class ResetsOfRun {
  public:
   ResetsOfRun(const Problem& problem, std::shared_ptr<Jumps> jumps)
-      : problem_(problem), resets_(problem.resets), jumps_(std::move(jumps)) {}
+      : problem_(problem),
+        resets_(problem.resets),
+        jumps_(std::move(jumps)),
+        last_(values_after_start()),
+        last_y_(taylor_part(problem, 0.0)) {
+    jumps_->hold(0.0, Jumps::short_time(problem.end), last_);
+  }
 
   // u at the end of the step to t; a switch is at the end of a step.
   void accept_step(double t, In u) {
+    if (t == 0.0) return;
     const Vec y = u + jumps_->until(t);
     const auto values = values_at(t, y);
     Vec after = y;
-    for (std::size_t k = 0; k < resets_.size() && t > 0.0; ++k)
+    for (std::size_t k = 0; k < resets_.size(); ++k)
       if (is_crossed(k, values[k])) resets_[k].state(t, y, after);
-    last_ = after == y ? values : values_ahead(t, y, after);
-    if (after != y) jumps_->add(t, after - y, last_);
+    last_ = values;
+    if (after != y) {
+      last_ = values_ahead(t, y, after);
+      jumps_->add(t, after - y);
+      jumps_->hold(t, t + Jumps::short_time(t), last_);
+    }
     last_time_ = t;
     last_y_ = after;
   }
@@ -124,7 +138,25 @@ class ResetsOfRun {
     std::vector<double> values;
     for (std::size_t k = 0; k < resets_.size(); ++k) {
       const double value = resets_[k].value(t, y);
-      values.push_back(value == 0.0 && !last_.empty() ? last_[k] : value);
+      values.push_back(value == 0.0 ? last_[k] : value);
+    }
+    return values;
+  }
+
+  // The values at the start; where one is 0, that a short time h later: y_i moves by h^g/Gamma(g+1) f_i.
+  [[nodiscard]] std::vector<double> values_after_start() const {
+    const double h = Jumps::short_time(problem_.end);
+    const Vec start = taylor_part(problem_, 0.0), f = rhs_at(problem_, 0.0, start);
+    Vec ahead = taylor_part(problem_, h);
+    for (Eigen::Index i = 0; i < ahead.size(); ++i) {
+      const double order = problem_.component(i).order;
+      if (order > 0.0 && std::isfinite(f[i]))
+        ahead[i] += std::pow(h, order) / std::tgamma(order + 1.0) * f[i];
+    }
+    std::vector<double> values;
+    for (const auto& reset : resets_) {
+      const double value = reset.value(0.0, start);
+      values.push_back(value == 0.0 ? reset.value(h, ahead) : value);
     }
     return values;
   }

@@ -127,7 +127,7 @@ TEST(DistributedOrder, IsRefusedAtItsPlace) {
   EXPECT_THAT(refusal(equation("1", "1", "0.5")), HasSubstr("to = 0.5: must be above from = 1"));
   EXPECT_THAT(refusal(equation("1", "0", "11")), HasSubstr("to = 11: must be"));
   EXPECT_THAT(refusal(equation("1", "0", "1") + "factor = \"x\"\n"), HasSubstr("factor: must not be given"));
-  EXPECT_THAT(refusal("[parameters]\nq = 1\n" + equation("1", "0", "1")), HasSubstr("parameter q"));
+  EXPECT_THAT(refusal(equation("1", "0", "1") + "[parameters]\nq = 1\n"), HasSubstr("parameter q"));
 }
 
 }  // namespace

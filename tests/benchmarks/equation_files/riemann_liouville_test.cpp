@@ -38,7 +38,7 @@ TEST(RiemannLiouville, RelaxesAsTheMittagLefflerFunctionOfItsKernel) {
   for (const auto& [t, y] : known) {
     const auto row = exact(equation("0.5", "-y"), t);
     EXPECT_NEAR(row[2], y, 1e-15 * (1.0 + y)) << t;
-    EXPECT_LT(row[3], 1e-15 * (1.0 + y)) << t;
+    EXPECT_LT(row[3], 2e-15 * (1.0 + y)) << t;
   }
 }
 
@@ -75,9 +75,9 @@ TEST(RiemannLiouville, DrivesUnknownsWithCaputoDerivatives) {
 // What remains for the schemes starts like t^(1 + a) or more, whatever the order is: bdf2 has its rate 2,
 // L1 2 - a, Gruenwald-Letnikov 1.
 TEST(RiemannLiouville, LeavesASmoothProblemToTheSchemes) {
-  const auto text = equation("0.4", "t - y");
+  const auto text = equation("0.5", "2*t - y");
   for (const auto& [scheme, rate] :
-       {std::pair{"bdf2", 2.0}, {"l1", 1.6}, {"grunwald_letnikov", 1.0}, {"product_trapezoidal", 2.0}}) {
+       {std::pair{"bdf2", 2.0}, {"l1", 1.5}, {"grunwald_letnikov", 1.0}, {"product_trapezoidal", 2.0}}) {
     const double coarse = error_at_end(text, "2", scheme, "512"),
                  fine = error_at_end(text, "2", scheme, "1024");
     EXPECT_NEAR(std::log2(coarse / fine), rate, 0.07) << scheme;
