@@ -14,6 +14,7 @@ SOURCES = {".cpp", ".hpp", ".def", ".js", ".mjs", ".py", ".cmake", ".sh", ""}
 
 QUOTED = re.compile(r"`([^`\s]+)`")
 CODE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
+INLINE_CODE = re.compile(r"`[^`\n]*`")
 LINK = re.compile(r"\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 # A file of ours, with or without its folder; or something within one of our folders.
@@ -76,7 +77,7 @@ def faults_of_page(path):
     for quoted in QUOTED.findall(text):
         if NAMED.fullmatch(quoted) and not exists(quoted, path.parent):
             yield f"{path}: there is no {quoted}"
-    for target, anchor in LINK.findall(text):
+    for target, anchor in LINK.findall(INLINE_CODE.sub("", text)):
         linked = page.parent / target if target else page
         if not linked.exists():
             yield f"{path}: there is no {target}"

@@ -71,10 +71,10 @@ INSTANTIATE_TEST_SUITE_P(
         {{"", 1, 1, "the file: has no end"},
          {"end = 1", 1, 1, "the file: has no unknown"},
          {with("  unknwon = 1\n" + x), 2, 3,
-          "unknwon: no such key of the file, did you mean 'unknown'?; there are title, source, end"},
+          "unknwon: no such key of the file, did you mean 'unknown'?; there are title, source, start, end"},
          {with(x + "rsh = 1\n"), 6, 1,
-          "rsh: no such key of unknown x, did you mean 'rhs'?; there are terms, order, chain, "
-          "factor, rhs, initial, final, before, transfer, input, unless"},
+          "rsh: no such key of unknown x, did you mean 'rhs'?; there are size, terms, order, "
+          "derivative, chain, factor, rhs, initial, final, before, outside, transfer, input, unless"},
          {with("__proto__ = 1\n" + x), 2, 1, "__proto__: no such key"},
          {with("[unknown]\n"), 2, 1, "there are 0 unknowns: must be 1 to 100"},
          {with("unknown = 3"), 2, 11, "unknown: is a number, must be a table"},
