@@ -39,13 +39,16 @@ class Table:
 
 
 def check_finite(table: Table) -> None:
-    """Every number is finite, except that a reaction that is unbounded at t = 0 may be nan there."""
+    """Every number is finite, except at t = 0 a reaction that is unbounded there, which may be nan, and a column beside its
+    quotient by a power of t."""
     for row in table.rows:
         for name, text in zip(table.names, row):
             if name == "event":
                 continue
-            reaction = re.fullmatch(r"lambda\d*|power", name) and float(row[table.names.index("t")]) == 0
-            if not math.isfinite(float(text)) and not (reaction and text == "nan"):
+            value, at_start = float(text), float(row[table.names.index("t")]) == 0
+            is_reaction = re.fullmatch(r"lambda\d*|power", name) and math.isnan(value)
+            is_singular = f"{name}_weighted" in table.names and math.isinf(value)
+            if not math.isfinite(value) and not (at_start and (is_reaction or is_singular)):
                 raise Fault("finite", f"{name} is {text} at t = {row[table.names.index('t')]}")
 
 
