@@ -195,9 +195,10 @@ reference::Reference reference_to(double end, EquationText all, const Parameters
 // The event functions of events that set unknowns.
 std::vector<Expression> functions_of_resets(const EquationSystem& system, FileFormulas& formulas) {
   std::vector<Expression> functions;
-  for (const auto& event : formulas.text().events)
+  for (const auto& event : formulas.text().events) {
     if (!event.set.empty())
       functions.push_back(formulas.read(event.zero, variables_of(system, formulas.pool())));
+  }
   return functions;
 }
 

@@ -42,7 +42,8 @@ class StartingPowers {
     while (const auto next = smallest_load()) {
       const auto [u, power, coefficient] = *next;
       loads_[u].erase(power);
-      add(u, Rational(power + order_of(u)), coefficient);
+      add(u, Rational(power + order_of(u)),
+          coefficient / value_of(text_.unknowns[u].terms.front().coefficient));
     }
     for (const auto& [row, name] : other_values_)
       if (!of_unknown_[row].empty()) formulas_.reject(text_.unknowns[row].rhs, refusal(name));
@@ -99,7 +100,7 @@ class StartingPowers {
   // The order of an equation with one term.
   Rational order_of(std::size_t u) {
     const auto& unknown = text_.unknowns[u];
-    const auto order = nearest_fraction(value_of(unknown.terms.front().order).value, formulas_.pool());
+    Rational order = nearest_fraction(value_of(unknown.terms.front().order).value, formulas_.pool());
     if (unknown.terms.size() == 1 && order > 0 && unknown.final.empty()) return order;
     formulas_.reject(unknown.rhs, fmt::format("unknown {}: must have one order above 0, and no final, as its "
                                               "right-hand side is infinite at 0",
@@ -110,14 +111,13 @@ class StartingPowers {
   void add(std::size_t u, const Rational& power, Operand coefficient) {
     if (formulas_.pool().value(coefficient.value) == 0.0L) return;
     add_to(of_unknown_[u], power, coefficient);
-    if (of_unknown_[u].size() > most_starting_powers)
+    if (of_unknown_[u].size() > most_starting_powers) {
       formulas_.reject(text_.unknowns[u].terms.front().order,
                        "is too small: needs more than 200 powers of t");
+    }
     for (std::size_t row = 0; row < rhs_.size(); ++row) {
       const Operand slope = slope_of(row, u);
-      if (formulas_.pool().value(slope.value) != 0.0L)
-        add_to(loads_[row], power,
-               slope * coefficient / value_of(text_.unknowns[row].terms.front().coefficient));
+      if (formulas_.pool().value(slope.value) != 0.0L) add_to(loads_[row], power, slope * coefficient);
     }
   }
 

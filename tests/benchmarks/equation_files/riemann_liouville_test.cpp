@@ -72,6 +72,20 @@ TEST(RiemannLiouville, DrivesUnknownsWithCaputoDerivatives) {
   EXPECT_NEAR(late[2], 0.39310472924533922256, 1e-14);
 }
 
+// D^0.5 y = -y, J^0.5 y(0) = 1, drives 2 D^0.8 z = y - z, z(0) = 0; and D^1.5 y = -y, D^0.5 y(0) = 1, J^0.5
+// y(0) = 0, drives 2 D^1.5 w + D^0.5 w = y - w, w(0) = w'(0) = 0. Inverse Laplace transforms, by mpmath, of
+// 1/((s^0.5 + 1) (2 s^0.8 + 1)) and 1/((s^1.5 + 1) (2 s^1.5 + s^0.5 + 1)). Of several terms there are no
+// powers to take where y is infinite.
+TEST(RiemannLiouville, DrivesEquationsWithCoefficients) {
+  const std::string two_terms =
+                        "[unknown.w]\nterms = [[2, 1.5], [1, 0.5]]\nrhs = \"y - w\"\ninitial = [0, 0]\n",
+                    one_term = "[unknown.z]\nterms = [[2, 0.8]]\nrhs = \"y - z\"\ninitial = [0]\n";
+  EXPECT_NEAR(exact(equation("0.5", "-y") + one_term, "0.5")[2], 0.19820274411373318251, 1e-14);
+  EXPECT_NEAR(exact(equation("1.5", "-y", "1, 0") + two_terms, "0.5")[2], 0.052510176656891097008, 1e-14);
+  EXPECT_THAT(command(equation("0.5", "-y") + two_terms, {"exact", "--at", "0.5"}).err,
+              HasSubstr("unknown w: must have one order above 0"));
+}
+
 // What remains for the schemes starts like t^(1 + a) or more, whatever the order is: bdf2 has its rate 2,
 // L1 2 - a, Gruenwald-Letnikov 1.
 TEST(RiemannLiouville, LeavesASmoothProblemToTheSchemes) {
