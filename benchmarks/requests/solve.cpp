@@ -107,17 +107,21 @@ bool came_through(const Trajectory& path) {
   return path.status == SolveStatus::finished || path.status == SolveStatus::terminal_event;
 }
 
+// What a run that did not finish says.
+RunFailure failure_of(const Scene& scene, const Scheme& scheme, const Trajectory& path) {
+  const auto what = fmt::format("{}: {}", scheme.id, describe(scene.problem, path));
+  RunFailure failure(with_note_of_start(scene, what), scheme.id, path);
+  if (failure.time) failure.time = from_zero(scene, *failure.time);
+  return failure;
+}
+
 // The run until its end. Removes its checkpoint and throws RunFailure where it does not come there, unless
 // more time would bring it there.
 Trajectory finished(const Scene& scene, const RequestedRun& run, const CheckpointFile* checkpoints) {
   Trajectory path = run.scheme.solve(scene.problem, run.resolution, run.options);
   if (came_through(path)) return path;
   if (checkpoints != nullptr && path.status != SolveStatus::out_of_budget) checkpoints->remove();
-  RunFailure failure(
-      with_note_of_start(scene, fmt::format("{}: {}", run.scheme.id, describe(scene.problem, path))),
-      run.scheme.id, path);
-  if (failure.time) failure.time = from_zero(scene, *failure.time);
-  throw failure;
+  throw failure_of(scene, run.scheme, path);
 }
 
 // The times of a table as users read them.

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "benchmarks/equation_files/file_commands.hpp"
@@ -87,6 +88,18 @@ TEST(DistributedOrder, IsATermAsOthersAre) {
                                    "{ weight = \"1 + q\", from = 0.3, to = 0.8 }"),
                            "2");
   EXPECT_NEAR(whole[1], parts[1], 1e-13);
+}
+
+// A row of the smallest difference of two nodes, 0.016, gives rules on the chain the rate 1 + 0.016, L1 1;
+// without a chain the trapezoidal rule has 2.
+TEST(DistributedOrder, HasTheRatesOfItsTerms) {
+  const auto text = equation("6*q*(1 - q)", "0", "1");
+  for (const auto& [scheme, rate] :
+       {std::pair{"l1", 1.0}, {"product_trapezoidal", 1.016}, {"multi_term_trapezoidal", 2.0}}) {
+    const double coarse = error_at_end(text, "2", scheme, "1024"),
+                 fine = error_at_end(text, "2", scheme, "2048");
+    EXPECT_NEAR(std::log2(coarse / fine), rate, 0.05) << scheme;
+  }
 }
 
 // The nodes are no columns.
