@@ -253,9 +253,10 @@ Expression FileFormulas::earlier(Expression of, Expression time, const FormulaVa
     throw std::invalid_argument("its time must be t - tau, tau a formula of the parameters above 0");
   if (of == pool_.variable(absent_variable)) return of;
   const auto since_start = pool_.make_expression(Operation::subtract, pool_.variable(0), before_now);
-  if (!pool_.depends_on_unknowns(of))  // outside of a vector: a formula of t
+  if (!pool_.depends_on_unknowns(of)) {  // outside of a vector: a formula of t
     return pool_.substituted(
         {of}, [&](int variable) { return variable == 0 ? since_start : pool_.variable(variable); })[0];
+  }
   return variables.earlier(of, static_cast<double>(*lag));
 }
 

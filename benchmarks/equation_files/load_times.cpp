@@ -213,9 +213,10 @@ std::vector<double> times_until(double end, const Breaks& breaks, std::vector<do
   for (const auto& table : breaks.tables) std::ranges::copy(table.until(end), std::back_inserter(times));
   for (const auto& argument : breaks.functions) {
     const auto pieces = argument.signs(first_part * end, end);
-    for (std::size_t k = 1; k < pieces.size(); ++k)
+    for (std::size_t k = 1; k < pieces.size(); ++k) {
       if (pieces[k - 1].to == pieces[k].from && !is_start(pieces[k - 1], end))
         times.push_back(pieces[k].from);
+    }
   }
   return increasing(std::move(times), same_time);
 }

@@ -101,7 +101,7 @@ std::function<void(double end)> samples_check(FileFormulas& formulas) {
     const auto table = pool[value].function;
     const auto argument = pool[value].arguments[0];
     const double start = formulas.start();
-    const auto now = start == 0.0 ? "t" : fmt::format("(t - {})", start);
+    std::string now = start == 0.0 ? "t" : fmt::format("(t - {})", start);
     const bool is_time = argument == formulas.time();
     const auto text = is_time ? "t" : formula_text(pool, argument, [&](int /*t*/) { return now; });
     const auto add = [&, &place = formula, at = byte](double sample, bool is_last) {
