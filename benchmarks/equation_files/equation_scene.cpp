@@ -175,21 +175,21 @@ struct PosedText {
 // Numbers of nodes that the quadratures of references have beside those of schemes.
 constexpr int more_nodes = 2, many_more_nodes = 4;
 
-// The reference of the columns; with distributed orders of a quadrature with more nodes, whose difference to
-// a still finer one is in the bound. Empty: there is none but by two methods.
-reference::Reference known_reference(const EquationText& all, const Parameters& parameters) {
+// The reference of the columns, up to another end if one is given; with distributed orders of a quadrature
+// with more nodes, whose difference to a still finer one is in the bound. Empty: there is none but by two
+// methods. Nodes, and the columns of unknowns that are infinite at t = 0, are those for the end of the file.
+reference::Reference known_reference(const EquationText& all, const Parameters& parameters,
+                                     std::optional<double> end = {}) {
   const auto with_nodes = [&](int more) {
-    return PosedText(in_terms(all, parameters, more), parameters).reference();
+    EquationText text = in_terms(all, parameters, more);
+    if (end) {
+      text.end = {.text = fmt::format("{} + ({})", *end, all.start ? all.start->text : "0"),
+                  .position = all.end.position};
+    }
+    return PosedText(std::move(text), parameters).reference();
   };
   if (!has_distributed_orders(all) || !all.exact.empty()) return with_nodes(0);
   return reference::with_difference(with_nodes(many_more_nodes), with_nodes(many_more_nodes + more_nodes));
-}
-
-// The reference of the columns with another end.
-reference::Reference reference_to(double end, EquationText all, const Parameters& parameters) {
-  all.end = {.text = fmt::format("{} + ({})", end, all.start ? all.start->text : "0"),
-             .position = all.end.position};
-  return known_reference(all, parameters);
 }
 
 // The event functions of events that set unknowns.
@@ -229,7 +229,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   scene.reference = has_distributed_orders(all) ? known_reference(all, parameters)
                                                 : file_reference(system, scene.problem, columns, formulas);
   if (scene.reference.at && has_reference_to_end(system, formulas.pool()))
-    scene.reference_to = [all, parameters](double end) { return reference_to(end, all, parameters); };
+    scene.reference_to = [all, parameters](double end) { return known_reference(all, parameters, end); };
   if (!scene.reference.at && has_distributed_orders(all))
     scene.comparison_problem = PosedText(in_terms(all, parameters, more_nodes), parameters).posed();
   if (!scene.reference.at && scene.problem.resets.empty())

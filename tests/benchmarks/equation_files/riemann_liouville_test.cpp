@@ -111,6 +111,17 @@ TEST(RiemannLiouville, StartsAtInfinity) {
   EXPECT_NEAR(at("2")[2], at("2")[1], 1e-15);
 }
 
+// The column is (t/end)^0.5 y with the end of the file, also of a reference that is made for each time asked
+// for.
+TEST(RiemannLiouville, HasTheSameColumnForEachEnd) {
+  const auto text = equation("0.5", "floor(2*t) - y");
+  const auto known = exact(text, "1.25");
+  const auto run = values(
+      command(text, {"solve", "--scheme", "spectral_collocation", "--accuracy", "1e-10", "--at", "1.25"}));
+  EXPECT_NEAR(run[1], known[1], 1e-9);
+  EXPECT_NEAR(run[2], known[2], 1e-9);
+}
+
 // Terms lambda^k t^p cancel where |lambda| t^a is large: the bound says so.
 TEST(RiemannLiouville, BoundsWhatCancels) {
   const auto row = exact(equation("0.25", "-5*y"), "2");
