@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -82,19 +83,57 @@ std::optional<Smoothness> series_smoothness(const EquationSystem& system, const 
   return linear_smoothness(system.components, linear->matrix, loads);
 }
 
-// The last rows of chains that jump where a function of t alone does, or contain t if the file declares
-// jumps.
-std::vector<Eigen::Index> jumping_rows(const EquationSystem& system, const ExpressionPool& pool) {
-  std::vector<Eigen::Index> rows;
+// The power of the breaking points that functions of t alone give a row: of a jump, also a declared one, a
+// kink, or the samples of a spline.
+std::optional<double> power_by_time(Expression row, bool has_declared_jumps, const ExpressionPool& pool) {
+  const auto has = [&](bool (*is_one)(const ExpressionPool::Node& node)) {
+    return std::ranges::any_of(pool.arguments({row}, is_one), [&](Expression e) {
+      return pool.depends_on(e, 0) && !pool.depends_on_unknowns(e);
+    });
+  };
+  constexpr double of_spline = 3.0;
+  if (has(jumps) || (has_declared_jumps && pool.depends_on(row, 0))) return 0.0;
+  if (has(has_kink)) return 1.0;
+  if (has([](const ExpressionPool::Node& node) { return node.function != nullptr; })) return of_spline;
+  return std::nullopt;
+}
+
+// The power of t with which y of this row leaves its values before t = 0: 0 where it jumps, 1 where y' does.
+double power_of_departure(Eigen::Index row, const EquationSystem& system, const Smoothness& smoothness,
+                          ExpressionPool& pool) {
+  constexpr double rounding = 1e-12;
+  const auto& initial = system.components[static_cast<std::size_t>(row)].initial;
+  Expression before = system.earlier.before[static_cast<std::size_t>(row)];
+  for (std::size_t k = 0; k < initial.size(); ++k) {
+    const auto at_zero = pool.substituted({before}, [&](int /*t*/) { return pool.number(0); })[0];
+    const auto value = static_cast<double>(pool.value(at_zero).value_or(std::nan("")));
+    if (!(std::abs(value - initial[k]) <= rounding * (1.0 + std::abs(value)))) return static_cast<double>(k);
+    before = pool.derivative(before, 0);
+  }
+  double power = std::numeric_limits<double>::infinity();
+  for (const double p : smoothness.powers[static_cast<std::size_t>(row)]) {
+    const bool is_compared = is_integer_order(p) && p < static_cast<double>(initial.size()) - 0.5;
+    if (!is_compared) power = std::min(power, p);
+  }
+  return power;
+}
+
+// The breaking points of the last rows of chains: those of t alone, and one lag after the start.
+std::vector<BreakingPoint> file_breaking_points(const EquationSystem& system, const Smoothness& smoothness,
+                                                ExpressionPool& pool) {
+  std::vector<BreakingPoint> all;
   for (const auto& unknown : system.unknowns) {
     const auto row = system.rows[unknown.last_row()];
-    const auto switches = pool.arguments({row}, jumps);
-    const bool is_switched = std::ranges::any_of(
-        switches, [&](Expression e) { return pool.depends_on(e, 0) && !pool.depends_on_unknowns(e); });
-    if (is_switched || (!system.jumps.empty() && pool.depends_on(row, 0)))
-      rows.push_back(static_cast<Eigen::Index>(unknown.last_row()));
+    auto power =
+        power_by_time(row, !system.jumps.empty(), pool).value_or(std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; k < system.earlier.values.size(); ++k) {
+      const auto& [of, lag] = system.earlier.values[k];
+      if (lag < system.end && pool.depends_on(row, static_cast<int>(system.size() + k) + 1))
+        power = std::min(power, power_of_departure(of, system, smoothness, pool));
+    }
+    if (std::isfinite(power)) all.push_back({static_cast<Eigen::Index>(unknown.last_row()), power});
   }
-  return rows;
+  return all;
 }
 
 struct OrderedLimit {
@@ -127,7 +166,8 @@ Smoothness file_smoothness(const EquationSystem& system, const Problem& problem,
   auto smoothness = exact_smoothness(start, problem, formulas);
   if (!smoothness) smoothness = series_smoothness(start, problem, pool);
   if (!smoothness) smoothness = starting_powers(start, pool);
-  if (!smoothness->powers.empty()) smoothness->jumps = jumping_rows(start, pool);
+  if (!smoothness->powers.empty())
+    smoothness->breaking_points = file_breaking_points(system, *smoothness, pool);
   return *smoothness;
 }
 

@@ -211,7 +211,8 @@ Smoothness motion_smoothness(const Dynamics& dynamics, const PosedEquations& equ
   for (std::size_t i = 0; i < equations.rows.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     if (equations.rows[i].kind == RowKind::rate) smoothness.unmeasured.push_back(row);
-    if (jumps_in_time(equations.rhs[i], dynamics.algebra().pool())) smoothness.jumps.push_back(row);
+    if (jumps_in_time(equations.rhs[i], dynamics.algebra().pool()))
+      smoothness.breaking_points.push_back({row, 0.0});
   }
   return smoothness;
 }

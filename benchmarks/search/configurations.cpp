@@ -14,7 +14,7 @@ namespace {
 int meeting_jumps(const Problem& problem) {
   constexpr int most = 1000;
   for (int steps = 1; steps <= most; ++steps) {
-    if (has_breaking_points(problem, Grid{problem.end, steps})) return steps;
+    if (has_times(Grid{problem.end, steps}, problem.jump_times)) return steps;
   }
   return 1;
 }

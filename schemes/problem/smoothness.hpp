@@ -10,6 +10,13 @@
 
 namespace fde {
 
+// A breaking point of the right-hand side f of a row at a time t_m > 0: f is smooth but for a term (t -
+// t_m)^power for t > t_m. It jumps where the power is 0, and has a kink where it is 1.
+struct BreakingPoint {
+  Eigen::Index row;
+  double power;
+};
+
 // The expansion of a solution at t = 0, y_i(t) = Taylor part + sum_p c_p t^p with c_p != 0, which determines
 // the rate of every scheme. powers[i] lists the p in increasing order, at least up to order_i + 2; larger
 // ones change no rate. The powers of a right row are those of end - t. Algebraic rows have none: they hold
@@ -17,9 +24,10 @@ namespace fde {
 // the constraint reaction, after integration: the constraint determines the rest.
 struct Smoothness {
   std::vector<std::vector<double>> powers{};
-  std::vector<Eigen::Index> jumps{};       // components whose right-hand side jumps at a grid time t > 0
-  std::vector<Eigen::Index> unmeasured{};  // components that are not measured: their errors in the first
-                                           // steps count only through the other components, after integration
+  std::vector<BreakingPoint> breaking_points{};  // of each row the one of the smallest power
+  // Components that are not measured: their errors in the first steps count only through the other
+  // components, after integration.
+  std::vector<Eigen::Index> unmeasured{};
 };
 
 // Orders and powers closer than this are equal: sums of increments such as 0.1 have rounding errors.

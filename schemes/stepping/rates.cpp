@@ -48,16 +48,46 @@ double smallest_at_first_step(const RateTheory& theory, const Problem& problem, 
   return rate;
 }
 
-// The rate at jumps of f at a time t_m. Interpolation through the mean of both one-sided values has an error
-// O(1) in f, O(h^order) in y at t_(m+1). With order 1, whose kernel is constant, it is of opposite signs in
-// the two steps beside t_m and cancels, but for the O(h) in y at t_m that other rows integrate. If f is
-// evaluated between steps, the row continues like (t - t_m)^order, and rows that depend on it like its
-// fractional integral.
-double smallest_at_jumps(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness) {
+// The rate at a fixed time behind the breaking points of f, which are grid times. A jump is integrated by the
+// mean of both one-sided values like a trapezoid, with an error O(h^2).
+double smallest_behind_breaking_points(const RateTheory& theory, const Problem& problem,
+                                       const Smoothness& smoothness) {
   double rate = exact_power;
-  for (const auto i : smoothness.jumps) {
-    const auto& component = problem.component(i);
+  for (const auto& [row, power] : smoothness.breaking_points) {
+    const double order = problem.component(row).order;
+    if (problem.is_algebraic(row)) continue;
+    const bool is_mean = power == 0.0 && !theory.evaluates_inside_steps;
+    rate = std::min(rate, is_mean ? 2.0 : theory.end(order, order + power));
+  }
+  return rate;
+}
+
+// The rate where breaking points are inside steps, or the scheme does not know them.
+double smallest_inside_steps(const Problem& problem, const Smoothness& smoothness, Norm norm) {
+  double rate = exact_power;
+  for (const auto& [row, power] : smoothness.breaking_points) {
+    if (problem.is_algebraic(row) || norm == Norm::first_step) continue;
+    const double before_end = norm == Norm::maximum ? std::min(1.0, problem.component(row).order) : 1.0;
+    rate = std::min(rate, before_end + power);
+  }
+  return rate;
+}
+
+// The rate next to breaking points of f at a time t_m in the maximum norm. Interpolation through the mean of
+// both one-sided values has an error O(1) in f, O(h^order) in y at t_(m+1). With order 1, whose kernel is
+// constant, it is of opposite signs in the two steps beside t_m and cancels, but for the O(h) in y at t_m
+// that other rows integrate. If f is evaluated between steps, the row continues like (t - t_m)^order, and
+// rows that depend on it like its fractional integral.
+double smallest_at_breaking_points(const RateTheory& theory, const Problem& problem,
+                                   const Smoothness& smoothness) {
+  double rate = exact_power;
+  for (const auto& [row, power] : smoothness.breaking_points) {
+    const auto& component = problem.component(row);
     if (is_algebraic(component)) continue;
+    if (power > 0.0) {
+      rate = std::min(rate, theory.first_step(component.order, component.order + power));
+      continue;
+    }
     if (!theory.evaluates_inside_steps) {
       const bool cancels = component.order == 1.0;
       if (!cancels) rate = std::min(rate, component.order);
@@ -140,11 +170,12 @@ double rate(const RateTheory& theory, const Problem& problem, const Smoothness& 
   for (const auto& component : problem.components) {
     if (!is_algebraic(component)) end = std::min(end, theory.smooth(component.order));
   }
-  // Jumps are at times of the uniform grid; a jump inside a step causes an error O(h).
-  if (grading != 1.0 && !smoothness.jumps.empty()) end = std::min(end, 1.0);
+  end = std::min(end, smallest_behind_breaking_points(theory, problem, smoothness));
+  // Breaking points are times of the uniform grid.
+  if (grading != 1.0) end = std::min(end, smallest_inside_steps(problem, smoothness, norm));
   if (norm == Norm::end) return end;
   if (norm == Norm::first_step) return std::min(end, first_step);
-  return std::min({end, first_step, smallest_at_jumps(theory, problem, smoothness)});
+  return std::min({end, first_step, smallest_at_breaking_points(theory, problem, smoothness)});
 }
 
 double split_rate(const RateTheory& theory, const Problem& problem, const Smoothness& smoothness,
@@ -162,7 +193,7 @@ double split_rate(const RateTheory& theory, const Problem& problem, const Smooth
                                                              smallest_measured_order(problem, smoothness));
   if (norm == Norm::first_step) return first_step;
   return std::min({rate(theory, all, starts, grading, Norm::end), first_step,
-                   smallest_at_jumps(theory, problem, smoothness)});
+                   smallest_at_breaking_points(theory, problem, smoothness)});
 }
 
 ExpectedRate expected_rate(const RateTheory& theory) {
@@ -190,9 +221,9 @@ std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& prob
   return std::min(rate(norm), rate(Norm::end));
 }
 
-bool has_breaking_points(const Problem& problem, const Grid& grid) {
+bool has_times(const Grid& grid, const std::vector<double>& times) {
   constexpr double rounding = 1e-12;
-  return std::ranges::all_of(problem.jump_times, [&](double t) {
+  return std::ranges::all_of(times, [&](double t) {
     return t >= grid.end || std::abs(grid.time(grid.nearest_index(t)) - t) <= rounding * t;
   });
 }
@@ -200,7 +231,9 @@ bool has_breaking_points(const Problem& problem, const Grid& grid) {
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
                                        const Smoothness& smoothness, const Grid& grid, Norm norm) {
   const auto expected = theoretical_rate(scheme, problem, smoothness, grid.grading, norm);
-  return expected && !has_breaking_points(problem, grid) ? std::min(*expected, 1.0) : expected;
+  if (!expected || has_times(grid, breaking_points(problem))) return expected;
+  const double most = has_times(grid, problem.jump_times) ? exact_power : 1.0;
+  return std::min({*expected, most, smallest_inside_steps(problem, smoothness, norm)});
 }
 
 Smoothness generic_smoothness(const Problem& problem) {

@@ -64,10 +64,11 @@ ExpectedRate expected_rate(const RateTheory& theory, OrderSplitting (*splitting)
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
                                        const Smoothness& smoothness, double grading, Norm norm);
 
-// Whether every jump of the right-hand side before the end of the grid is at a grid time, to 1e-12 relative.
-bool has_breaking_points(const Problem& problem, const Grid& grid);
+// Whether all of these times before the end of the grid are grid times, to 1e-12 relative.
+bool has_times(const Grid& grid, const std::vector<double>& times);
 
-// The theoretical rate on this grid: at most 1 where a jump is inside a step.
+// The theoretical rate on this grid: at most 1 where a jump is inside a step, at most 2, and next to it 1 +
+// the order, where a kink is.
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
                                        const Smoothness& smoothness, const Grid& grid, Norm norm);
 

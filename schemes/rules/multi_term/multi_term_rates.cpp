@@ -93,21 +93,24 @@ struct Contributions {
   Problem problem;
   Smoothness smoothness;
 
-  void add(double order, const Powers& powers, bool hidden, bool jumps) {
+  // breaks: the powers of the samples at their breaking points.
+  void add(double order, const Powers& powers, bool hidden, const Powers& breaks) {
     const Eigen::Index row = problem.size();
     problem.components.push_back({order, {}});
     Powers shifted;
     for (const double q : powers) shifted.push_back(q + order);
     smoothness.powers.push_back(shifted);
     if (hidden) smoothness.unmeasured.push_back(row);
-    if (jumps) smoothness.jumps.push_back(row);
+    for (const double power : breaks) smoothness.breaking_points.push_back({row, power});
   }
 };
 
-bool jumps(const Smoothness& smoothness, const Chain& chain) {
-  return std::ranges::any_of(smoothness.jumps, [&](Eigen::Index row) {
-    return row >= chain.first_row() && row < chain.first_row() + chain.size();
-  });
+// Those of the force of the equation.
+Powers breaks_of(const Smoothness& smoothness, const Chain& chain) {
+  Powers powers;
+  for (const auto& [row, power] : smoothness.breaking_points)
+    if (row >= chain.first_row() && row < chain.first_row() + chain.size()) powers.push_back(power);
+  return powers;
 }
 
 // The contributions of the samples of every sum: D^v d in a sum of the order L - a of the largest term, and g
@@ -127,8 +130,8 @@ Contributions of_samples(const Problem& problem, const Smoothness& smoothness) {
       const bool hidden = listed(smoothness.unmeasured, row);
       if (hidden && !listed(read, row)) continue;  // nothing depends on it
       const Powers own = without_taylor(powers_of(smoothness, row), chain, node);
-      if (!terms.empty()) all.add(leading - terms.back().order, own, hidden, false);
-      all.add(leading - node, of_force, hidden, jumps(smoothness, chain));
+      if (!terms.empty()) all.add(leading - terms.back().order, own, hidden, {});
+      all.add(leading - node, of_force, hidden, breaks_of(smoothness, chain));
     }
   }
   return all;
@@ -158,7 +161,7 @@ double multi_term_grunwald_letnikov_rate(const Problem& problem, const Smoothnes
       const auto row = chain.first_row() + i;
       Powers powers = without_taylor(powers_of(smoothness, row), chain, node);
       for (double& q : powers) q -= order;
-      all.add(order, powers, listed(smoothness.unmeasured, row), jumps(smoothness, chain));
+      all.add(order, powers, listed(smoothness.unmeasured, row), breaks_of(smoothness, chain));
     }
   }
   return rate(grunwald_letnikov_theory, all.problem, all.smoothness, grading, norm);

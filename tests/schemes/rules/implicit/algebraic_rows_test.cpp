@@ -58,7 +58,7 @@ TEST_P(AlgebraicRows, LeaveTheRateAsItIs) {
                           f[0] = 2.0 / std::tgamma(2.4) * std::pow(t, 1.4) + 1.0 + t - y[1];
                           f[1] = y[1] * y[1] - y[0] - 1.0 - 2.0 * t;
                         }};
-  const Smoothness smoothness{.powers = {{2.0}, {}}, .jumps = {1}};
+  const Smoothness smoothness{.powers = {{2.0}, {}}, .breaking_points = {{1, 0.0}}};
   const auto theory = [&](Norm norm) { return GetParam()->expected_rate(problem, smoothness, 1.0, norm); };
   std::vector<ErrorSample> of_y, of_z;
   for (int steps = 128; steps <= 2048; steps *= 2) {
