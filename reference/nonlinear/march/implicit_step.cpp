@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/nonlinear/march/implicit_step.hpp"
 
+#include <Eigen/LU>
+#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace fde::reference {
@@ -16,35 +19,74 @@ Vec masses(const Problem& problem) {
   return mass;
 }
 
-Matrix newton_matrix(const Vec& mass, const std::vector<Matrix>& weights,
-                     const std::vector<Matrix>& jacobians) {
-  const auto nodes = std::ssize(jacobians), size = std::ssize(weights);
-  Matrix matrix = Matrix::Zero(nodes * size, nodes * size);
-  for (Eigen::Index i = 0; i < size; ++i) matrix.diagonal().segment(i * nodes, nodes).setConstant(mass[i]);
-  for (Eigen::Index k = 0; k < nodes; ++k) {
-    const Matrix& jacobian = jacobians[static_cast<std::size_t>(k)];
-    for (Eigen::Index i = 0; i < size; ++i) {
-      for (Eigen::Index l = 0; l < size; ++l) {
-        if (jacobian(i, l) != 0.0) {
-          matrix.block(i * nodes, l * nodes + k, nodes, 1) -=
-              jacobian(i, l) * weights[static_cast<std::size_t>(i)].col(k);
+// Calls entry(row, column, value) for the entries of mass - W df/dy that are not 0 by the structure of df/dy,
+// column by column.
+template <class Entry>
+void for_each_entry(const LinearisedStep& step, const std::vector<Matrix>& weights, const Entry& entry) {
+  const auto nodes = std::ssize(step.jacobians), size = step.mass.size();
+  for (Eigen::Index l = 0; l < size; ++l) {
+    for (Eigen::Index k = 0; k < nodes; ++k) {
+      const auto column = step.jacobians[static_cast<std::size_t>(k)].col(l);
+      for (Eigen::Index i = 0; i < size; ++i) {
+        if (column[i] == 0.0 && i != l) continue;
+        const auto weight = weights[static_cast<std::size_t>(i)].col(k);
+        for (Eigen::Index m = 0; m < nodes; ++m) {
+          const double mass = i == l && m == k ? step.mass[i] : 0.0;
+          entry(i * nodes + m, l * nodes + k, mass - column[i] * weight[m]);
         }
       }
     }
   }
-  return matrix;
+}
+
+// The largest number of entries of df/dy that are not 0, over all nodes.
+Eigen::Index couplings(const std::vector<Matrix>& jacobians) {
+  Eigen::Index most = 0;
+  for (const Matrix& jacobian : jacobians) most = std::max(most, (jacobian.array() != 0.0).count());
+  return most;
+}
+
+std::function<Vec(const Vec&)> dense_inverse(const LinearisedStep& step, const std::vector<Matrix>& weights) {
+  const auto unknowns = std::ssize(step.jacobians) * step.mass.size();
+  Matrix matrix = Matrix::Zero(unknowns, unknowns);
+  for_each_entry(step, weights, [&](auto row, auto column, double value) { matrix(row, column) = value; });
+  return [lu = Eigen::PartialPivLU<Matrix>(std::move(matrix))](const Vec& right) -> Vec {
+    return lu.solve(right);
+  };
+}
+
+std::function<Vec(const Vec&)> sparse_inverse(const LinearisedStep& step,
+                                              const std::vector<Matrix>& weights) {
+  const auto nodes = std::ssize(step.jacobians), unknowns = nodes * step.mass.size();
+  Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
+  matrix.reserve((couplings(step.jacobians) + step.mass.size()) * nodes * nodes);
+  Eigen::Index begun = -1;
+  for_each_entry(step, weights, [&](auto row, auto column, double value) {
+    for (; begun < column; ++begun) matrix.startVec(begun + 1);
+    matrix.insertBack(row, column) = value;
+  });
+  matrix.finalize();
+  const auto lu = std::make_shared<Eigen::SparseLU<Eigen::SparseMatrix<double>>>(matrix);
+  if (lu->info() != Eigen::Success) {
+    return [](const Vec& right) -> Vec {
+      return Vec::Constant(right.size(), std::numeric_limits<double>::quiet_NaN());
+    };
+  }
+  return [lu](const Vec& right) -> Vec { return lu->solve(right); };
 }
 
 }  // namespace
 
 LinearisedStep::LinearisedStep(const Problem& problem, const std::vector<Matrix>& weights,
                                std::vector<Matrix> of_nodes)
-    : jacobians(std::move(of_nodes)),
-      newton(newton_matrix(masses(problem), weights, jacobians)),
-      mass(masses(problem)) {}
+    : jacobians(std::move(of_nodes)), mass(masses(problem)) {
+  constexpr Eigen::Index many = 10;  // components, from which on elimination of sparse matrices is quicker
+  const bool is_sparse = mass.size() >= many && 4 * couplings(jacobians) < mass.size() * mass.size();
+  inverse = is_sparse ? sparse_inverse(*this, weights) : dense_inverse(*this, weights);
+}
 
 Matrix LinearisedStep::solve(const Matrix& residual) const {
-  return newton.solve(residual.reshaped()).reshaped(residual.rows(), residual.cols());
+  return inverse(residual.reshaped()).reshaped(residual.rows(), residual.cols());
 }
 
 Matrix LinearisedStep::terms_of(const Matrix& y_size) const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/LU>
 #include <functional>
 #include <vector>
 
@@ -18,11 +17,11 @@ struct LinearisedStep {
   // weights: W_i for each component, the identity for algebraic rows; of_nodes: df/dy at each node.
   LinearisedStep(const Problem& problem, const std::vector<Matrix>& weights, std::vector<Matrix> of_nodes);
 
-  std::vector<Matrix> jacobians{};       // df/dy at each node
-  Eigen::PartialPivLU<Matrix> newton{};  // of mass - W df/dy
-  Vec mass{};                            // one number per component: 1, or 0 for algebraic rows
+  std::vector<Matrix> jacobians{};         // df/dy at each node
+  Vec mass{};                              // one number per component: 1, or 0 for algebraic rows
+  std::function<Vec(const Vec&)> inverse;  // of mass - W df/dy
 
-  // The Newton correction of y for a residual.
+  // The Newton correction of y for a residual; not finite where the matrix is singular.
   [[nodiscard]] Matrix solve(const Matrix& residual) const;
   // The sum |df/dy| y_size: the size of f if all its terms had the same sign.
   [[nodiscard]] Matrix terms_of(const Matrix& y_size) const;
