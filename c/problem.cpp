@@ -11,6 +11,8 @@
 namespace fde::bench::c {
 namespace {
 
+using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 std::function<void(double, In, Out)> called(fdebench_function f, void* user) {
   return [f, user](double t, In y, Out result) {
     if (const int code = f(t, y.data(), result.data(), user); code != 0) throw CallbackStop("f", t, code);
@@ -20,11 +22,34 @@ std::function<void(double, In, Out)> called(fdebench_function f, void* user) {
 Derivatives derivatives_of(fdebench_function jacobian, void* user) {
   if (jacobian == nullptr) return NoDerivatives{};
   return DenseJacobian{[jacobian, user](double t, In y, OutMatrix result) {
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> by_rows(y.size(), y.size());
+    ByRows by_rows(y.size(), y.size());
     if (const int code = jacobian(t, y.data(), by_rows.data(), user); code != 0)
       throw CallbackStop("jacobian", t, code);
     result = by_rows;
   }};
+}
+
+Past called_before(int (*before)(double, double*, void*), void* user) {
+  return [before, user](double t, Out y) {
+    if (const int code = before(t, y.data(), user); code != 0) throw CallbackStop("before", t, code);
+  };
+}
+
+DelayedFunction called(fdebench_delayed_function f, void* user) {
+  return [f, user](double t, In y, const Matrix& past, Out result) {
+    if (const int code = f(t, y.data(), past.data(), result.data(), user); code != 0)
+      throw CallbackStop("f", t, code);
+  };
+}
+
+DelayedJacobian jacobian_of(fdebench_delayed_function jacobian, void* user) {
+  if (jacobian == nullptr) return {};
+  return [jacobian, user](double t, In y, const Matrix& past, OutMatrix result) {
+    ByRows by_rows(y.size(), y.size());
+    if (const int code = jacobian(t, y.data(), past.data(), by_rows.data(), user); code != 0)
+      throw CallbackStop("jacobian", t, code);
+    result = by_rows;
+  };
 }
 
 // The components; `initial` has their initial values one after the other.
@@ -111,6 +136,21 @@ int fdebench_problem_set_jumps(fdebench_problem* problem, size_t count, const do
     require_count("count", count, 0, most_entries);
     posed.jump_times.clear();
     if (count > 0) posed.jump_times.assign(&given("times", times, "the times of the jumps"), times + count);
+  });
+}
+
+int fdebench_problem_set_delays(fdebench_problem* problem, size_t count, const double* delays,
+                                fdebench_delayed_function f, fdebench_delayed_function jacobian,
+                                int (*before)(double, double*, void*)) {
+  return changed(problem, [&](const auto& handle, auto& posed, auto& /*names*/) {
+    require_count("count", count, 1, most_entries);
+    given("delays", delays, "the delays");
+    if (f == nullptr) throw std::invalid_argument("f = NULL: must be a function");
+    if (before == nullptr) throw std::invalid_argument("before = NULL: must be a function");
+    posed.delays = own_delays({delays, delays + count}, called_before(before, handle.user),
+                              called(f, handle.user), jacobian_of(jacobian, handle.user));
+    posed.rhs = {};
+    posed.derivatives = fde::NoDerivatives{};
   });
 }
 

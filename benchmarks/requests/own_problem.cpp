@@ -44,6 +44,12 @@ void require_positive(const std::string& name, double value) {
   if (!(value > 0.0 && std::isfinite(value))) reject_own(name, fmt::format("{}", value), "a number above 0");
 }
 
+void require_increasing(const std::string& name, const std::vector<double>& times) {
+  for (const double time : times) require_positive(name, time);
+  if (std::ranges::adjacent_find(times, std::greater_equal<>()) != times.end())
+    reject_own(name, fmt::format("[{}]", fmt::join(times, ", ")), "increasing");
+}
+
 void require_component(const Component& row, std::size_t place) {
   require_order(row.order);
   const auto count = initial_count(row.order);
@@ -66,9 +72,15 @@ void require_posed(const Problem& problem, const std::vector<std::string>& names
   };
   if (!std::ranges::all_of(names, is_column))
     throw std::invalid_argument("names: must be texts that print, without a comma");
-  for (const double time : problem.jump_times) require_positive("jumps", time);
-  if (std::ranges::adjacent_find(problem.jump_times, std::greater_equal<>()) != problem.jump_times.end())
-    reject_own("jumps", fmt::format("[{}]", fmt::join(problem.jump_times, ", ")), "increasing");
+  require_increasing("jumps", problem.jump_times);
+  require_increasing("delays", problem.delays.lags);
+}
+
+// y at t - lags[k] in column k.
+Matrix earlier_values(double t, Eigen::Index size, const std::vector<double>& lags, const Past& past) {
+  Matrix values(size, std::ssize(lags));
+  for (Eigen::Index k = 0; k < values.cols(); ++k) past(t - lags[static_cast<std::size_t>(k)], values.col(k));
+  return values;
 }
 
 }  // namespace
@@ -87,6 +99,20 @@ Scene own_scene(const Problem& problem, const std::vector<std::string>& names) {
     return reference->at(t);
   };
   return scene;
+}
+
+Delays own_delays(const std::vector<double>& lags, const Past& before, const DelayedFunction& f,
+                  const DelayedJacobian& jacobian) {
+  Delays delays{.lags = lags, .before = before};
+  delays.rhs = [lags, f](double t, In y, const Past& past, Out values) {
+    f(t, y, earlier_values(t, y.size(), lags, past), values);
+  };
+  if (jacobian) {
+    delays.jacobian = [lags, jacobian](double t, In y, const Past& past, OutMatrix values) {
+      jacobian(t, y, earlier_values(t, y.size(), lags, past), values);
+    };
+  }
+  return delays;
 }
 
 std::vector<std::string> usual_names(std::size_t count) {

@@ -78,39 +78,58 @@ Numbers reals_of(const py::object& result, const std::string& name, const std::s
   return numbers;
 }
 
-Numbers call(const py::object& function, const char* name, double t, In y,
-             const std::vector<py::ssize_t>& shape) {
-  const py::object result = function(t, py::array_t<double>(y.size(), y.data()));
-  return reals_of(result, name, fmt::format(" at t = {:.6g}", t), shape);
+// Writes what function(t, arrays...) returns, numbers of this shape, to `result`.
+void call(const SharedObject& function, const char* name, double t, const std::vector<py::ssize_t>& shape,
+          auto result, const auto&... arrays) {
+  using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const py::gil_scoped_acquire lock;
+  const py::object returned = (*function)(t, array_of(arrays)...);
+  const Numbers numbers = reals_of(returned, name, fmt::format(" at t = {:.6g}", t), shape);
+  result = Eigen::Map<const ByRows>(numbers.data(), result.rows(), result.cols());
 }
 
 std::function<void(double, In, Out)> rhs_of(const py::object& function) {
-  return [function = shared(function)](double t, In y, Out f) {
-    const py::gil_scoped_acquire lock;
-    const Numbers numbers = call(*function, "rhs", t, y, {y.size()});
-    f = Eigen::Map<const Vec>(numbers.data(), y.size());
-  };
+  return [function = shared(function)](double t, In y, Out f) { call(function, "rhs", t, {y.size()}, f, y); };
 }
 
 DenseJacobian jacobian_of(const py::object& function) {
   return {[function = shared(function)](double t, In y, OutMatrix jacobian) {
-    using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const py::gil_scoped_acquire lock;
-    const Numbers numbers = call(*function, "jacobian", t, y, {y.size(), y.size()});
-    jacobian = Eigen::Map<const ByRows>(numbers.data(), y.size(), y.size());
+    call(function, "jacobian", t, {y.size(), y.size()}, jacobian, y);
   }};
+}
+
+// The functions get y(t - lags[k]) in row k of an array.
+Delays delays_of(const std::vector<double>& lags, const py::object& before, const py::object& rhs,
+                 const py::object& jacobian) {
+  DelayedJacobian slopes;
+  if (!jacobian.is_none()) {
+    slopes = [function = shared(jacobian)](double t, In y, const Matrix& past, OutMatrix values) {
+      call(function, "jacobian", t, {y.size(), y.size()}, values, y, past);
+    };
+  }
+  return own_delays(
+      lags, [function = shared(before)](double t, Out y) { call(function, "before", t, {y.size()}, y); },
+      [function = shared(rhs)](double t, In y, const Matrix& past, Out f) {
+        call(function, "rhs", t, {y.size()}, f, y, past);
+      },
+      slopes);
 }
 
 }  // namespace
 
 Scene python_scene(const std::vector<double>& orders, const std::vector<std::vector<double>>& initial,
                    const py::object& rhs, double end, const py::object& jacobian,
-                   const std::vector<std::string>& names, const std::vector<double>& jumps) {
+                   const std::vector<std::string>& names, const std::vector<double>& jumps,
+                   const std::vector<double>& delays, const py::object& before) {
   Problem problem;
   for (std::size_t i = 0; i < orders.size(); ++i)
     problem.components.push_back({.order = orders[i], .initial = initial[i]});
-  problem.rhs = rhs_of(rhs);
-  if (!jacobian.is_none()) problem.derivatives = jacobian_of(jacobian);
+  if (delays.empty()) {
+    problem.rhs = rhs_of(rhs);
+    if (!jacobian.is_none()) problem.derivatives = jacobian_of(jacobian);
+  } else {
+    problem.delays = delays_of(delays, before, rhs, jacobian);
+  }
   problem.end = end;
   problem.jump_times = jumps;
   return own_scene(problem, names);
@@ -132,6 +151,8 @@ std::unique_ptr<OwnScheme> python_scheme(const std::string& id, const py::object
 py::array_t<double> array_of(const Rows& values) {
   return py::array_t<double>({values.cols(), values.rows()}, values.data());
 }
+
+py::array_t<double> array_of(In y) { return py::array_t<double>(y.size(), y.data()); }
 
 OwnMeasure python_measure(const std::string& id, const py::object& value) {
   return {id,

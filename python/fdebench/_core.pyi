@@ -7,8 +7,6 @@ from typing import Any
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
-Rhs = Callable[[float, NDArray[numpy.float64]], ArrayLike]
-
 States = Callable[["PosedProblem", NDArray[numpy.float64]], ArrayLike]
 
 Value = Callable[[NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.float64] | None], float | None]
@@ -24,11 +22,13 @@ class Problem:
         self,
         orders: Sequence[float],
         initial: Sequence[Sequence[float]],
-        rhs: Rhs,
+        rhs: Callable[..., ArrayLike],
         end: float,
-        jacobian: Rhs | None,
+        jacobian: Callable[..., ArrayLike] | None,
         names: Sequence[str],
         jumps: Sequence[float],
+        delays: Sequence[float],
+        before: Callable[[float], ArrayLike] | None,
     ) -> None: ...
 
 def version() -> str: ...

@@ -134,6 +134,7 @@ class Scene(_Posed):
 
 
 Rhs = Callable[[float, NDArray[numpy.float64]], ArrayLike]
+DelayedRhs = Callable[[float, NDArray[numpy.float64], NDArray[numpy.float64]], ArrayLike]
 
 
 class Problem(_Posed):
@@ -147,6 +148,12 @@ class Problem(_Posed):
     ``jacobian``, if given, returns the matrix of their derivatives, row i those of rhs[i]: without it implicit schemes take
     differences. ``jumps`` are times at which rhs jumps.
 
+    ``delays``, increasing, give rhs and jacobian a third argument ``past``, an array whose row k is y(t - delays[k]); ``before`` is a
+    function of t with y(t) for t < 0.
+
+    >>> Problem(orders=[0.8], initial=[1.0], rhs=lambda t, y, past: -past[0], end=3.0, delays=[1.0], before=lambda t: [1.0])
+    Problem(orders=[0.8], end=3.0)
+
     ``exact`` and ``choose`` compute a reference by two methods that share nothing; it is kept with the problem. Raises ValueError
     and TypeError naming the argument, its value and what is allowed; exceptions of ``rhs`` pass through a solve.
     """
@@ -155,12 +162,14 @@ class Problem(_Posed):
         self,
         orders: Sequence[float],
         initial: Sequence[float | Sequence[float]],
-        rhs: Rhs,
+        rhs: Rhs | DelayedRhs,
         end: float,
         *,
-        jacobian: Rhs | None = None,
+        jacobian: Rhs | DelayedRhs | None = None,
         names: Sequence[str] | None = None,
         jumps: Sequence[float] = (),
+        delays: Sequence[float] = (),
+        before: Callable[[float], ArrayLike] | None = None,
     ):
         self._orders = [_order(order) for order in _listed("orders", orders)]
         initial = _listed("initial", initial)
@@ -171,13 +180,14 @@ class Problem(_Posed):
         self._columns = _listed("names", names) if names is not None else _usual_names(len(self._orders))
         if len(set(self._columns)) != len(self._orders) or not all(isinstance(name, str) for name in self._columns):
             raise ValueError(f"names = {self._columns}: must be {len(self._orders)} different names")
-        times = [_positive("jumps", time) for time in _listed("jumps", jumps)]
-        if times != sorted(set(times)):
-            raise ValueError(f"jumps = {times}: must increase")
+        times, lags = _increasing("jumps", jumps), _increasing("delays", delays)
+        arguments = "t, y and past" if lags else "t and y"
         for name, function in {"rhs": rhs, "jacobian": jacobian}.items():
             if not callable(function) and (name == "rhs" or function is not None):
-                raise ValueError(f"{name} = {function!r}: must be a function of t and y")
-        self._posed = ("", [], _core.Problem(self._orders, values, rhs, self._end, jacobian, self._columns, times))
+                raise ValueError(f"{name} = {function!r}: must be a function of {arguments}")
+        if callable(before) != bool(lags):
+            raise ValueError(f"before = {before!r}: must be {'a function of t' if lags else 'None without delays'}")
+        self._posed = ("", [], _core.Problem(self._orders, values, rhs, self._end, jacobian, self._columns, times, lags, before))
 
     def __repr__(self) -> str:
         return f"Problem(orders={self._orders}, end={self._end})"
@@ -201,6 +211,13 @@ def _positive(name: str, value: float) -> float:
     if not (_real(name, value) > 0.0 and math.isfinite(value)):
         raise ValueError(f"{name} = {value}: must be a number above 0")
     return float(value)
+
+
+def _increasing(name: str, given: Sequence[float]) -> list[float]:
+    times = [_positive(name, time) for time in _listed(name, given)]
+    if times != sorted(set(times)):
+        raise ValueError(f"{name} = {times}: must increase")
+    return times
 
 
 def _usual_names(count: int) -> list[str]:

@@ -11,6 +11,13 @@ static int zero(double t, const double* y, double* f, void* user) {
   return 0;
 }
 
+static int delayed(double t, const double* y, const double* past, double* f, void* user) {
+  (void)past;
+  return zero(t, y, f, user);
+}
+
+static int before(double t, double* y, void* user) { return zero(t, y, y, user); }
+
 static const double half = 0.5, one = 1.0, not_a_number = NAN, minus = -1.0;
 
 static void test_problem(void) {
@@ -64,6 +71,13 @@ static void test_problem(void) {
     REJECTS(fdebench_problem_set_jumps(p, 2, falling), "jumps = [0.5, 0.25]: must be increasing");
   }
   DONE(fdebench_problem_set_jumps(p, 0, NULL));
+  REJECTS(fdebench_problem_set_delays(NULL, 1, &half, delayed, NULL, before), "problem = NULL: must be ");
+  REJECTS(fdebench_problem_set_delays(p, 0, &half, delayed, NULL, before), "count = 0: must be in [1, ");
+  REJECTS(fdebench_problem_set_delays(p, 1, NULL, delayed, NULL, before), "delays = NULL: must be ");
+  REJECTS(fdebench_problem_set_delays(p, 1, &minus, delayed, NULL, before),
+          "delays = -1: must be a number above 0");
+  REJECTS(fdebench_problem_set_delays(p, 1, &half, NULL, NULL, before), "f = NULL: must be a function");
+  REJECTS(fdebench_problem_set_delays(p, 1, &half, delayed, NULL, NULL), "before = NULL: must be a function");
   REJECTS(fdebench_problem_size(NULL, &n, &m), "problem = NULL: must be ");
   REJECTS(fdebench_problem_size(p, NULL, &m), "unknowns = NULL: must be ");
   REJECTS(fdebench_problem_size(p, &n, NULL), "columns = NULL: must be ");

@@ -12,21 +12,28 @@ import sys
 from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_longlong, c_size_t, c_void_p
 
 STATUSES = {0, 2, 3, 4, 5}  # 6 is an error of fdebench
-CALLBACK = ctypes.CFUNCTYPE(c_int, c_double, POINTER(c_double), POINTER(c_double), c_void_p)
+NUMBERS = POINTER(c_double)
+# By their kinds: f(t, y, f, user), f(t, y, past, f, user), before(t, y, user).
+CALLBACKS = {
+    "function": ctypes.CFUNCTYPE(c_int, c_double, NUMBERS, NUMBERS, c_void_p),
+    "delayed": ctypes.CFUNCTYPE(c_int, c_double, NUMBERS, NUMBERS, NUMBERS, c_void_p),
+    "before": ctypes.CFUNCTYPE(c_int, c_double, NUMBERS, c_void_p),
+}
 REALS = [0.5, 1.0, 0.0, -1.0, 2.0, 1.5, 3.0, 1e-300, 1e300, math.inf, -math.inf, math.nan]
 TEXTS = [None, b"", b"steps", b"at", b"l1", b"bdf2", b"grid", b"uniform", b"graded:2", b"1e-3", b"relaxation", b"scheme", b"seconds",
          b"relaxation:gamma=0.7", b"relaxation:gamma=9", b"pendulum:until=1", b"\xff\xfe", b"--json", b"a" * 5000, b"-1", b"nan", b"1,2,,"]
 SIZES = [0, 1, 2, 3]
 
 
-def callback(random_source):
+def callback(random_source, kind):
     code = random_source.choice([0, 0, 0, 1, -5])
 
-    def f(_t, y, into, _user):
+    def f(_t, *arrays):
+        y, into = arrays[0], arrays[-2]
         into[0] = random_source.choice([-y[0], 1.0, math.nan]) if code else -y[0]
         return code
 
-    return CALLBACK(f)
+    return CALLBACKS[kind](f)
 
 
 class Caller:
@@ -53,8 +60,8 @@ class Caller:
             return c_size_t(choose(SIZES))
         if kind == "integer":
             return c_longlong(choose([0, 1, 8, 64, -1, -(2**63), 2**63 - 1]))
-        if kind == "function":
-            made = callback(self.source)
+        if kind in CALLBACKS:
+            made = callback(self.source, kind)
             return choose([ctypes.cast(made, c_void_p), ctypes.cast(made, c_void_p), None]) if self.kept.append(made) is None else None
         if kind == "memory":
             return choose([None, *[ctypes.create_string_buffer(64)] * 4])
@@ -84,6 +91,7 @@ CALLS = {
     "problem_set_jacobian": ["problem", "function"],
     "problem_set_names": ["problem", "size", "texts"],
     "problem_set_jumps": ["problem", "size", "reals"],
+    "problem_set_delays": ["problem", "size", "reals", "delayed", "delayed", "before"],
     "problem_size": ["problem", "memory", "memory"],
     "problem_name": ["problem", "size", "memory"],
     "problem_order": ["problem", "size", "memory"],

@@ -282,10 +282,58 @@ static void test_mittag_leffler(void) {
           "mittag_leffler: alpha = 6 has to be in (0, 5]");
 }
 
+/* D^0.8 y(t) = -1.5 y(t - 1), y = 1 up to t = 0: the delayed Mittag-Leffler function
+ * sum over k < t + 1 of (-1.5)^k (t - k + 1)^(0.8 k) / Gamma(0.8 k + 1). */
+static int delayed(double t, const double* y, const double* past, double* f, void* user) {
+  (void)t, (void)y, (void)user;
+  f[0] = -1.5 * past[0];
+  return 0;
+}
+
+static int no_slope(double t, const double* y, const double* past, double* df, void* user) {
+  (void)t, (void)y, (void)past, (void)user;
+  df[0] = 0;
+  return 0;
+}
+
+static int one(double t, double* y, void* user) {
+  (void)t, (void)user;
+  y[0] = 1;
+  return 0;
+}
+
+static void test_delay(void) {
+  const double order = 0.8, initial = 1.0, delays[1] = {1.0}, end = 3.0;
+  struct equation unused = {.rate = 0.0};
+  fdebench_problem* problem = NULL;
+  fdebench_options* options = NULL;
+  fdebench_table* table = NULL;
+  double y, bound, right = 0.0;
+  for (int k = 0; k < 4; ++k) right += pow(-1.5, k) * pow(4.0 - k, 0.8 * k) / tgamma(0.8 * k + 1);
+  DONE(fdebench_problem_new(1, &order, 1, &initial, end, right_hand_side, &unused, &problem));
+  DONE(fdebench_problem_set_delays(problem, 1, delays, delayed, no_slope, one));
+  DONE(fdebench_options_new(&options));
+  DONE(fdebench_options_set_real(options, "accuracy", 1e-9));
+  DONE(fdebench_options_set_reals(options, "at", 1, &end));
+  DONE(fdebench_solve(problem, "spectral_collocation", options, &table));
+  DONE(fdebench_table_values(table, &y, 1));
+  NEAR(y, right, 2e-8);
+  fdebench_table_free(table);
+  DONE(fdebench_exact(problem, 1, &end, &table));
+  DONE(fdebench_table_values(table, &y, 1));
+  DONE(fdebench_table_bounds(table, &bound, 1));
+  NEAR(y, right, bound + 1e-15);
+  CHECK(bound < 1e-11 && unused.calls == 0);
+  fdebench_table_free(table);
+  fdebench_options_free(options);
+  fdebench_problem_free(problem);
+}
+
 int main(void) {
   test_relaxation();
   test_tanh();
   test_rows();
+  test_delay();
   test_stop();
   test_failure();
   test_choose();

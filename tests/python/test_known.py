@@ -4,6 +4,7 @@
 import json
 import math
 import subprocess
+from pathlib import Path
 
 import mpmath
 import numpy
@@ -100,6 +101,27 @@ def test_choose_answers_for_a_problem_of_ones_own():
         solution = fdebench.solve(problem, chosen["scheme"], accuracy=chosen["asked"])
     assert abs(solution["y"][-1] - math.e * math.erfc(1)) <= 1e-3
     assert chosen["command"] is None
+
+
+@pytest.mark.parametrize("file", sorted((Path(__file__).parents[2] / "docs/examples/kinds").glob("*.toml")), ids=lambda file: file.stem)
+def test_every_kind_of_equation_is_solved_and_known(file):
+    scene = fdebench.Scene(file)
+    known = fdebench.exact(scene, scene.end)
+    solution = fdebench.solve(scene, "radau_exponentials", accuracy=1e-6, at=[scene.end])
+    assert abs(solution[scene.columns[0]][-1] - known[scene.columns[0]][-1]) <= 1e-4
+
+
+def test_a_problem_of_ones_own_may_have_delays():
+    """D^0.8 y(t) = -1.5 y(t - 1), y = 1 up to 0: sum over k < t + 1 of (-1.5)^k (t - k + 1)^(0.8 k) / Gamma(0.8 k + 1)."""
+    problem = fdebench.Problem(
+        [0.8], [1.0], lambda t, y, past: -1.5 * past[0], 3.0, delays=[1.0], before=lambda t: [1.0],
+        jacobian=lambda t, y, past: [[0.0 * past[0, 0]]],
+    )
+    right = sum((-1.5) ** k * (4 - k) ** (0.8 * k) / math.gamma(0.8 * k + 1) for k in range(4))
+    known = fdebench.exact(problem, 3.0)
+    assert abs(known["y"][0] - right) <= known.bounds["y"][0] + 1e-15 < 1e-11
+    assert abs(fdebench.solve(problem, "bdf2", 512)["y"][-1] - right) < 1e-4
+    assert fdebench.choose(problem, 1e-3, norm="end", seconds=10)["error"] <= 1e-3
 
 
 def test_what_cannot_be_known_is_a_numerical_failure():
