@@ -7,7 +7,7 @@ namespace fde::reference {
 
 Reference with_difference(Reference one, Reference other) {
   if (!one.at || !other.at) return {};
-  Reference both{.at = {}, .evidence = one.evidence, .seconds = one.seconds};
+  Reference both{.at = {}, .evidence = one.evidence, .seconds = one.seconds, .zeros = one.zeros};
   if (both.seconds && other.seconds) *both.seconds += *other.seconds;
   both.at = [one = std::move(one.at), other = std::move(other.at)](double t) -> ReferenceValue {
     auto [value, bound] = one(t);

@@ -69,6 +69,25 @@ Outputs singular_outputs(const std::vector<SystemColumn>& columns, FileFormulas&
   return names.empty() ? Outputs{} : Outputs{names, program_of(values, columns, formulas)};
 }
 
+// The transfer functions of the unknowns that states stand for.
+std::vector<TransferFunction> transfers_of(FileFormulas& formulas) {
+  const auto numbers = [&](const std::vector<TermText>& terms) {
+    std::vector<TransferFunction::Term> sum;
+    for (const auto& [coefficient, order] : terms) {
+      sum.push_back({formulas.constant(coefficient, "coefficient", any_number),
+                     formulas.constant(order, "order", any_number)});
+    }
+    return sum;
+  };
+  std::vector<TransferFunction> all;
+  for (const auto& output : formulas.text().outputs) {
+    if (output.weighted || output.of_time) continue;
+    const auto state = std::ranges::find(formulas.text().unknowns, output.state, &UnknownText::name);
+    all.push_back({output.name, numbers(output.terms), numbers(state->terms)});
+  }
+  return all;
+}
+
 Energy energy_of(const EnergyText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
   Energy energy{.value = [program = program_of({text.value}, columns, formulas, false)](In c) {
     return program(0.0, c);
@@ -235,6 +254,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   if (!scene.reference.at && scene.problem.resets.empty())
     scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
   scene.singular = singular_outputs(columns, formulas);
+  scene.transfers = transfers_of(formulas);
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
   for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
   if (const auto& f = text.constraints; !f.empty())

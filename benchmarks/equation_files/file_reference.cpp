@@ -133,7 +133,7 @@ reference::Reference formulas_of(const reference::Reference& rows, const Columns
     }
     return result;
   };
-  return {.at = at, .evidence = rows.evidence};
+  return {.at = at, .evidence = rows.evidence, .zeros = rows.zeros};
 }
 
 std::string without_blanks(std::string text) {

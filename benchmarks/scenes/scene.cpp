@@ -147,4 +147,14 @@ Vec propagated_bound(const Outputs& outputs, double t, const reference::Referenc
   return bound;
 }
 
+std::complex<double> frequency_response(const TransferFunction& transfer, double frequency) {
+  const std::complex<double> log_s(std::log(frequency), 0.5 * std::numbers::pi);
+  const auto sum = [&](const std::vector<TransferFunction::Term>& terms) {
+    std::complex<double> value;
+    for (const auto& [coefficient, order] : terms) value += coefficient * std::exp(order * log_s);
+    return value;
+  };
+  return sum(transfer.numerator) / sum(transfer.denominator);
+}
+
 }  // namespace fde::bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <complex>
 #include <functional>
 #include <optional>
 #include <string>
@@ -113,6 +114,19 @@ struct SceneEvent {
   bool terminal = false;  // whether a zero ends the solve, as Event::terminal
 };
 
+// The transfer function G(s) = sum c s^q / sum c s^q of an unknown, from its input.
+struct TransferFunction {
+  struct Term {
+    double coefficient, order;
+  };
+  std::string name{};  // of the unknown
+  std::vector<Term> numerator{}, denominator{};
+};
+
+// G(i frequency): sin(frequency t) as input leaves |G| sin(frequency t + arg G) in the long run, if G is
+// stable. Precondition: frequency > 0.
+std::complex<double> frequency_response(const TransferFunction& transfer, double frequency);
+
 // A problem and its output columns.
 struct PosedProblem {
   Problem problem{};
@@ -149,6 +163,7 @@ struct Scene {
   // Functions of t and the columns that are infinite at t = 0: printed beside the columns, whose errors are
   // theirs.
   Outputs singular{};
+  std::vector<TransferFunction> transfers{};
   Energy energy{};
   Constraint constraint{};
   std::vector<MemoryColumn> memory_columns{};  // columns that the drift measure recomputes independently

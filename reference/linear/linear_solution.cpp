@@ -201,8 +201,10 @@ Reference linear_reference(const Evaluation& evaluation) {
   return reference;
 }
 
-Reference linear_reference(const char* name, std::function<LinearTransform()> transform) {
-  return linear_reference(linear_evaluation(name, std::move(transform)));
+Reference linear_reference(const char* name, const std::function<LinearTransform()>& transform) {
+  Reference reference = linear_reference(linear_evaluation(name, transform));
+  reference.zeros = [transform] { return characteristic_zeros(transform()); };
+  return reference;
 }
 
 }  // namespace fde::reference

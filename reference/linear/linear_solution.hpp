@@ -20,6 +20,6 @@ Evaluation linear_evaluation(const char* name, std::function<LinearTransform()> 
 // The Reference of an evaluation; at() also throws std::runtime_error where a finite value has no finite
 // bound.
 Reference linear_reference(const Evaluation& evaluation);
-Reference linear_reference(const char* name, std::function<LinearTransform()> transform);
+Reference linear_reference(const char* name, const std::function<LinearTransform()>& transform);
 
 }  // namespace fde::reference

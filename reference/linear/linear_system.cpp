@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "fdebench/reference/linear/linear_solution.hpp"
+#include "fdebench/reference/linear/transfer_functions/characteristic_zeros.hpp"
 #include "fdebench/reference/linear/transfer_functions/generalized_polynomial.hpp"
 #include "fdebench/reference/linear/transfer_functions/linear_transform.hpp"
 
@@ -237,7 +238,12 @@ Reference exact_linear_reference(const ExactLinearSystem& system) {
     return gathered<Bounded<BigReal>>(
         parts, size, [t, digits](const Evaluation& part) { return part.precise(t, digits); });
   };
-  return linear_reference(Evaluation{.name = name, .quick = quick, .precise = precise});
+  Reference reference = linear_reference(Evaluation{.name = name, .quick = quick, .precise = precise});
+  reference.zeros = [posed] {
+    return characteristic_zeros(
+        {.characteristic = determinant(matrix_of(posed)), .groups = {}, .generators = posed.orders});
+  };
+  return reference;
 }
 
 }  // namespace fde::reference

@@ -49,8 +49,8 @@ struct Command {
 };
 Command solve_command(), choose_command(), run_command(), report_command(), study_command(), judge_command(),
     fit_command(), compare_command(), merge_command(), export_command(), plot_command(), scenes_command(),
-    schemes_command(), exact_command(), mittag_leffler_command(), stability_command(), geometry_command(),
-    reference_command(), help_command(), completion_command();
+    schemes_command(), exact_command(), mittag_leffler_command(), stability_command(), poles_command(),
+    response_command(), geometry_command(), reference_command(), help_command(), completion_command();
 
 // All subcommands, as the help lists them.
 ProgramText program_text();

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Properties of mittag-leffler, stability, geometry and the lists."""
+"""Properties of mittag-leffler, stability, poles, geometry and the lists."""
 
 import json
 import math
@@ -58,6 +58,27 @@ def stability_is_a_table(program: Program, case: Case, lists: Lists) -> None:
     ended = program.run("stability", *case.given(), *case.words, seconds=60)
     if ended.done and len(Table.read(ended.out).rows) == 0:
         raise Fault("rows", "no scheme has a row")
+
+
+def drawn_poles(random: Random, lists: Lists) -> Case:
+    scene, chosen = drawn_scene(random, lists, 0.3)
+    return Case("poles_come_in_pairs", scene=scene, chosen=chosen, options={"--frequencies": typed(spread(random, 1e-3, 1e3), 3)})
+
+
+@must_hold(drawn_poles, 0.4)
+def poles_come_in_pairs(program: Program, case: Case, lists: Lists) -> None:
+    """The conjugate of a pole is one; the note agrees with the real parts."""
+    ended = program.run("poles", *case.problem())
+    if ended.done:
+        poles = [(float(re), float(im), int(count)) for re, im, count in Table.read(ended.out).rows]
+        if any(not math.isfinite(re + im) or not any(abs(re - a) + abs(im + b) <= 1e-9 * math.hypot(re, im) and n == m for a, b, m in poles) for re, im, n in poles):
+            raise Fault("pairs", ended.out)
+        growing = any(re > 1e-9 * math.hypot(re, im) for re, im, _ in poles)
+        if growing != ("unstable" in ended.err) and all(abs(re) > 1e-9 * math.hypot(re, im) for re, im, _ in poles):
+            raise Fault("verdict", ended.out + ended.err)
+    response = program.run("response", *case.problem(), *case.given())
+    if response.done and any(not math.isfinite(float(x)) for row in Table.read(response.out).rows for x in row):
+        raise Fault("finite", response.out)
 
 
 def drawn_geometry(random: Random, lists: Lists) -> Case:

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/linear/transfer_functions/characteristic_zeros.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "fdebench/reference/linear/transfer_functions/characteristic_function.hpp"
 #include "fdebench/reference/special_functions/numbers/constants.hpp"
@@ -194,9 +198,8 @@ Point newton_refined(const CharacteristicFunction& function, Point zero) {
   return zero;
 }
 
-}  // namespace
-
-std::vector<Zero<long double>> find_zeros(const LinearTransform& transform) {
+// Those of the strip, and of its surroundings.
+std::vector<Zero<long double>> zeros_about_strip(const LinearTransform& transform) {
   std::vector<Zero<long double>> zeros;
   const CharacteristicFunction function(transform);
   if (function.terms().size() < 2) return zeros;
@@ -208,8 +211,38 @@ std::vector<Zero<long double>> find_zeros(const LinearTransform& transform) {
     for (const std::size_t j : cluster) taken[j] = true;
     auto zero = merged(found, cluster);
     if (zero.multiplicity == 1) zero.log = newton_refined(function, zero.log);
-    if (std::abs(zero.log.imag()) <= pi_long - std::max(cluster_distance, zero.radius)) zeros.push_back(zero);
+    zeros.push_back(zero);
   }
+  return zeros;
+}
+
+// The distance from the edge of the strip within which a zero counts as on the cut.
+long double width_of_cut(const Zero<long double>& zero) { return std::max(cluster_distance, zero.radius); }
+
+}  // namespace
+
+std::vector<Zero<long double>> find_zeros(const LinearTransform& transform) {
+  auto zeros = zeros_about_strip(transform);
+  std::erase_if(zeros,
+                [](const auto& zero) { return std::abs(zero.log.imag()) > pi_long - width_of_cut(zero); });
+  return zeros;
+}
+
+std::vector<CharacteristicZero> characteristic_zeros(const LinearTransform& transform) {
+  std::vector<CharacteristicZero> zeros;
+  if (!transform.characteristic.empty() && transform.characteristic.begin()->first > 0)
+    zeros.push_back({.s = 0.0});
+  for (const auto& zero : zeros_about_strip(transform)) {
+    const long double beyond = std::abs(zero.log.imag()) - pi_long;
+    const bool on_cut = std::abs(beyond) <= width_of_cut(zero);  // there on both sides, as its conjugate
+    if (on_cut && zero.log.imag() > 0.0L)
+      zeros.push_back({static_cast<double>(-std::exp(zero.log.real())), zero.multiplicity});
+    if (!on_cut && beyond < 0.0L)
+      zeros.push_back({std::complex<double>(std::exp(zero.log)), zero.multiplicity});
+  }
+  std::ranges::sort(zeros, [](const CharacteristicZero& a, const CharacteristicZero& b) {
+    return std::pair(-a.s.real(), -a.s.imag()) < std::pair(-b.s.real(), -b.s.imag());
+  });
   return zeros;
 }
 

@@ -37,6 +37,8 @@ std::string command_with(const std::string& subcommand, const std::string& argum
       {"run", "run --dry-run --scene relaxation --scheme l1"},
       {"stability", "stability"},
       {"geometry", "geometry loxodrome"},
+      {"poles", "poles relaxation"},
+      {"response", "response fractional_control"},
       {"judge", "judge relaxation /dev/null"},
       {"fit", "fit relaxation /dev/null"},
       {"compare", "compare /dev/null /dev/null"},
