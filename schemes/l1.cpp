@@ -52,13 +52,13 @@ const RateTheory l1_2_rates{[](double g) { return 3 - g; }, end_rate_of_interpol
 
 // (1-zeta)^g K with sigma = 1 - g/2: the weights of the increments have the generating function
 //   C = (1-zeta)^2/(2 zeta) (Phi(zeta, g-2, sigma) / sigma - Phi(zeta, g-1, sigma)),
-// and K = Gamma(2-g) (sigma + (1-sigma) zeta) / ((1-zeta) C), because f is evaluated between y_(n-1) and y_n.
+// and K = Gamma(2-g) / ((1-zeta) C).
+double sigma_of(double g) { return 1.0 - 0.5 * g; }
 Kernel kernel_of_l2_1_sigma(double g) {
-  const double sigma = 1.0 - 0.5 * g;
-  return [=, lines = Lerch(g - 1.0, sigma), parabolas = Lerch(g - 2.0, sigma)](ComplexValue mu) {
-    const ComplexValue zeta = std::exp(mu);
-    return 2.0 * std::tgamma(2.0 - g) * (sigma + (1.0 - sigma) * zeta) * zeta *
-           std::pow(exp_minus_one(mu) / mu, g - 3.0) / (parabolas.scaled(mu) / sigma + mu * lines.scaled(mu));
+  const double sigma = sigma_of(g);
+  return [sigma, g, lines = Lerch(g - 1.0, sigma), parabolas = Lerch(g - 2.0, sigma)](ComplexValue mu) {
+    return 2.0 * std::tgamma(2.0 - g) * std::exp(mu) * std::pow(exp_minus_one(mu) / mu, g - 3.0) /
+           (parabolas.scaled(mu) / sigma + mu * lines.scaled(mu));
   };
 }
 
@@ -77,13 +77,15 @@ Trajectory solve_with(const Problem& problem, const Grid& grid, const Options& o
 }
 
 // A scheme for orders up to 1, and above 1 through y' = v, with an implicit symbol of these weights or this
-// kernel.
-template <class Weights>
-Scheme split(Scheme scheme, const RateTheory& theory, GridSolve solve, const Weights& weights) {
+// kernel, and further arguments of implicit_symbol.
+template <class Weights, class... Offset>
+Scheme split(Scheme scheme, const RateTheory& theory, GridSolve solve, const Weights& weights,
+             const Offset&... offset_of) {
   scheme.expected_rate = expected_rate(theory, splitting_up_to_one);
   scheme.solve = with_split_orders(splitting_up_to_one, on_grid(std::move(solve)));
-  scheme.symbol = [&weights](const Problem& problem, double length) {
-    return implicit_symbol(split_orders(problem, splitting_up_to_one(problem)), weights, length);
+  scheme.symbol = [&weights, &offset_of...](const Problem& problem, double length) {
+    return implicit_symbol(split_orders(problem, splitting_up_to_one(problem)), weights, length,
+                           offset_of...);
   };
   return scheme;
 }
@@ -119,7 +121,7 @@ Scheme l2_1_sigma() {
                 .source = "Alikhanov, J. Comput. Phys. 280 (2015); graded: Chen & Stynes, J. Sci. Comput. 79 "
                           "(2019); orders above 1 through y' = v",
                 .capabilities = {.implicit = true, .checkpoints = true}},
-               l2_1_sigma_rates, solve_with<ForwardParabolas>, kernel_of_l2_1_sigma);
+               l2_1_sigma_rates, solve_with<ForwardParabolas>, kernel_of_l2_1_sigma, sigma_of);
 }
 
 }  // namespace fde

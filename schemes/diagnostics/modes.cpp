@@ -15,6 +15,7 @@
 #include "fdebench/schemes/diagnostics/growing_mode_count.hpp"
 #include "fdebench/schemes/diagnostics/other_steps.hpp"
 #include "fdebench/schemes/history/symbols/generating_function.hpp"
+#include "fdebench/schemes/problem/delays.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 
@@ -25,9 +26,8 @@ using Spectrum = std::vector<ComplexValue>;
 
 constexpr Eigen::Index largest_dense = 64;  // eigenvalues of larger matrices would take longer than the run
 
-bool has_modes(const Problem& problem) {
-  return !is_two_sided(problem) && !has_algebraic_rows(problem) && problem.delays.lags.empty();
-}
+bool has_modes(const Problem& problem) { return !is_two_sided(problem) && !has_algebraic_rows(problem); }
+bool has_delays(const Problem& problem) { return !problem.delays.lags.empty(); }
 
 // The order of all rows; nullopt: they differ.
 std::optional<double> common_order(const Problem& problem) {
@@ -79,23 +79,40 @@ bool grows(double order, ComplexValue rate) {
   return rate != 0.0 && std::abs(std::arg(rate)) < 0.5 * order * std::numbers::pi;
 }
 
-// The problem with its linear part at a state in place of f. Of its equations a symbol takes the terms, and
-// the rest from this part.
-Problem frozen(const Problem& problem, double t, const Vec& y) {
-  const Matrix jacobian = jacobian_at(problem, t, y);
+// The problem with its linear part at a time of the run in place of f. Of its equations a symbol takes the
+// terms, and the rest from this part.
+Problem frozen(const SolvedRun& run, double t) {
+  const Problem& problem = run.problem;
+  const Vec y = stored_at(run.path, t);
+  const Past past = [&](double time, Out value) {
+    if (time < 0.0) return problem.delays.before(time, value);
+    value = stored_at(run.path, time);
+  };
+  BoundProblem bound(problem);
+  bound.set_solution(past);
+  const Matrix jacobian = jacobian_at(bound.problem(), t, y);
   return {.components = problem.components,
           .rhs = [=](double, In at, Out f) { f = jacobian * at; },
           .derivatives = DenseLinearPart{jacobian},
           .equations = problem.equations,
-          .end = problem.end};
+          .end = problem.end,
+          .delays = linear_delays(problem.delays.lags, jacobian, delayed_jacobians_at(problem, t, y, past),
+                                  Vec::Zero(y.size()))};
 }
 
-// How many modes grow; nullopt where that cannot be decided.
+// How many modes of the scheme, or of the equation, grow; nullopt where that cannot be decided.
 std::optional<int> count(const Scheme& scheme, const Problem& problem, double length) {
   constexpr Eigen::Index most_rows = 24;  // of the symbol, where a scheme splits orders
   try {
     if (symbol_of(scheme, problem, length)(ComplexValue{0.0, 1.0}).rows() > most_rows) return std::nullopt;
     return count_growing_modes(scheme, problem, length);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+std::optional<int> count(const Problem& problem, double length) {
+  try {
+    return count_growing_modes(problem, length);
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -112,29 +129,25 @@ bool unstable_at(const Scheme& scheme, double order, const Spectrum& rates, doub
   return std::any_of(rates.begin(), end, unstable);
 }
 
-// Backward Euler's sum has no growing mode but those of the equation.
-std::optional<int> modes_of_equation(const Problem& linear_problem, double length) {
-  return count(*find_scheme("grunwald_letnikov"), linear_problem, 0.01 * length);
-}
-
-bool unstable_at(const Scheme& scheme, const Problem& problem, double t, const Vec& y, double length) {
+bool unstable_at(const SolvedRun& run, double t, double length) {
   constexpr Eigen::Index largest = 8;
-  if (problem.size() > largest) return false;
-  const Problem linear_problem = frozen(problem, t, y);
-  const auto of_scheme = count(scheme, linear_problem, length);
+  if (run.problem.size() > largest) return false;
+  const Problem linear_problem = frozen(run, t);
+  const auto of_scheme = count(run.scheme, linear_problem, length);
   if (!of_scheme || *of_scheme == 0) return false;
-  const auto of_equation = modes_of_equation(linear_problem, length);
+  const auto of_equation = count(linear_problem, length);
   return of_equation && *of_scheme > *of_equation;
 }
 
 // True also where that cannot be decided.
-bool equation_grows(const Problem& problem, double t, const Vec& y, double length) {
+bool equation_grows(const SolvedRun& run, double t, double length) {
+  const Problem& problem = run.problem;
   if (problem.size() > largest_dense) return true;
   if (const auto order = common_order(problem)) {
-    return std::ranges::any_of(spectrum(problem, t, y),
+    return std::ranges::any_of(spectrum(problem, t, stored_at(run.path, t)),
                                [&](const ComplexValue rate) { return grows(*order, rate); });
   }
-  return modes_of_equation(frozen(problem, t, y), length) != 0;
+  return count(frozen(run, t), length) != 0;
 }
 
 double step_at(const Grid& grid, double t) { return grid.step(std::max(1, grid.nearest_index(t))); }
@@ -151,9 +164,9 @@ double part_left(const SolvedRun& run, const Vec& start) {
 
 // The modes e^(st) of the linear part at the start, where all orders are equal.
 Spectrum oscillations(const SolvedRun& run) {
-  const auto order = has_modes(run.problem) ? common_order(run.problem) : std::nullopt;
   Spectrum modes;
-  if (!order) return modes;
+  if (!has_eigenvalue_modes(run.problem)) return modes;
+  const auto order = common_order(run.problem);
   for (const ComplexValue rate : spectrum(run.problem, 0.0, stored_at(run.path, 0.0))) {
     // What is not in this sector decays like a power of t.
     if (rate != 0.0 && std::abs(std::arg(rate)) < *order * std::numbers::pi)
@@ -187,7 +200,9 @@ bool has_oscillation(const Problem& problem, const Matrix& jacobian, double leas
   };
   const auto turned = [&](double length, const std::function<ComplexValue(double)>& log_of) {
     const double pieces = length * std::max(orders.maxCoeff() / turn_of_row, orders.sum() / turn_of_all);
-    return argument_change(log_of, 0.0, 1.0, static_cast<int>(std::ceil(pieces)));
+    std::vector points{0.0};
+    append_pieces(1.0, static_cast<int>(std::ceil(pieces)), points);
+    return argument_change(log_of, points);
   };
   const double angle_at_first = steepest(first), angle_at_last = steepest(last);
   const double all =
@@ -209,12 +224,13 @@ double damping(const Grid& grid, ComplexValue mode) {
 std::optional<std::string> unstable_modes(const SolvedRun& run) {
   if (!has_modes(run.problem) || !run.scheme.symbol) return std::nullopt;
   for (const double t : spread_times(run.grid)) {
-    const Vec y = stored_at(run.path, t);
     const double length = step_at(run.grid, t);
-    const auto order =
-        run.scheme.capabilities.discretises_equations ? std::nullopt : common_order(run.problem);
-    const bool unstable = order ? unstable_at(run.scheme, *order, spectrum(run.problem, t, y), length)
-                                : unstable_at(run.scheme, run.problem, t, y, length);
+    const bool by_eigenvalues =
+        !run.scheme.capabilities.discretises_equations && has_eigenvalue_modes(run.problem);
+    const bool unstable = by_eigenvalues
+                              ? unstable_at(run.scheme, *common_order(run.problem),
+                                            spectrum(run.problem, t, stored_at(run.path, t)), length)
+                              : unstable_at(run, t, length);
     if (!unstable) continue;
     return fmt::format(
         "a step of {:.3g} is outside the region of stability of {} for the linear part at t = "
@@ -227,7 +243,7 @@ std::optional<std::string> unstable_modes(const SolvedRun& run) {
 std::optional<std::string> growth_of_its_own(const SolvedRun& run) {
   constexpr double many_times = 1e3;
   const Problem& problem = run.problem;
-  if (!has_modes(problem)) return std::nullopt;
+  if (!has_modes(problem) || has_delays(problem)) return std::nullopt;
   const Vec start = stored_at(run.path, 0.0);
   Vec load = Vec::Zero(start.size()), f(start.size());
   const double initial = taylor_part(problem, run.grid.end).lpNorm<Eigen::Infinity>();
@@ -247,14 +263,14 @@ std::optional<std::string> growth_of_its_own(const SolvedRun& run) {
   for (int n = 1; n <= run.grid.steps; ++n)
     if (is_expected_from_load_at(run.grid.time(n))) return std::nullopt;
   for (const double t : spread_times(run.grid)) {
-    if (equation_grows(problem, t, stored_at(run.path, t), step_at(run.grid, t))) return std::nullopt;
+    if (equation_grows(run, t, step_at(run.grid, t))) return std::nullopt;
   }
   return fmt::format("the run grows to {:.3g}, the linear part of the equation has no mode that grows",
                      reached);
 }
 
 bool has_eigenvalue_modes(const Problem& problem) {
-  return has_modes(problem) && common_order(problem).has_value();
+  return has_modes(problem) && !has_delays(problem) && common_order(problem).has_value();
 }
 
 bool may_damp_oscillation(const SolvedRun& run) {
@@ -265,7 +281,7 @@ bool may_damp_oscillation(const SolvedRun& run) {
       return mode.real() > slowest && damping(run.grid, mode) > slightly;
     });
   }
-  if (run.problem.size() > largest_dense || !run.problem.delays.lags.empty()) return true;
+  if (run.problem.size() > largest_dense || has_delays(run.problem)) return true;
   const double least = std::sqrt(slightly / damping(run.grid, {0.0, 1.0}));
   for (const double t : spread_times(run.grid)) {
     const Matrix jacobian = jacobian_at(run.problem, t, stored_at(run.path, t));

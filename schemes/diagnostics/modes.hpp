@@ -9,12 +9,12 @@
 namespace fde {
 
 // What the linear part of a problem, its Jacobian frozen at a few states of a run, says of that run. Except
-// by may_damp_oscillation nothing is said of problems with algebraic rows or delays, and nothing of problems
-// at both ends.
+// by may_damp_oscillation nothing is said of problems with algebraic rows, by unstable_modes alone something
+// of those with delays, and nothing of problems at both ends.
 
 // Whether the scheme has modes with this length of a step that grow where those of the equation do not, as
-// half a sentence. Where all orders are equal the eigenvalues are looked at, the largest of them; otherwise
-// the symbol of the whole matrix, beside that of backward Euler's sum with a hundredth of the step.
+// half a sentence. Where all orders are equal the eigenvalues are looked at, the largest of them; otherwise,
+// and with delays, the modes of the whole linear part are counted, those of the scheme and of the equation.
 std::optional<std::string> unstable_modes(const SolvedRun& run);
 
 // Whether the equation has no growing mode at these states and the run grew to a thousand times what its

@@ -209,6 +209,10 @@ std::vector<double> times_compared(const Problem& problem, const Grid& grid) {
     std::ranges::copy(more, std::back_inserter(times));
   };
   add(spread_times(grid));
+  for (const double t : spread_times(grid)) {
+    for (const double lag : problem.delays.lags)
+      if (t > lag) times.push_back(t - lag);
+  }
   for (const int steps : coarser_steps(problem, grid)) add(late_times(with_steps(grid, steps / 2)));
   if (grid.steps > 1) add(late_times(with_steps(grid, grid.steps / 2)));
   return grid_times_at(grid, times);

@@ -7,6 +7,9 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <optional>
+
+#include "fdebench/schemes/history/symbols/generating_function.hpp"
 
 namespace fde {
 
@@ -22,11 +25,11 @@ struct Characteristic {
 
 class ScalarSymbol {
  public:
-  ScalarSymbol(const Scheme& scheme, double order)
-      : implicit_(scheme.capabilities.implicit),
-        size_(implicit_ ? large : 1.0),
-        plus_(symbol_of(scheme, test_problem(scheme, order, size_), 1.0)),
-        minus_(symbol_of(scheme, test_problem(scheme, order, -size_), 1.0)),
+  ScalarSymbol(const Scheme& scheme, double order, int delay = 0)
+      : linear_(scheme.capabilities.implicit || delay > 0),
+        size_(scheme.capabilities.implicit ? large : 1.0),
+        plus_(symbol_of(scheme, test_problem(scheme, order, size_, 1.0, delay), 1.0)),
+        minus_(symbol_of(scheme, test_problem(scheme, order, -size_, 1.0, delay), 1.0)),
         order_(order) {}
 
   [[nodiscard]] Characteristic at(double theta) const { return at(ComplexValue{0.0, theta}); }
@@ -34,15 +37,15 @@ class ScalarSymbol {
     const ComplexValue power = difference_power(order_, log_zeta);
     const ComplexValue plus = plus_(log_zeta).determinant() / power,
                        minus = minus_(log_zeta).determinant() / power;
-    return {0.5 * (plus - minus) / size_, implicit_ ? 0.0 : 0.5 * (plus + minus) - 1.0};
+    return {0.5 * (plus - minus) / size_, linear_ ? 0.0 : 0.5 * (plus + minus) - 1.0};
   }
 
  private:
   // Implicit rules need the linear coefficient only; with such a large z the 1 is negligible, also where the
-  // boundary is far from 0.
+  // boundary is far from 0. A chain of links would lose it by rounding.
   static constexpr double large = 0x1p80;
 
-  bool implicit_;
+  bool linear_;  // in z: a prediction is multiplied by z once more, an earlier value is not predicted
   double size_;
   Symbol plus_, minus_;
   double order_;
@@ -94,35 +97,59 @@ std::vector<double> negative_roots(const Characteristic& p) {
   return found;
 }
 
-// All x > 0, increasing, at which the boundary may cross the real axis at -x: at zeta = -1; at zeta = 1, for
-// a predictor-corrector where det(I + k A) = 0; and in between.
-std::vector<double> crossings(const ScalarSymbol& symbol) {
+struct Sample {
+  double theta;
+  Characteristic value;
+};
+
+// The x > 0 at which the boundary crosses the real axis at -x between two angles; nullopt: nowhere.
+std::optional<double> crossing_between(const ScalarSymbol& symbol, Sample low, const Sample& high) {
+  const bool sign_at_low = std::signbit(crossing(low.value));
+  if (sign_at_low == std::signbit(crossing(high.value))) return std::nullopt;
+  for (double last = high.theta; last - low.theta > 1e-15 * last;) {
+    const double middle = 0.5 * (low.theta + last);
+    if (middle == low.theta || middle == last) break;
+    const Characteristic value = symbol.at(middle);
+    if (std::signbit(crossing(value)) == sign_at_low) {
+      low = {middle, value};
+    } else {
+      last = middle;
+    }
+  }
+  const double x = crossed_at(low.value);
+  return x > 0.0 ? std::optional(x) : std::nullopt;
+}
+
+// The x > 0, increasing, at which the boundary may cross the real axis at -x: at zeta = -1; at zeta = 1, for
+// a predictor-corrector where det(I + k A) = 0; and in between. A delay makes it cross many times, of which
+// the nearest matter: where |z| is larger than at a known crossing, no more are searched for.
+std::vector<double> crossings(const ScalarSymbol& symbol, int delay) {
   const Angles angles;
   constexpr double to_one = -1e-13;  // log zeta; 1 itself is a pole
   std::vector<double> found = negative_roots(symbol.at(pi));
   std::ranges::copy(negative_roots(symbol.at(ComplexValue(to_one))), std::back_inserter(found));
-  double low = angles.at(0), at_low = crossing(symbol.at(low));
+  const auto at = [&](double theta) { return Sample{theta, symbol.at(theta)}; };
+  Sample last = at(angles.at(0));
   for (int i = 1; i < angles.count(); ++i) {
-    double a = low, high = angles.at(i);
-    const double at_high = crossing(symbol.at(high));
-    if (std::signbit(at_low) != std::signbit(at_high)) {
-      for (double b = high; b - a > 1e-15 * b;) {
-        const double middle = 0.5 * (a + b);
-        if (middle == a || middle == b) break;
-        (std::signbit(crossing(symbol.at(middle))) == std::signbit(at_low) ? a : b) = middle;
-      }
-      const double x = crossed_at(symbol.at(a));
-      if (x > 0.0) found.push_back(x);
+    const Sample next = at(angles.at(i)), first = last;
+    last = next;
+    const double turned = delay * (next.theta - first.theta);
+    const double least = 1.0 / std::max(std::abs(first.value.linear), std::abs(next.value.linear));
+    if (delay > 0 && std::ranges::any_of(found, [&](double x) { return x < least; })) continue;
+    const int parts = 1 + static_cast<int>(4.0 * turned);
+    Sample low = first;
+    for (int part = 1; part <= parts; ++part) {
+      const Sample high = part == parts ? next : at(first.theta + (next.theta - first.theta) * part / parts);
+      if (const auto x = crossing_between(symbol, low, high)) found.push_back(*x);
+      low = high;
     }
-    low = high;
-    at_low = at_high;
   }
   std::ranges::sort(found);
   return found;
 }
 
-bool stable_at(const Scheme& scheme, double order, double x) {
-  return is_linearly_stable(scheme, test_problem(scheme, order, -x), 1.0);
+bool stable_at(const Scheme& scheme, double order, double x, int delay) {
+  return is_linearly_stable(scheme, test_problem(scheme, order, -x, 1.0, delay), 1.0);
 }
 
 constexpr int halvings = 8;  // of the interval in which a piece ends
@@ -192,27 +219,31 @@ class BoundaryCurve {
 
 }  // namespace
 
-std::vector<ComplexValue> root_locus(const Scheme& scheme, double order, double theta) {
-  return roots(ScalarSymbol(scheme, order).at(theta));
+std::vector<ComplexValue> root_locus(const Scheme& scheme, double order, double theta, int delay) {
+  return roots(ScalarSymbol(scheme, order, delay).at(theta));
 }
 
-double real_stability_interval(const Scheme& scheme, double order) {
-  auto ends = crossings(ScalarSymbol(scheme, order));
+double real_stability_interval(const Scheme& scheme, double order, int delay) {
+  auto ends = crossings(ScalarSymbol(scheme, order, delay), delay);
   // Between two crossings the number of growing modes does not change.
   ends.push_back(std::numeric_limits<double>::infinity());
-  if (!stable_at(scheme, order, 0.5 * std::min(1.0, ends.front()))) return 0.0;
+  if (!stable_at(scheme, order, 0.5 * std::min(1.0, ends.front()), delay)) return 0.0;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double next = std::isinf(ends[i + 1]) ? 2.0 * ends[i] : std::sqrt(ends[i] * ends[i + 1]);
-    if (!stable_at(scheme, order, next)) return ends[i];
+    const double next = std::isinf(ends[i + 1]) ? 1.25 * ends[i] : std::sqrt(ends[i] * ends[i + 1]);
+    if (!stable_at(scheme, order, next, delay)) return ends[i];
   }
   return ends.back();
+}
+
+double real_stability_interval(double order, double delay) {
+  return std::pow(pi * (1.0 - 0.5 * order) / delay, order);
 }
 
 double stability_angle(const Scheme& scheme, double order) {
   if (std::isfinite(real_stability_interval(scheme, order))) return 0.0;
   const ScalarSymbol symbol(scheme, order);
-  const Angles angles;
   double angle = pi - 0.5 * order * pi;  // the limit of the boundary for theta -> 0
+  const Angles angles;
   for (int i = 0; i <= angles.count(); ++i) {
     const double theta = i < angles.count() ? angles.at(i) : pi;
     for (const ComplexValue z : roots(symbol.at(theta))) angle = std::min(angle, std::abs(std::arg(-z)));

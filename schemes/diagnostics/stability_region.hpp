@@ -11,17 +11,23 @@ namespace fde {
 
 // The linear stability region of a scheme at one order g: the z = lambda h^g for which the scheme has no
 // growing mode for D^g y = lambda y. The exact solution decays in the sector |arg z| > g pi/2 (Matignon
-// 1996). All functions throw std::invalid_argument as count_growing_modes does.
+// 1996). With a delay of so many steps z is that of D^g y = lambda y(t - delay h). All functions throw
+// std::invalid_argument as count_growing_modes does.
 
 // The root locus: the z for which the symbol has a zero at zeta = e^(i theta). Precondition: 0 < theta <= pi.
 // One z for an implicit rule, two for a predictor-corrector, each of which may be on the boundary: the
 // determinant of the symbol is a polynomial of that degree in z, for split schemes too. The values at -theta
-// are the conjugates.
-std::vector<ComplexValue> root_locus(const Scheme& scheme, double order, double theta);
+// are the conjugates. One z with a delay.
+std::vector<ComplexValue> root_locus(const Scheme& scheme, double order, double theta, int delay = 0);
 
 // The length of the real stability interval: the largest x such that z = -x' is stable for all 0 < x' < x;
 // infinity when all are.
-double real_stability_interval(const Scheme& scheme, double order);
+double real_stability_interval(const Scheme& scheme, double order, int delay = 0);
+
+// That of the equation D^g y = lambda y(t - delay) in -lambda, 0 < g < 2: a mode s = iw has the phase
+// g pi/2 + w delay = pi, hence (pi (1 - g/2) / delay)^g (at g = 1 Hayes 1950; Krol 2011; Cermak, Hornicek &
+// Kisela, Commun. Nonlinear Sci. Numer. Simul. 31 (2016)).
+double real_stability_interval(double order, double delay);
 
 // The largest angle phi, in radians, such that all z with |arg(-z)| < phi are stable: A(phi)-stability. For
 // the exact equation it is pi - g pi/2. 0 when the real interval is finite.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,49 @@ void add_jumps_of_start(Problem& problem) {
     const double t = std::abs(lag - problem.end) <= rounding * problem.end ? problem.end : lag;
     if (t <= problem.end && !has(problem.jump_times, t)) insert(t, problem.jump_times);
   }
+}
+
+Delays linear_delays(std::vector<double> lags, const Matrix& a, const std::vector<Matrix>& factors,
+                     const Vec& before) {
+  return {.lags = lags,
+          .before = [before](double, Out y) { y = before; },
+          .rhs =
+              [lags = std::move(lags), a, factors](double t, In y, const Past& past, Out f) {
+                Vec earlier(y.size());
+                f = a * y;
+                for (std::size_t k = 0; k < lags.size(); ++k) {
+                  past(t - lags[k], earlier);
+                  f += factors[k] * earlier;
+                }
+              }};
+}
+
+std::vector<Matrix> delayed_jacobians_at(const Problem& problem, double t, In y, const Past& past) {
+  const auto& lags = problem.delays.lags;
+  std::vector<Matrix> jacobians(lags.size(), Matrix(y.size(), y.size()));
+  Vec above(y.size()), below(y.size());
+  for (std::size_t k = 0; k < lags.size(); ++k) {
+    Vec earlier(y.size());
+    past(t - lags[k], earlier);
+    // A right-hand side says by the time alone which of its lags it looks back.
+    const auto nearest = [&](double time) {
+      return std::ranges::min_element(lags, {}, [&](double lag) { return std::abs(t - lag - time); });
+    };
+    const Past moved = [&](double time, Out value) {
+      past(time, value);
+      if (nearest(time) - lags.begin() == static_cast<std::ptrdiff_t>(k)) value = earlier;
+    };
+    for (Eigen::Index j = 0; j < y.size(); ++j) {
+      const double value = earlier[j], shift = 0x1p-18 * std::max(1.0, std::abs(value));
+      earlier[j] = value + shift;
+      problem.delays.rhs(t, y, moved, above);
+      earlier[j] = value - shift;
+      problem.delays.rhs(t, y, moved, below);
+      earlier[j] = value;
+      jacobians[k].col(j) = (above - below) / (2.0 * shift);
+    }
+  }
+  return jacobians;
 }
 
 BoundProblem::BoundProblem(const Problem& problem) : delays_(problem.delays), bound_(problem) {

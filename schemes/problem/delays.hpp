@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "fdebench/schemes/problem/problem.hpp"
 
@@ -10,6 +12,14 @@ namespace fde {
 // Adds the jumps of f one lag after 0, where y jumps at 0: where `before` of a problem with delays does not
 // end at the initial values.
 void add_jumps_of_start(Problem& problem);
+
+// f(t, y) = a y + sum_k factors[k] y(t - lags[k]), where y is `before` for t < 0.
+Delays linear_delays(std::vector<double> lags, const Matrix& a, const std::vector<Matrix>& factors,
+                     const Vec& before);
+
+// The derivatives of f by each y(t - lags[k]), by the differences of jacobian_at; `past` gives y before t.
+// Exact where f is linear in these values and they are 0.
+std::vector<Matrix> delayed_jacobians_at(const Problem& problem, double t, In y, const Past& past);
 
 // A problem with delays as one without, for one run: its f looks up earlier values in the solution of the run
 // itself (the method of steps: Bellen & Zennaro, Numerical Methods for Delay Differential Equations, 2003).

@@ -2,6 +2,7 @@
 #include "fdebench/schemes/problem/scalar_equation.hpp"
 
 #include "fdebench/schemes/problem/chain.hpp"
+#include "fdebench/schemes/problem/delays.hpp"
 
 namespace fde {
 
@@ -15,6 +16,14 @@ Problem scalar_equation(double order, std::complex<double> rate, double end) {
           .rhs = [=](double, In u, Out f) { f = matrix * u; },
           .derivatives = DenseLinearPart{matrix},
           .end = end};
+}
+
+Problem delayed_equation(double order, double rate, double delayed_rate, double lag, double end) {
+  Problem problem = scalar_equation(order, rate, end);
+  problem.rhs = {};
+  problem.delays = linear_delays({lag}, Matrix::Constant(1, 1, rate), {Matrix::Constant(1, 1, delayed_rate)},
+                                 Vec::Ones(1));
+  return problem;
 }
 
 Problem scalar_multi_term_equation(double order, std::complex<double> rate, double end) {

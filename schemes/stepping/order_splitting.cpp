@@ -113,6 +113,31 @@ Derivatives split_orders(const SparseLinearPart& original, const OrderSplitting&
   return SparseLinearPart{spread(original.matrix, links, position)};
 }
 
+// Only original components are looked up. Before the start the others are 0.
+template <class Write>
+Delays split_orders(const Delays& original, const std::vector<Eigen::Index>& position, const Write& write) {
+  return {.lags = original.lags,
+          .before =
+              [before = original.before, position](double t, Out y) {
+                Vec values(std::ssize(position));
+                before(t, values);
+                y.setZero();
+                y(position) = values;
+              },
+          .rhs =
+              [rhs = original.rhs, position, write](double t, In y, const Past& past, Out f) {
+                const Past original_past = [&](double time, Out value) {
+                  Vec all(y.size());
+                  past(time, all);
+                  value = all(position);
+                };
+                const Vec values = y(position);
+                Vec rhs_values(values.size());
+                rhs(t, values, original_past, rhs_values);
+                write(y, rhs_values, f);
+              }};
+}
+
 // A function of the original components as one of all; empty if it is.
 template <class Value>
 std::function<Value(double, In)> of_original(const std::function<Value(double, In)>& function,
@@ -186,13 +211,17 @@ std::optional<OrderSplitting> commensurate_splitting(const Problem& problem) {
 Problem split_orders(const Problem& problem, const OrderSplitting& links) {
   const auto position = positions(links);
   Problem result{.components = split_components(problem, links), .rhs = {}, .end = problem.end};
-  result.rhs = [rhs = problem.rhs, links, position](double t, In y, Out f) {
+  const auto write = [links, position](In y, const Vec& original_rhs, Out f) {
+    f.head(f.size() - 1) = y.tail(y.size() - 1);
+    for (Eigen::Index i = 0; i < original_rhs.size(); ++i) f[last_of(links, position, i)] = original_rhs[i];
+  };
+  result.rhs = [rhs = problem.rhs, write, position](double t, In y, Out f) {
     const Vec original = y(position);
     Vec rhs_values(original.size());
     rhs(t, original, rhs_values);
-    f.head(f.size() - 1) = y.tail(y.size() - 1);
-    for (Eigen::Index i = 0; i < rhs_values.size(); ++i) f[last_of(links, position, i)] = rhs_values[i];
+    write(y, rhs_values, f);
   };
+  if (!problem.delays.lags.empty()) result.delays = split_orders(problem.delays, position, write);
   result.jump_times = problem.jump_times;
   result.kink_times = problem.kink_times;
   result.step_limits = problem.step_limits;

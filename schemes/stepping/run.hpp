@@ -9,10 +9,10 @@
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/problem/archive.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
+#include "fdebench/schemes/problem/stored_results.hpp"
 #include "fdebench/schemes/stepping/checkpoints.hpp"
 #include "fdebench/schemes/stepping/event_locator.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
-#include "fdebench/schemes/stepping/stored_results.hpp"
 
 namespace fde {
 

@@ -50,14 +50,22 @@ def mittag_leffler_is_within_its_bound(program: Program, case: Case, lists: List
 
 def drawn_stability(random: Random, lists: Lists) -> Case:
     some = random.sample(list(lists.schemes), random.randint(1, 3))
-    return Case("stability_is_a_table", words=tuple(w for s in some for w in ("--scheme", s)), options={"--gamma": typed(random.uniform(0.05, 1.99), 3)})
+    options = {"--gamma": typed(random.uniform(0.05, 1.99), 3)}
+    if random.random() < 0.4:
+        options["--delay"] = str(round(spread(random, 0.6, 10400)))
+    return Case("stability_is_a_table", words=tuple(w for s in some for w in ("--scheme", s)), options=options)
 
 
 @must_hold(drawn_stability, 0.3)
 def stability_is_a_table(program: Program, case: Case, lists: Lists) -> None:
     ended = program.run("stability", *case.given(), *case.words, seconds=60)
-    if ended.done and len(Table.read(ended.out).rows) == 0:
+    if not ended.done:
+        return
+    rows = Table.read(ended.out).rows
+    if len(rows) == 0:
         raise Fault("rows", "no scheme has a row")
+    if int(case.options.get("--delay", 0)) >= 32 and not all(0 < float(row[1]) < 2 * float(row[2]) for row in rows):
+        raise Fault("interval", "no scheme is stable far beyond the equation: " + str(rows))
 
 
 def drawn_poles(random: Random, lists: Lists) -> Case:

@@ -23,4 +23,8 @@ inline LateGrowth late_growth(const Scheme& scheme, Problem problem, double leng
   return {size(steps - steps / 5), size(steps - steps / 5) / size(steps / 2)};
 }
 
+// Whether a run decays, or grows. Above order 1.8 the decay ends at about 1e-9, by rounding.
+inline bool decays(const LateGrowth& x) { return x.size < 1e-6 || (x.size < 1.0 && x.growth < 1.0); }
+inline bool grows(const LateGrowth& x) { return x.growth > 1.1; }
+
 }  // namespace fde::bench

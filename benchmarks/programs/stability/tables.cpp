@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The tables of docs/stability.md, as Markdown. Argument: intervals, damping or reversal.
+// The tables of docs/stability.md, as Markdown. Argument: intervals, damping, reversal or delays.
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "fdebench/benchmarks/programs/figures.hpp"
 #include "fdebench/benchmarks/programs/stability/late_growth.hpp"
@@ -81,6 +83,33 @@ void print_reversal() {
   }
 }
 
+// Ends of the real intervals of D^order y = rate y(t - M h), in units of that of the equation.
+void print_delays() {
+  const std::vector<int> delays{1, 2, 8, 32};
+  std::string header = "| scheme ", line = "|---";
+  for (const auto* order : {"0.5", "0.9"}) {
+    for (const int delay : delays) {
+      header += fmt::format("| {}, M = {} ", order, delay);
+      line += "|---";
+    }
+  }
+  fmt::print("{}|\n{}|\n", header, line);
+  for (const auto& one : schemes()) {
+    if (!one.symbol || one.capabilities.discretises_equations) continue;
+    fmt::print("| `{}`", one.id);
+    for (const double order : {0.5, 0.9}) {
+      for (const int delay : delays) {
+        const bool taken = !unsupported_reason(one, test_problem(one, order, -1.0, 1.0, delay), {});
+        fmt::print(" | {}", taken ? fmt::format("{:.5f}", real_stability_interval(one, order, delay) /
+                                                              real_stability_interval(
+                                                                  order, static_cast<double>(delay)))
+                                  : "–");
+      }
+    }
+    fmt::print(" |\n");
+  }
+}
+
 }  // namespace
 
 void stability_tables(const Words& words) {
@@ -91,8 +120,10 @@ void stability_tables(const Words& words) {
     print_damping();
   } else if (what == "reversal") {
     print_reversal();
+  } else if (what == "delays") {
+    print_delays();
   } else {
-    throw std::invalid_argument("say intervals, damping or reversal");
+    throw std::invalid_argument("say intervals, damping, reversal or delays");
   }
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <numbers>
+#include <vector>
 
 namespace fde {
 
@@ -58,17 +60,21 @@ ComplexValue log_determinant(const ComplexMatrix& matrix) {
   return sum;
 }
 
-double argument_change(const std::function<ComplexValue(double p)>& log_f, double begin, double end,
-                       int pieces) {
+double argument_change(const std::function<ComplexValue(double p)>& log_f,
+                       const std::vector<double>& points) {
   double turn = 0.0;
-  Point last{begin, log_f(begin)};
-  for (int i = 1; i <= pieces && !std::isnan(turn); ++i) {
-    const double p = begin + (end - begin) * i / pieces;
-    const Point next{p, log_f(p)};
+  Point last{points.front(), log_f(points.front())};
+  for (std::size_t i = 1; i < points.size() && !std::isnan(turn); ++i) {
+    const Point next{points[i], log_f(points[i])};
     turn += change_between(log_f, last, next, 0);
     last = next;
   }
   return turn;
+}
+
+void append_pieces(double end, int pieces, std::vector<double>& points) {
+  const double begin = points.back();
+  for (int i = 1; i <= pieces; ++i) points.push_back(begin + (end - begin) * i / pieces);
 }
 
 }  // namespace fde

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "fdebench/schemes/history/weights/weights.hpp"
 #include "fdebench/schemes/problem/vectors.hpp"
@@ -33,12 +34,15 @@ ComplexValue difference_power(double order, ComplexValue log_zeta);
 // are finite.
 ComplexValue log_determinant(const ComplexMatrix& matrix);
 
-// The change of the argument of a function f along the path p -> f(p), begin <= p <= end, for a count of its
-// zeros by the argument principle; log_f(p) is log f(p) up to multiples of 2 pi i. Each of `pieces` equal
-// pieces is halved until f changes on it by less than half of its size: between its ends, and to its middle,
-// which detects a piece on which f changes and returns. Precondition: without its zeros next to the path f
-// would turn by at most three radians on a piece. NaN where no such pieces are found, next to a zero.
-double argument_change(const std::function<ComplexValue(double p)>& log_f, double begin, double end,
-                       int pieces);
+// The change of the argument of a function f along the path p -> f(p), for a count of its zeros by the
+// argument principle; log_f(p) is log f(p) up to multiples of 2 pi i. The pieces of the path are those
+// between `points`, which increase. Each is halved until f changes on it by less than half of its size:
+// between its ends, and to its middle, which detects a piece on which f changes and returns. Precondition:
+// without its zeros next to the path f would turn by at most three radians on a piece. NaN where no such
+// pieces are found, next to a zero.
+double argument_change(const std::function<ComplexValue(double p)>& log_f, const std::vector<double>& points);
+
+// Appends the ends of `pieces` equal pieces up to `end`. Precondition: points is not empty.
+void append_pieces(double end, int pieces, std::vector<double>& points);
 
 }  // namespace fde

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/history/symbols/rule_symbols.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
+#include <functional>
 #include <vector>
 
+#include "fdebench/schemes/history/symbols/delayed_part.hpp"
 #include "fdebench/schemes/history/symbols/generating_function.hpp"
+#include "fdebench/schemes/problem/delays.hpp"
 
 namespace fde {
 namespace {
@@ -67,6 +71,15 @@ Vec step_factors(const Problem& problem, const WeightFamily& family, double leng
   });
 }
 
+// The part of the problem that looks back, with all matrices changed by `change`.
+template <class Change>
+DelayedPart delayed_part(const Problem& problem, double length, const Vec& offsets, const Change& change) {
+  const Vec zero = Vec::Zero(problem.size());
+  auto factors = delayed_jacobians_at(problem, 0.0, zero, [](double, Out y) { y.setZero(); });
+  for (auto& one : factors) one = change(one);
+  return {problem.delays.lags, factors, length, offsets};
+}
+
 ComplexMatrix linear_part(const Problem& problem) {
   Matrix a(problem.size(), problem.size());
   evaluate_jacobian(problem, 0.0, Vec::Zero(problem.size()), a);
@@ -80,9 +93,15 @@ Symbol implicit_symbol(const Problem& problem, const WeightFamily& family, doubl
 }
 
 Symbol implicit_symbol(const Problem& problem, const std::function<Kernel(double order)>& kernel_of,
-                       double length) {
-  return [rule = Convolutions(problem, kernel_of, length), a = linear_part(problem)](ComplexValue log_zeta) {
-    ComplexMatrix s = -a * rule.at(log_zeta).asDiagonal();
+                       double length, const std::function<double(double order)>& offset_of) {
+  const Vec offsets = orders_of(problem).unaryExpr(offset_of);
+  return [=, rule = Convolutions(problem, kernel_of, length), a = linear_part(problem),
+          delayed = delayed_part(problem, length, offsets, std::identity{})](ComplexValue log_zeta) {
+    const Eigen::VectorXcd lines = offsets.unaryExpr(
+        [zeta = std::exp(log_zeta)](double offset) { return offset + (1.0 - offset) * zeta; });
+    ComplexMatrix s = (-lines).asDiagonal() * a;
+    if (!delayed.is_empty()) s -= delayed.at(log_zeta);
+    s *= rule.at(log_zeta).asDiagonal();
     s.diagonal() += rule.difference_powers(log_zeta);
     return s;
   };
@@ -92,16 +111,26 @@ Symbol predictor_corrector_symbol(const Problem& problem, double length) {
   const Convolutions corrector(problem, kernels_of(families::trapezoid), length);
   const ComplexMatrix a = linear_part(problem);
   const Eigen::VectorXcd kappa = step_factors(problem, families::trapezoid, length).cast<ComplexValue>();
+  const ComplexMatrix weighted = kappa.asDiagonal() * a;
   // A k A, which does not depend on zeta.
-  const ComplexMatrix corrected = a * kappa.asDiagonal() * a;
+  const ComplexMatrix corrected = a * weighted;
+  const Matrix left = Matrix::Identity(a.rows(), a.cols()) + (a * kappa.asDiagonal()).real(),
+               right = Matrix::Identity(a.rows(), a.cols()) + weighted.real();
+  const DelayedPart delayed =
+      delayed_part(problem, length, Vec::Ones(problem.size()), [&](const Matrix& factors) -> Matrix {
+        return left * right.transpose().partialPivLu().solve(factors.transpose()).transpose();
+      });
   return
       [=, predictor = Convolutions(problem, kernels_of(families::rectangle), length)](ComplexValue log_zeta) {
         const Eigen::VectorXcd powers = corrector.difference_powers(log_zeta);
         const Eigen::VectorXcd newest = kappa.cwiseProduct(powers);
-        const Eigen::VectorXcd older = corrector.at(log_zeta) - newest;
-        ComplexMatrix s = -a * older.asDiagonal() - corrected * predictor.at(log_zeta).asDiagonal();
+        const Eigen::VectorXcd all = corrector.at(log_zeta), first = predictor.at(log_zeta);
+        ComplexMatrix s = -a * (all - newest).asDiagonal() - corrected * first.asDiagonal();
         s.diagonal() += powers;
-        return s;
+        if (delayed.is_empty()) return s;
+        ComplexMatrix sums = weighted * first.asDiagonal();
+        sums.diagonal() += all;
+        return ComplexMatrix(s - delayed.at(log_zeta) * sums);
       };
 }
 

@@ -15,10 +15,12 @@ namespace fde {
 Symbol implicit_symbol(const Problem& problem, const WeightFamily& family, double length);
 
 // The same for a rule that is not a convolution of f with one family: kernel_of(g) is (1-zeta)^g K for order
-// g and step size 1.
+// g and step size 1, and f of this order is evaluated at t_(n-1) + offset_of(g) h, on the line from y_(n-1)
+// to y_n.
 using Kernel = std::function<ComplexValue(ComplexValue log_zeta)>;
-Symbol implicit_symbol(const Problem& problem, const std::function<Kernel(double order)>& kernel_of,
-                       double length);
+Symbol implicit_symbol(
+    const Problem& problem, const std::function<Kernel(double order)>& kernel_of, double length,
+    const std::function<double(double order)>& offset_of = [](double) { return 1.0; });
 
 // The symbol of the predictor-corrector rule with one correction. Preconditions as above.
 Symbol predictor_corrector_symbol(const Problem& problem, double length);

@@ -34,6 +34,17 @@ TEST(StabilityCommand, PrintsTheBoundary) {
   EXPECT_EQ(std::ranges::count(answer.out, '\n'), 3);
 }
 
+// Explicit Euler's method with lag 1: y_n = y_(n-1) + z y_(n-1), and D y = b y(t - 1) ends at pi/2.
+TEST(StabilityCommand, PrintsIntervalsWithADelay) {
+  const auto answer = stability({"--gamma", "1", "--delay", "1"});
+  EXPECT_THAT(answer.out, StartsWith("scheme,interval,exact_interval\n"));
+  EXPECT_THAT(answer.out, HasSubstr("grunwald_letnikov,2,1.570796327\n"));
+  EXPECT_THAT(answer.out, Not(HasSubstr("multi_term")));
+  EXPECT_THAT(answer.out, Not(HasSubstr("bdf2")));
+  const auto boundary = stability({"--gamma", "1", "--scheme", "l1", "--boundary", "1", "--delay", "2"});
+  EXPECT_THAT(boundary.out, HasSubstr("l1,3.1415926535897931,2,"));
+}
+
 TEST(StabilityCommand, NamesWhatIsWrong) {
   for (const auto* order : {"0", "2", "nan", "abc"}) {
     EXPECT_EQ(stability({"--gamma", order}).code, 2) << order;
@@ -41,6 +52,14 @@ TEST(StabilityCommand, NamesWhatIsWrong) {
   }
   EXPECT_THAT(stability({"--gamma", "0.5", "--boundary", "0"}).err,
               StartsWith("fdebench: --boundary = 0: must be"));
+  for (const auto* delay : {"0", "-1", "1.5", "10001", "x"}) {
+    EXPECT_THAT(stability({"--gamma", "0.5", "--delay", delay}),
+                fails_with(2, StartsWith("fdebench: --delay = " + std::string(delay) + ": must be")));
+  }
+  EXPECT_THAT(stability({"--gamma", "0.5", "--delay", "2", "--scheme", "bdf6"}),
+              fails_with(2, HasSubstr("steps in the shortest delay")));
+  EXPECT_THAT(stability({"--gamma", "0.5", "--delay", "2", "--scheme", "multi_term_pc"}),
+              fails_with(2, HasSubstr("takes no delays")));
   EXPECT_EQ(stability({"--gamma", "0.5", "--scheme", "euler"}).code, 2);
   EXPECT_EQ(stability({}).code, 2);
 }

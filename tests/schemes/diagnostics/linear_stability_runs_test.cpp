@@ -12,10 +12,6 @@
 namespace fde::bench {
 namespace {
 
-// Above order 1.8 the decay ends at about 1e-9, by rounding.
-bool decays(const LateGrowth& x) { return x.size < 1e-6 || (x.size < 1.0 && x.growth < 1.0); }
-bool grows(const LateGrowth& x) { return x.growth > 1.1; }
-
 struct StabilityCase {
   std::string_view scheme;
   double tolerance;

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "fdebench/schemes/stepping/stored_results.hpp"
+#include "fdebench/schemes/problem/stored_results.hpp"
 #include "fdebench/schemes/stepping/with_delays.hpp"
 #include "support/adaptive_schemes.hpp"
 #include "support/scheme_test.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fdebench/schemes/stepping/stored_results.hpp"
+#include "fdebench/schemes/problem/stored_results.hpp"
 
 #include <algorithm>
 #include <iterator>
