@@ -78,7 +78,10 @@ Energy energy_of(const EnergyText& text, const std::vector<SystemColumn>& column
 }
 
 SceneEvent event_of(const EventText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
-  return {text.name, program_of({text.zero}, columns, formulas), text.crossing, text.terminal};
+  SceneEvent event{text.name, program_of({text.zero}, columns, formulas), text.crossing, text.terminal};
+  const auto zero = formulas.read(text.zero, variables_of(columns, formulas, true));
+  if (!formulas.pool().depends_on_unknowns(zero)) event.times = times_between_zeros(zero, formulas.pool());
+  return event;
 }
 
 // The domain in the columns of both forms of a problem.

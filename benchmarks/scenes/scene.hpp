@@ -111,6 +111,8 @@ struct SceneEvent {
   std::function<double(double t, In columns)> value{};
   Crossing crossing = Crossing::either;
   bool terminal = false;  // whether a zero ends the solve, as Event::terminal
+  // Event::times up to an end; empty: the function depends on unknowns.
+  std::function<std::vector<double>(double end)> times{};
 };
 
 // A problem and its output columns.

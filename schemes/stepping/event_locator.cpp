@@ -42,6 +42,13 @@ double zero_between(const ValueAt& value, const TimedValue& before, const TimedV
   return low > before.t && std::abs(value(low)) < std::abs(value(high)) ? low : high;
 }
 
+// Adds samples at those of the times that lie between the samples.
+void add_times(const std::vector<double>& times, const ValueAt& value, std::vector<TimedValue>& samples) {
+  const double end = samples.back().t;
+  for (auto t = std::ranges::upper_bound(times, samples.front().t); t != times.end() && *t < end; ++t)
+    samples.insert(std::ranges::upper_bound(samples, *t, {}, &TimedValue::t), {*t, value(*t)});
+}
+
 bool counts(Crossing crossing, const TimedValue& before) {
   return crossing == Crossing::either || (crossing == Crossing::rising) == (before.value < 0.0);
 }
@@ -68,6 +75,7 @@ std::vector<EventOccurrence> EventLocator::step(double t, In y, const StepInterp
     std::vector<TimedValue> samples{{time_, values_[e]}};
     for (std::size_t k = 1; k < times.size(); ++k)
       samples.push_back({times[k], events_[e].value(times[k], states[k])});
+    add_times(events_[e].times, value, samples);
     resolve(value, samples, left_);
     for (const auto& [before, behind] : sign_changes(value, samples)) {
       if (counts(events_[e].crossing, before)) found.push_back({e, zero_between(value, before, behind), {}});

@@ -158,6 +158,22 @@ TEST(SwitchesOfAFile, AreNotPassedOverInPairs) {
   }
 }
 
+// The zeros 1 - z and 1 + z, z = 1e-4 sqrt(log 2), are far closer to each other than steps and their samples.
+TEST(EventsOfAFile, OfTimeAloneAreFoundHoweverCloseTheyAre) {
+  const std::string file =
+      "end = 2\n[unknown.x]\norder = 0.5\nrhs = \"-x\"\ninitial = [1]\n[event.pulse]\nzero = \"exp(-((t - "
+      "1)/1e-4)^2) - 0.5\"\n";
+  const double z = 1e-4 * std::sqrt(std::numbers::ln2);
+  for (const auto* scheme :
+       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+    const auto answer = command(file, {"solve", "--scheme", scheme, "--accuracy", "1e-3", "--events"});
+    const auto row = answer.out.find("pulse,"), second = answer.out.find("pulse,", row + 1);
+    ASSERT_NE(second, std::string::npos) << scheme;
+    EXPECT_NEAR(std::stod(answer.out.substr(row + 6)), 1.0 - z, 1e-12) << scheme;
+    EXPECT_NEAR(std::stod(answer.out.substr(second + 6)), 1.0 + z, 1e-12) << scheme;
+  }
+}
+
 // Half of x is taken at t = 1, which decays as x does: x(2) = E(-2^0.6) - E(-1) E(-1)/2, E(z) = E_0.6,1(z).
 TEST(EventsOfAFile, SetUnknowns) {
   const TemporaryFolder folder;
