@@ -236,14 +236,15 @@ bool PanelCollocation::passes_over_switch(const MemoryBlock& panel, const PanelS
   return other.has_value();
 }
 
-// Whether the panel is not on one side of every switch, or, after the first panel of a segment, not on the
-// side of the panel before.
+// Whether the panel is not on one side of every switch, or not on the side of the panel before. The first
+// panel behind a switch, or at t = 0, has no such side: rounding decides about its start.
 bool PanelCollocation::contains_switch(const TimeBlock& panel, const PanelSystem& task,
                                        const Matrix& rows) const {
   if (problem_.switching_functions.empty()) return false;
   const Eigen::Index places = rows.rows();
-  const auto begun =
-      panel.from > 0.0 ? sides_ : switch_signs(problem_, task.times[0], solver_.values_at(rows, 0));
+  const double start = panel.segment->start;
+  const bool has_side = panel.from > 0.0 || (start > 0.0 && start != last_switch_time_);
+  const auto begun = has_side ? sides_ : switch_signs(problem_, task.times[0], solver_.values_at(rows, 0));
   for (Eigen::Index j = 0; j < places; ++j) {
     if (switch_signs(problem_, task.times[j], solver_.values_at(rows, j)) != begun) return true;
   }

@@ -130,6 +130,19 @@ TEST(EventsOfAFile, AreNotPassedOverInPairs) {
   }
 }
 
+// x' jumps from 0 to 1 where half of x = 1 is taken.
+TEST(EventsOfAFile, MayBeAtAJumpOfTheEquation) {
+  const std::string file =
+      "end = 2\n[unknown.x]\norder = 1\nrhs = \"step(t - 1)\"\ninitial = [1]\n[event.half]\nzero = \"t - "
+      "1\"\n"
+      "set = { x = \"x/2\" }\n";
+  for (const auto* scheme :
+       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+    const auto run = command(file, {"solve", "--scheme", scheme, "--accuracy", "1e-7", "--at", "2"});
+    EXPECT_NEAR(values(run)[1], 1.5, 1e-9) << scheme;
+  }
+}
+
 // x = t passes 1 and 1.01, y becomes y + 1 at each zero that counts; every scheme solves both rows by steps
 // that are longer than the time between.
 TEST(EventsOfAFile, AreNotPassedOverInPairsWhereTheyDependOnUnknowns) {
