@@ -97,7 +97,10 @@ Energy energy_of(const EnergyText& text, const std::vector<SystemColumn>& column
 }
 
 SceneEvent event_of(const EventText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
-  return {text.name, program_of({text.zero}, columns, formulas), text.crossing, text.terminal};
+  SceneEvent event{text.name, program_of({text.zero}, columns, formulas), text.crossing, text.terminal};
+  const auto zero = formulas.read(text.zero, variables_of(columns, formulas, true));
+  if (!formulas.pool().depends_on_unknowns(zero)) event.times = times_between_zeros(zero, formulas.pool());
+  return event;
 }
 
 // The domain in the columns of both forms of a problem.
@@ -211,6 +214,16 @@ reference::Reference known_reference(const EquationText& all, const Parameters& 
   return reference::with_difference(with_nodes(many_more_nodes), with_nodes(many_more_nodes + more_nodes));
 }
 
+// The names of rows, also of those that are no columns.
+std::vector<std::string> row_names(const EquationSystem& system, const EquationText& text) {
+  std::vector<std::string> names(static_cast<std::size_t>(system.size()));
+  for (const auto& column : columns_of(system)) {
+    const auto& meaning = text.unknowns[column.unknown].meaning;
+    names[static_cast<std::size_t>(column.row)] = meaning.empty() ? column.name : meaning;
+  }
+  return names;
+}
+
 // The event functions of events that set unknowns.
 std::vector<Expression> functions_of_resets(const EquationSystem& system, FileFormulas& formulas) {
   std::vector<Expression> functions;
@@ -242,6 +255,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   scene.smoothness = file_smoothness(started, with_some_initial_values(scene.problem), formulas);
   exclude_unshown_rows(scene.smoothness, columns, system.size());
   scene.outputs = outputs_of(columns, system.size(), formulas.pool());
+  scene.row_names = row_names(system, text);
   scene.load_times =
       load_times(system.rows, system.jumps, formulas.pool(), functions_of_resets(system, formulas));
   set_end(scene, system.end);

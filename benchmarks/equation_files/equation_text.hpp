@@ -70,6 +70,7 @@ struct UnknownText {
   std::optional<FormulaText> size{};     // of a vector; empty: it is a number
   std::optional<FormulaText> outside{};  // of a vector: its components besides 1 ... size
   bool is_implied = false;  // no unknown of the file, but a state or an integral; it is no column
+  std::string meaning{};    // of one that is implied, as messages name it
 };
 
 // An output over a power of t, with which it is finite at t = 0: the column of an output that is infinite

@@ -13,6 +13,7 @@
 
 #include "fdebench/benchmarks/equation_files/file_formulas.hpp"
 #include "fdebench/benchmarks/expressions/formula_tokens.hpp"
+#include "fdebench/benchmarks/text/printable.hpp"
 
 namespace fde::bench {
 namespace {
@@ -70,6 +71,16 @@ std::optional<Call> next_call(const std::string& text, std::size_t from) {
   return std::nullopt;
 }
 
+// The call as it is in the file, where that is short and on one line.
+std::string meaning_of(const std::string& text, const Call& call) {
+  constexpr std::size_t longest = 60;
+  auto written = text.substr(call.name, call.close + 1 - call.name);
+  const bool fits = written.size() <= longest && is_printable(written);
+  return fits ? written
+              : fmt::format("{}(..., {})", text[call.name],
+                            trimmed(text.substr(call.comma + 1, call.close - call.comma - 1)));
+}
+
 // A name, also with an index behind it, as u[i - 1].
 bool is_single_name(const std::string& text) {
   const auto token = next_token(text, 0);
@@ -102,9 +113,10 @@ class ImpliedRows {
       const auto of = part_of(formula, call->open + 1, call->comma),
                  order = part_of(formula, call->comma + 1, call->close);
       next = call->open;
-      const auto row = formula.text[call->name] == 'J'
-                           ? integral(with_rows(of), order)
-                           : derivative(of, order, position_of(formula, call->name));
+      const auto row =
+          formula.text[call->name] == 'J'
+              ? integral(with_rows(of), order, meaning_of(formula.text, *call))
+              : derivative(of, order, meaning_of(formula.text, *call), position_of(formula, call->name));
       if (!row) continue;
       append(result, part_of(formula, copied, call->name));
       append(result, {.text = *row, .position = {}, .pieces = {{0, position_of(formula, call->name)}}});
@@ -115,14 +127,14 @@ class ImpliedRows {
   }
 
   // nullopt: J is an unknown.
-  std::optional<std::string> integral(const FormulaText& of, const FormulaText& order) {
+  std::optional<std::string> integral(const FormulaText& of, const FormulaText& order, std::string meaning) {
     if (has_own_j_) return std::nullopt;
     const double q = formulas_.constant(order, "order of J", integral_orders);
-    return row({order, of, static_cast<std::size_t>(std::ceil(q))});
+    return row({order, of, static_cast<std::size_t>(std::ceil(q)), std::move(meaning)});
   }
 
   // nullopt: of an unknown, or of a whole order.
-  std::optional<std::string> derivative(const FormulaText& of, const FormulaText& order,
+  std::optional<std::string> derivative(const FormulaText& of, const FormulaText& order, std::string meaning,
                                         const TextPosition& place) {
     if (is_single_name(of.text)) return std::nullopt;
     const double q = formulas_.constant(order, "order of D", derivative_orders);
@@ -135,12 +147,13 @@ class ImpliedRows {
     for (LinePiece& piece : rhs.pieces) piece.first += 2;  // behind "D("
     rhs.position = place;
     rhs.pieces.insert(rhs.pieces.begin(), {0, place});
-    return row({row_order, rhs, 1});
+    return row({row_order, rhs, 1, std::move(meaning)});
   }
 
   struct Row {
     FormulaText order, rhs;
     std::size_t initial_values;
+    std::string meaning;
   };
 
   // The name of a row, which may be there already.
@@ -162,7 +175,8 @@ class ImpliedRows {
                      .terms = {{one, of.order}},
                      .rhs = of.rhs,
                      .initial = std::vector<FormulaText>(of.initial_values, zero),
-                     .is_implied = true});
+                     .is_implied = true,
+                     .meaning = of.meaning});
     return rows_.back().name;
   }
 

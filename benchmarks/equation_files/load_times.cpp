@@ -278,4 +278,15 @@ std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& r
   };
 }
 
+std::function<std::vector<double>(double end)> times_between_zeros(Expression function,
+                                                                   ExpressionPool& pool) {
+  return [breaks = Breaks{.functions = {TimeFunction(function, pool)}}](double end) {
+    const auto zeros = times_until(end, breaks, {});
+    std::vector<double> times;
+    for (std::size_t k = 1; k < zeros.size(); ++k)
+      times.push_back(zeros[k - 1] + (zeros[k] - zeros[k - 1]) / 2.0);
+    return times;
+  };
+}
+
 }  // namespace fde::bench

@@ -22,4 +22,8 @@ std::function<LoadTimes(double end)> load_times(const std::vector<Expression>& r
                                                 std::vector<double> declared_jumps, ExpressionPool& pool,
                                                 const std::vector<Expression>& event_functions = {});
 
+// A function of the end T that gives a time between any two zeros of a function of t alone in [0, T]. The
+// zeros are those that interval arithmetic finds.
+std::function<std::vector<double>(double end)> times_between_zeros(Expression function, ExpressionPool& pool);
+
 }  // namespace fde::bench

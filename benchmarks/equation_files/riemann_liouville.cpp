@@ -242,6 +242,7 @@ EquationText with_caputo_derivatives(EquationText text, const Parameters& parame
                       "must not be of a vector, as a Riemann-Liouville derivative makes it infinite at 0");
     }
     text.outputs.push_back(output_of(given, unknown, powers.of(u), formulas.pool()));
+    unknown.meaning = state_meaning(unknown.name);
     unknown.name = states[unknown.name] = text.outputs.back().state;
     unknown.is_implied = true;
   }

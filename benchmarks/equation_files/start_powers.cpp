@@ -91,8 +91,9 @@ std::vector<double> first_powers(const EquationSystem& system, const ExpressionP
   return firsts;
 }
 
-constexpr double range = 2.0;        // powers up to the order plus this count
-constexpr double most_powers = 1e5;  // limit of the work
+constexpr double range = 2.0;  // powers up to the order plus this count
+// Of an unknown. Next to each other so many powers are no series, and they are computed again and again.
+constexpr std::size_t most_powers = 10'000;
 
 Vec initial_values(const EquationSystem& system) {
   Vec start(system.size());
@@ -150,14 +151,16 @@ std::vector<double> powers_of(const Node& node, const std::vector<std::vector<do
 
 // The sums of any numbers of these positive powers, up to `range`, 0 included; empty if there are too many.
 std::vector<double> sums_of(std::vector<double> powers) {
+  constexpr std::size_t most_work = 100 * most_powers;
   std::ranges::sort(powers);
-  std::vector<double> sums{0.0}, steps;
+  std::vector<double> sums{0.0};
+  std::size_t work = 0;
   for (const double p : powers) {
     const auto next = std::ranges::lower_bound(sums, p - power_separation);
     if (p > range || (next != sums.end() && *next < p + power_separation)) continue;
-    steps.push_back(p);
-    if (static_cast<double>(steps.size()) * range / steps.front() > most_powers) return {};
-    sums = power_lattice({0.0}, steps, range);
+    sums = power_lattice(sums, {p}, range);
+    work += sums.size();
+    if (sums.size() > most_powers || work > most_work) return {};
   }
   return sums;
 }
@@ -184,12 +187,15 @@ std::optional<std::vector<double>> next_powers(const EquationSystem& system, std
     if (node.unknown == u) own.push_back(node.order);
     for (const double s : powers_of(node, powers)) start.push_back(order + s);
   }
-  return power_closure(std::move(start), order + range, [&](double p) {
+  std::size_t count = 0;
+  auto all = power_closure(std::move(start), order + range, [&](double p) {
     std::vector<double> following;
+    if (++count > most_powers) return following;
     for (const double node : own)
       if (p > node && !same_order(p, node)) following.push_back(p - node + order);
     return following;
   });
+  return count > most_powers ? std::nullopt : std::optional(std::move(all));
 }
 
 bool are_same(const std::vector<double>& a, const std::vector<double>& b) {

@@ -173,6 +173,7 @@ OutputText make_state(UnknownText& unknown, FileFormulas& formulas) {
   unknown.initial.assign(initial_count(static_cast<double>(top)), zero);
   unknown.before = zero;
   unknown.is_implied = true;
+  unknown.meaning = state_meaning(unknown.name);
   OutputText output{.name = unknown.name,
                     .state = free_name(unknown.name + "_state", formulas.text().contents),
                     .terms = terms_of(numerator, lowest, divisor, transfer.position)};

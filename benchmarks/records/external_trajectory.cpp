@@ -21,6 +21,7 @@
 #include "fdebench/benchmarks/measures/accuracy.hpp"
 #include "fdebench/benchmarks/observers/comparison_steps.hpp"
 #include "fdebench/benchmarks/records/well_formed.hpp"
+#include "fdebench/benchmarks/references/decimal_bound.hpp"
 #include "fdebench/benchmarks/references/memoized_reference.hpp"
 #include "fdebench/benchmarks/text/entry_named.hpp"
 #include "fdebench/benchmarks/text/number_text.hpp"
@@ -77,7 +78,10 @@ std::optional<CellMeaning> meaning_of(const std::string& name, const Scene& scen
   if (of != own.end()) return CellMeaning{of - own.begin(), true};
   auto printed = printed_names(scene);
   std::ranges::copy(reaction_names(scene), std::back_inserter(printed));
-  if (std::ranges::find(printed, name) == printed.end())
+  for (const auto& bounded : printed_names(scene)) printed.push_back(bound_column(bounded));
+  printed.push_back(bound_column());
+  if (std::ranges::find(printed, name) == printed.end() &&
+      std::ranges::find(printed, name, plain_name) == printed.end())
     throw_unknown_id("column", name, {own.begin(), own.end()});
   return std::nullopt;
 }

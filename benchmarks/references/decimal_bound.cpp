@@ -20,6 +20,8 @@ long double log10_of(const std::string& bound) {
 
 }  // namespace
 
+std::string bound_column(const std::string& of) { return of.empty() ? "bound" : "bound_" + of; }
+
 std::string bound_text(double bound) {
   constexpr double upwards = 1.06;
   return fmt::format("{:.2g}", upwards * bound);

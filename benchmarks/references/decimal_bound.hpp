@@ -5,6 +5,9 @@
 
 namespace fde::bench {
 
+// The column of the bound of a column, and of the largest bound: "bound_x", "bound".
+std::string bound_column(const std::string& of = "");
+
 // A bound in two digits, rounded up: rounding to nearest changes a number by at most five percent.
 std::string bound_text(double bound);
 

@@ -19,11 +19,13 @@
 namespace fde::bench {
 namespace {
 
-// The column that shows a component as it is, "" where none does: seen where all components differ.
-std::vector<std::string> columns_of_components(const Scene& scene) {
+// The column that shows a component as it is, or else the name of its row, "" where it has none: seen where
+// all components differ.
+std::vector<std::string> names_of_components(const Scene& scene) {
   const Vec y = Vec::LinSpaced(scene.problem.size(), 0.1, 0.7);
   const Vec columns = columns_at(scene.outputs, 0.0, y);
-  std::vector<std::string> names(static_cast<std::size_t>(y.size()));
+  auto names = scene.row_names;
+  names.resize(static_cast<std::size_t>(y.size()));
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto shown = std::ranges::find(columns, y[static_cast<Eigen::Index>(i)]);
     if (shown != columns.end())
@@ -138,7 +140,7 @@ std::vector<Warning> run_warnings(const Scene& scene, const RequestedRun& run, c
         {Finding::event, fmt::format("event {} does not end this run: {} steps over a grid and locates none",
                                      event.name, run.scheme.id)});
   }
-  SolvedRun solved{run.scheme, scene.problem, *run.grid, run.options, path, columns_of_components(scene)};
+  SolvedRun solved{run.scheme, scene.problem, *run.grid, run.options, path, names_of_components(scene)};
   if (const auto more = names_of_functions(scene); !more.empty()) {
     solved.names.insert(solved.names.end(), more.begin(), more.end());
     solved.functions = [&scene](double t, In y) { return functions_at(scene, t, y); };

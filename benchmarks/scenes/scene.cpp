@@ -89,7 +89,8 @@ std::vector<Event> events_of(const Scene& scene) {
     const auto value = [&one, &outputs = scene.outputs](double t, In y) {
       return one.value(t, columns_at(outputs, t, y));
     };
-    events.push_back({value, one.crossing, one.terminal});
+    events.push_back({.value = value, .crossing = one.crossing, .terminal = one.terminal});
+    if (one.times) events.back().times = one.times(scene.problem.end);
   }
   return events;
 }

@@ -112,6 +112,8 @@ struct SceneEvent {
   std::function<double(double t, In columns)> value{};
   Crossing crossing = Crossing::either;
   bool terminal = false;  // whether a zero ends the solve, as Event::terminal
+  // Event::times up to an end; empty: the function depends on unknowns.
+  std::function<std::vector<double>(double end)> times{};
 };
 
 // The transfer function G(s) = sum c s^q / sum c s^q of an unknown, from its input.
@@ -152,7 +154,8 @@ struct Scene {
   std::string ill_posed_reason{};  // reason why the equations cannot be posed in this form; empty: they can
   Smoothness smoothness{};
   Outputs outputs{};
-  reference::Reference reference{};  // of the columns
+  std::vector<std::string> row_names{};  // of the rows of the problem, for messages; empty: as of the columns
+  reference::Reference reference{};      // of the columns
   // The reference for another end, if it depends on that; empty: it does not.
   std::function<reference::Reference(double end)> reference_to{};
   bool from_file = false;  // from an equation file: its reference is checked against two schemes

@@ -301,9 +301,23 @@ Vec initial_bound(const Problem& problem, const PanelTable& table) {
   return bound;
 }
 
+// A bound above all values says that nothing is known. Next to 0 rounding is as large as the values.
+void require_known_values(const PanelTable& table) {
+  constexpr double far = 100.0;
+  double largest = 0.0;
+  for (const auto& panel : table.panels) largest = std::max(largest, panel.values.lpNorm<Eigen::Infinity>());
+  for (const auto& panel : table.panels) {
+    if (panel.bound.maxCoeff() <= far * largest) continue;
+    throw std::runtime_error(fmt::format(
+        "the two methods of a reference differ by {:.2g} at t = {:.6g}, where values are up to {:.2g}",
+        panel.bound.maxCoeff(), panel.to, largest));
+  }
+}
+
 }  // namespace
 
 Reference reference_from_table(PanelTable table, const Problem& problem) {
+  require_known_values(table);
   Vec at_start = initial_bound(problem, table);
   return reference_from_panels(std::move(table), std::move(at_start));
 }

@@ -30,9 +30,10 @@ struct CollocationOptions {
 // outside [0, problem.end].
 Reference reference_solution(const Problem& problem, const CollocationOptions& options = {});
 
-// The same as a table that can be stored, and the Reference of a table. At t = 0 the bound is 0 where the
-// initial values are exact, and infinite where they are guesses: for multipliers, or for the unknowns of all
-// algebraic rows if these rows do not hold at t = 0.
+// The same as a table that can be stored, and the Reference of a table, which throws std::runtime_error where
+// a bound is more than a hundred times the largest value: then nothing is known. At t = 0 the bound is 0
+// where the initial values are exact, and infinite where they are guesses: for multipliers, or for the
+// unknowns of all algebraic rows if these rows do not hold at t = 0.
 PanelTable reference_table(const Problem& problem, const CollocationOptions& options = {});
 Reference reference_from_table(PanelTable table, const Problem& problem);
 

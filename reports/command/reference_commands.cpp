@@ -24,9 +24,9 @@ struct TableForm {
 std::string header(const std::vector<std::string>& names, const std::vector<std::string>& bounded,
                    const TableForm& form) {
   std::vector<std::string> all = names;
-  all.emplace_back("bound");
+  all.push_back(bound_column());
   if (form.each_bound)
-    for (const auto& name : bounded) all.push_back("bound_" + name);
+    for (const auto& name : bounded) all.push_back(bound_column(name));
   if (form.plain_names) std::ranges::transform(all, all.begin(), plain_name);
   return fmt::format("t,{}\n", csv_names(all));
 }

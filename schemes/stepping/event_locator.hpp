@@ -6,6 +6,7 @@
 
 #include "fdebench/schemes/problem/archive.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
+#include "fdebench/schemes/stepping/zeros_within_step.hpp"
 
 namespace fde {
 
@@ -28,8 +29,7 @@ class EventLocator {
   const std::vector<Event>& events_;
   double time_ = 0.0;
   std::vector<double> values_;  // the last nonzero value of each event function
-  // Additional samples that the rest of the run may use: noise would take any number of them.
-  std::uint64_t left_ = 1'000'000;
+  std::uint64_t left_ = most_samples;
 };
 
 }  // namespace fde

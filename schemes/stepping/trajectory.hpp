@@ -22,6 +22,9 @@ struct Event {
   bool terminal = false;                 // whether the first zero that counts ends the run
   // The time of the last jump of y, where the value may change its sign without a zero; empty: there is none.
   std::function<double()> last_jump{};
+  // Times, increasing, at which the function is looked at besides: where it depends on t alone, one between
+  // any two of its zeros.
+  std::vector<double> times{};
 };
 
 // A zero of an event function, with y at its time.

@@ -67,6 +67,24 @@ def event(random: Random, name: str, resets: bool = False) -> list[str]:
     return lines
 
 
+def with_resets(random: Random, file: tuple[str, ...]) -> tuple[str, ...]:
+    """The file with one or two events that set unknowns or derivatives, where it may have them."""
+    text = "\n".join(file)
+    rows = re.findall(r"\[unknown\.([x-z])\]\n(?:order = ([\d.]+)|terms = \[\[\d\S*, ([\d.]+))", text)
+    if not rows or any(word in text for word in ("final", "before", "[mechanics]", "[event", "[exact]")):
+        return file
+    lines = []
+    for letter in random.sample("abc", random.choice([1, 1, 2])):
+        (name, *orders), a = random.choice(rows), number(random)
+        target = f"D({name},1)" if float(max(orders)) > 1 and random.random() < 0.6 else name
+        zero = random.choice([f"t - {a}", f"sin({frequency(random)}*t)", f"(t - {a})*(t - {a} - {typed(spread(random, 1e-3, 1), 2)})", f"{target} - {signed(random)}",
+                              f"{target} - {signed(random)}", f"{name}^2 - {a}", f"{name} - {a}*sin(t)", f"exp(-((t - {a})/{typed(spread(random, 1e-3, 0.3), 2)})^2) - 0.5"])
+        value = random.choice([number(random), f"{target}/2", f"{target} + {a}", f"-0.8*{target}", f"{target} - t"])
+        crossing = random.choice([[], [], ['crossing = "rising"'], ['crossing = "falling"']])
+        lines += [f"[event.{letter}]", f'zero = "{zero}"', *crossing, f"set = {{ {chr(34) if '(' in target else ''}{target}{chr(34) if '(' in target else ''} = \"{value}\" }}"]
+    return (*file, *lines)
+
+
 def of_distributed_order(random: Random, name: str, names: list[str], parameters: list[str]) -> list[str]:
     """An unknown with a term of distributed order, sometimes beside another one."""
     to, weight = random.choice([0.5, 1, 1, 2]), random.choice(["1", "1 + q", "exp(-q)", f"{number(random)}^q", "2 + sin(3*q)"])
@@ -158,14 +176,15 @@ def field(random: Random) -> tuple[str, ...]:
     return tuple(lines)
 
 
-def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str, ...]:
-    """Lines of a file: mechanics, or one to three unknowns and sometimes parameters, an algebraic row or a jump; sometimes an event."""
-    if random.random() < 0.35:
+def drawn_file(random: Random, rows: int = 0, events: bool = True, rare: float = 1.0) -> tuple[str, ...]:
+    """Lines of a file: mechanics, or one to three unknowns and sometimes parameters, an algebraic row or a jump; sometimes an event. With
+    `rare` above 1 mechanics are rarer, and what is rare among equations is more frequent, by this factor."""
+    if random.random() < 0.35 / rare**2:
         lines = free() if random.random() < 0.03 else drawn_mechanics(random, rows)
         return (*lines, *event(random, "x")) if events and random.random() < 0.15 else lines
     if (chance := random.random()) < 0.2 and not rows:
         return made(random) if chance < 0.1 else example(random, events)
-    if not rows and random.random() < 0.08:
+    if not rows and random.random() < 0.08 * rare:
         return field(random)
     names = ["x", "y", "z"][:rows or random.choice([1, 1, 1, 2, 2, 3])]
     parameters = ["a", "rate"][:random.choice([0, 0, 1, 2])]
@@ -174,11 +193,11 @@ def drawn_file(random: Random, rows: int = 0, events: bool = True) -> tuple[str,
         lines += ["[parameters]", *(f"{name} = {number(random)}" for name in parameters)]
     several, delays = random.random() < 0.25, random.random() < 0.2
     for name in names:
-        if not delays and random.random() < 0.05:
+        if not delays and random.random() < 0.05 * rare:
             lines += of_distributed_order(random, name, names, parameters)
         else:
             lines += unknown(random, name, names, parameters, several, delays)
-    if not rows and random.random() < 0.08:
+    if not rows and random.random() < 0.08 * rare:
         lines = with_singular(random, lines)
     if random.random() < 0.15:
         lines = with_table(random, lines, names)

@@ -24,7 +24,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from random import Random
 
-import errors  # noqa: F401  (each of these modules registers properties)
+import agreement  # noqa: F401  (each of these modules registers properties)
+import errors  # noqa: F401
 import events  # noqa: F401
 import fitting  # noqa: F401
 import functions  # noqa: F401

@@ -2,6 +2,7 @@
 #include "fdebench/schemes/rules/adaptive/adaptive_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -14,6 +15,7 @@
 #include "fdebench/schemes/rules/adaptive/dense_output.hpp"
 #include "fdebench/schemes/rules/adaptive/step_control.hpp"
 #include "fdebench/schemes/stepping/stepper.hpp"
+#include "fdebench/schemes/stepping/zeros_within_step.hpp"
 
 namespace fde {
 namespace {
@@ -92,7 +94,7 @@ class ControlledStepper final : public Stepper {
 
   void state(Archive& archive) {
     archive(time_, interval_end_, rule_, control_, rejected_steps_, sides_, last_switch_time_,
-            returns_to_switch_, is_first_step_, blow_up_, left_domain_at_);
+            returns_to_switch_, samples_left_, other_side_, is_first_step_, blow_up_, left_domain_at_);
     if (dense_) archive(*dense_);
   }
 
@@ -129,8 +131,10 @@ class ControlledStepper final : public Stepper {
   // Attempts steps until one is within the tolerance.
   StepOutcome step_towards(double end) {
     constexpr double nearly = 0.99, within_from = 1e-14;
+    const Vec start = sides_.empty() ? Vec() : y_at_step_start();
+    if (time_ >= other_side_) other_side_ = std::numeric_limits<double>::infinity();
     for (;;) {
-      double t = next_time(end);
+      double t = std::min(next_time(end), other_side_);
       if (const double ahead = time_to_switch(t); ahead < t - time_) {
         if (ahead <= switch_tolerance()) return step_over_switch();
         t = time_ + nearly * ahead;
@@ -145,6 +149,13 @@ class ControlledStepper final : public Stepper {
         error = std::max(error, dense_output_error(t));
       const bool unasked = time_ == 0.0 && error < no_solution &&
                            exempt_from_relative_tolerance(problem_, run_.start(), length / problem_.end);
+      if (error <= 1.0 || unasked) {
+        if (const auto other = switch_within(start, t)) {
+          other_side_ = *other;
+          ++rejected_steps_;
+          continue;
+        }
+      }
       if (control_.update(unasked ? std::min(error, 1.0) : error, length)) return inside_domain(t);
       ++rejected_steps_;
       if (length <= shortest_step()) return handle_smallest_step(error, t, end);
@@ -181,6 +192,8 @@ class ControlledStepper final : public Stepper {
     rule_->attempt(run_, t);
     return error;
   }
+
+  [[nodiscard]] const Vec& y_at_step_start() const { return time_ > 0.0 ? rule_->result() : run_.start(); }
 
   // The end of the next step. The last two steps before `end` have about the same length.
   [[nodiscard]] double next_time(double end) const {
@@ -222,6 +235,22 @@ class ControlledStepper final : public Stepper {
     if (problem_.switching_functions.empty() || !switched(t, ahead(t)))
       return std::numeric_limits<double>::infinity();
     return bisect(switched, ahead, t).first - time_;
+  }
+
+  // A time within the step attempted to t, from y = start, at which a switch has another side than at both
+  // ends.
+  std::optional<double> switch_within(const Vec& start, double t) {
+    constexpr std::array shares{0.01, 0.1, 0.35, 0.6, 0.85};  // of the step
+    if (sides_.empty()) return std::nullopt;
+    std::vector<double> times{time_};
+    for (const double share : shares)
+      if (const double at = time_ + share * (t - time_); at > times.back() && at < t) times.push_back(at);
+    times.push_back(t);
+    const auto y = [&](double at) -> Vec {
+      if (at == time_) return start;
+      return at == t ? rule_->result() : rule_->dense_output(at);
+    };
+    return time_on_other_side(problem_, sides_, times, y, samples_left_);
   }
 
   // Steps over a switch next to the last accepted time and restarts the rule.
@@ -287,6 +316,9 @@ class ControlledStepper final : public Stepper {
   std::vector<bool> sides_{};       // the side of each switch on which the solution is
   double last_switch_time_ = -1.0;  // time of the last switch
   int returns_to_switch_ = 0;       // returns to a switch at once
+  std::uint64_t samples_left_ = most_samples / 10;
+  // Where a switch has another side, between two zeros that lie ahead; infinity: none is known.
+  double other_side_ = std::numeric_limits<double>::infinity();
   const StepInterpolant within_{[this](double t) { return rule_->dense_output(t); }};
 };
 

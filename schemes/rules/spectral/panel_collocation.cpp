@@ -13,7 +13,8 @@ namespace fde {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double part = 0.5;  // of the tolerance: a margin for errors that grow or add up
+constexpr double at_once = 1e-5;  // of the time: after a switch
+constexpr double part = 0.5;      // of the tolerance: a margin for errors that grow or add up
 
 // A function with a singularity at the distance of one panel length has Legendre coefficients like 5.8^-l: so
 // do the x_k on the panels that grow from a start, and the integrals over distant blocks.
@@ -186,33 +187,64 @@ std::unique_ptr<MemoryBlock> PanelCollocation::attempt_panel(const OpenBlock& op
     reject_panel(block, error);
     return nullptr;
   }
+  auto panel = panel_of(block, task, solved);
+  if (passes_over_switch(*panel, task, solved.rows)) {
+    reject_panel(block, infinity);
+    return nullptr;
+  }
   set_next_width(block, needed_fraction(effects));
-  return accept_panel(block, task, std::move(solved));
+  accept_values(task, solved);
+  return panel;
 }
 
-std::unique_ptr<MemoryBlock> PanelCollocation::accept_panel(const TimeBlock& block, const PanelSystem& task,
-                                                            PanelValues solved) {
-  const auto& rule = solution_->rule;
+// The panel as a block of the history.
+std::unique_ptr<MemoryBlock> PanelCollocation::panel_of(const TimeBlock& block, const PanelSystem& task,
+                                                        const PanelValues& solved) {
+  return std::make_unique<MemoryBlock>(MemoryBlock{
+      .block = block,
+      .coefficients = solution_->rule.to_coefficients * solved.unknowns,
+      .units = task.units,
+      .values = solved.rows,
+      .slopes = block.from == 0.0 ? solver_.algebraic_slopes(run_, task, solved.rows) : Matrix()});
+}
+
+void PanelCollocation::accept_values(const PanelSystem& task, const PanelValues& solved) {
+  const Eigen::Index last = solution_->rule.size() - 1;
   solver_.accept_panel(solved);
   last_unknowns_ = solved.unknowns.bottomRows<1>().transpose();
-  sides_ =
-      switch_signs(problem_, task.times[rule.size() - 1], solver_.values_at(solved.rows, rule.size() - 1));
-  Matrix slopes = block.from == 0.0 ? solver_.algebraic_slopes(run_, task, solved.rows) : Matrix();
-  return std::make_unique<MemoryBlock>(MemoryBlock{.block = block,
-                                                   .coefficients = rule.to_coefficients * solved.unknowns,
-                                                   .units = task.units,
-                                                   .values = std::move(solved.rows),
-                                                   .slopes = std::move(slopes)});
+  sides_ = switch_signs(problem_, task.times[last], solver_.values_at(solved.rows, last));
 }
 
-// Whether the panel is not on one side of every switch, or, after the first panel of a segment, not on the
-// side of the panel before.
+// Whether a switch has zeros between points of a panel that is on one side of it at all points: two, or one
+// behind the switch with which the segment begins. Where the run returns to a switch at once, rounding
+// decides.
+bool PanelCollocation::passes_over_switch(const MemoryBlock& panel, const PanelSystem& task,
+                                          const Matrix& rows) {
+  if (problem_.switching_functions.empty() || panel.block.length() <= at_once * task.times[0]) return false;
+  const auto sides = switch_signs(problem_, task.times[0], solver_.values_at(rows, 0));
+  const bool follows_switch = panel.block.from == 0.0 && panel.block.segment->start == last_switch_time_;
+  if (follows_switch && sides != sides_) return true;
+  const auto y = [&](double t) -> Vec {
+    const auto found = std::find(task.times.begin(), task.times.end(), t);
+    if (found == task.times.end()) return solution_->at(t);
+    return solver_.values_at(rows, found - task.times.begin());
+  };
+  solution_->panels.push_back(&panel);
+  const auto other =
+      time_on_other_side(problem_, sides, {task.times.begin(), task.times.end()}, y, samples_left_);
+  solution_->panels.pop_back();
+  return other.has_value();
+}
+
+// Whether the panel is not on one side of every switch, or not on the side of the panel before. The first
+// panel behind a switch, or at t = 0, has no such side: rounding decides about its start.
 bool PanelCollocation::contains_switch(const TimeBlock& panel, const PanelSystem& task,
                                        const Matrix& rows) const {
   if (problem_.switching_functions.empty()) return false;
   const Eigen::Index places = rows.rows();
-  const auto begun =
-      panel.from > 0.0 ? sides_ : switch_signs(problem_, task.times[0], solver_.values_at(rows, 0));
+  const double start = panel.segment->start;
+  const bool has_side = panel.from > 0.0 || (start > 0.0 && start != last_switch_time_);
+  const auto begun = has_side ? sides_ : switch_signs(problem_, task.times[0], solver_.values_at(rows, 0));
   for (Eigen::Index j = 0; j < places; ++j) {
     if (switch_signs(problem_, task.times[j], solver_.values_at(rows, j)) != begun) return true;
   }
@@ -225,7 +257,7 @@ bool PanelCollocation::contains_switch(const TimeBlock& panel, const PanelSystem
 // not exist beyond: the run ends.
 std::unique_ptr<MemoryBlock> PanelCollocation::step_over_switch(const TimeBlock& block,
                                                                 const PanelSystem& task) {
-  constexpr double located = 1e-13, at_once = 1e-5;  // of the time
+  constexpr double located = 1e-13;  // of the time
   constexpr int most_returns = 32;
   const double t = block.time(1.0);
   if (problem_.switching_functions.empty() || block.length() > located * t) return nullptr;
@@ -238,7 +270,8 @@ std::unique_ptr<MemoryBlock> PanelCollocation::step_over_switch(const TimeBlock&
     failure_ = {t, SolveStatus::sliding};
     return nullptr;
   }
-  auto panel = accept_panel(block, task, std::move(followed));
+  auto panel = panel_of(block, task, followed);
+  accept_values(task, followed);
   last_switch_time_ = t;
   segment_ends_ = true;
   return panel;

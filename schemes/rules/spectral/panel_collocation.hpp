@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "fdebench/schemes/rules/spectral/panel_solver.hpp"
 #include "fdebench/schemes/rules/spectral/panel_tree.hpp"
 #include "fdebench/schemes/stepping/stepper.hpp"
+#include "fdebench/schemes/stepping/zeros_within_step.hpp"
 
 namespace fde {
 
@@ -49,8 +51,10 @@ class PanelCollocation final : public Stepper {
   [[nodiscard]] bool may_be_panel(const TimeBlock& block) const;
   [[nodiscard]] OpenBlock half_of(const OpenBlock& open, const TimeBlock& block, const Matrix& to_half);
   std::unique_ptr<MemoryBlock> attempt_panel(const OpenBlock& open);
-  std::unique_ptr<MemoryBlock> accept_panel(const TimeBlock& block, const PanelSystem& task,
-                                            PanelValues solved);
+  std::unique_ptr<MemoryBlock> panel_of(const TimeBlock& block, const PanelSystem& task,
+                                        const PanelValues& solved);
+  void accept_values(const PanelSystem& task, const PanelValues& solved);
+  bool passes_over_switch(const MemoryBlock& panel, const PanelSystem& task, const Matrix& rows);
   std::unique_ptr<MemoryBlock> step_over_switch(const TimeBlock& block, const PanelSystem& task);
   [[nodiscard]] bool contains_switch(const TimeBlock& panel, const PanelSystem& task,
                                      const Matrix& rows) const;
@@ -89,7 +93,8 @@ class PanelCollocation final : public Stepper {
   std::vector<bool> sides_{};             // the side of each switch on which the solution is
   double last_switch_time_ = -1.0;        // time of the last switch
   int returns_to_switch_ = 0;             // successive returns to a switch at once
-  Vec last_unknowns_;                     // at the end of the panel before; empty: not known
+  std::uint64_t samples_left_ = most_samples / 10;
+  Vec last_unknowns_;  // at the end of the panel before; empty: not known
 };
 
 }  // namespace fde

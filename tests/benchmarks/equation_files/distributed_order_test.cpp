@@ -126,6 +126,17 @@ TEST(DistributedOrder, TakesAsFewNodesAsItsToleranceNeeds) {
       std::invalid_argument);
 }
 
+// Two such unknowns coupled by functions that are not linear start with sums of any of their orders, which
+// are too many for a series: such a file is read at once.
+TEST(DistributedOrder, OfCoupledUnknownsIsReadAtOnce) {
+  const auto run = command(
+      "end = 0.6\n[unknown.x]\nterms = [{ weight = \"1\", from = 0, to = 1 }, [0.169, 0.24]]\n"
+      "rhs = \"-0.284*asin(tanh(z))\"\ninitial = [1]\n[unknown.z]\n"
+      "terms = [{ weight = \"1 + q\", from = 0, to = 0.5 }]\nrhs = \"sin(x) - z\"\ninitial = [0]\n",
+      {"solve", "--scheme", "l1", "--steps", "64", "--at", "0.6"});
+  EXPECT_EQ(run.code, 0);
+}
+
 TEST(DistributedOrder, IsRefusedAtItsPlace) {
   const auto refusal = [](const std::string& text) {
     const auto answer = command(text, {"solve", "--scheme", "l1", "--steps", "8"});

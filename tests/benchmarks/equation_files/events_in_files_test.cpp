@@ -10,6 +10,7 @@
 #include <string>
 
 #include "benchmarks/equation_files/equation_files_testing.hpp"
+#include "benchmarks/equation_files/file_commands.hpp"
 #include "fdebench/reference/special_functions/mittag_leffler/mittag_leffler.hpp"
 #include "support/command_line_result.hpp"
 #include "support/temporary_folder.hpp"
@@ -126,6 +127,63 @@ TEST(EventsOfAFile, AreNotPassedOverInPairs) {
     const auto answer = fdebench({"solve", file, "--scheme", scheme, "--accuracy", "1e-7", "--at", "1.5"});
     EXPECT_NEAR(csv_rows(answer.out).back()[1], ((start + z) / 2.0 + z) / 2.0 + end - 2.0 * z, 1e-7)
         << scheme;
+  }
+}
+
+// x' jumps from 0 to 1 where half of x = 1 is taken.
+TEST(EventsOfAFile, MayBeAtAJumpOfTheEquation) {
+  const std::string file =
+      "end = 2\n[unknown.x]\norder = 1\nrhs = \"step(t - 1)\"\ninitial = [1]\n[event.half]\nzero = \"t - "
+      "1\"\n"
+      "set = { x = \"x/2\" }\n";
+  for (const auto* scheme :
+       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+    const auto run = command(file, {"solve", "--scheme", scheme, "--accuracy", "1e-7", "--at", "2"});
+    EXPECT_NEAR(values(run)[1], 1.5, 1e-9) << scheme;
+  }
+}
+
+// x = t passes 1 and 1.01, y becomes y + 1 at each zero that counts; every scheme solves both rows by steps
+// that are longer than the time between.
+TEST(EventsOfAFile, AreNotPassedOverInPairsWhereTheyDependOnUnknowns) {
+  const std::string line =
+      "end = 3\n[unknown.x]\norder = 1\nrhs = \"1\"\ninitial = [0]\n[unknown.y]\norder = 0.6\nrhs = \"0\"\n"
+      "initial = [0]\n[event.within]\nzero = \"(x - 1)*(x - 1.01)\"\nset = { y = \"y + 1\" }\n";
+  for (const auto* scheme :
+       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+    const auto at_end = [&](const std::string& file) {
+      return values(command(file, {"solve", "--scheme", scheme, "--accuracy", "1e-6", "--at", "3"}))[2];
+    };
+    EXPECT_NEAR(at_end(line), 2.0, 1e-9) << scheme;
+    EXPECT_NEAR(at_end(line + "crossing = \"rising\"\n"), 1.0, 1e-9) << scheme;
+  }
+}
+
+// x' = 1 + step of a function that is positive between x = 1 and x = 1.01: x runs through it in half the
+// time.
+TEST(SwitchesOfAFile, AreNotPassedOverInPairs) {
+  const std::string line =
+      "end = 3\n[unknown.x]\norder = 1\nrhs = \"1 + step((x - 1)*(1.01 - x))\"\ninitial = [0]\n";
+  for (const auto* scheme :
+       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+    const auto run = command(line, {"solve", "--scheme", scheme, "--accuracy", "1e-7", "--at", "3"});
+    EXPECT_NEAR(values(run)[1], 3.005, 1e-6) << scheme;
+  }
+}
+
+// The zeros 1 - z and 1 + z, z = 1e-4 sqrt(log 2), are far closer to each other than steps and their samples.
+TEST(EventsOfAFile, OfTimeAloneAreFoundHoweverCloseTheyAre) {
+  const std::string file =
+      "end = 2\n[unknown.x]\norder = 0.5\nrhs = \"-x\"\ninitial = [1]\n[event.pulse]\nzero = \"exp(-((t - "
+      "1)/1e-4)^2) - 0.5\"\n";
+  const double z = 1e-4 * std::sqrt(std::numbers::ln2);
+  for (const auto* scheme :
+       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+    const auto answer = command(file, {"solve", "--scheme", scheme, "--accuracy", "1e-3", "--events"});
+    const auto row = answer.out.find("pulse,"), second = answer.out.find("pulse,", row + 1);
+    ASSERT_NE(second, std::string::npos) << scheme;
+    EXPECT_NEAR(std::stod(answer.out.substr(row + 6)), 1.0 - z, 1e-12) << scheme;
+    EXPECT_NEAR(std::stod(answer.out.substr(second + 6)), 1.0 + z, 1e-12) << scheme;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/equation_files/file_commands.hpp"
 #include "fdebench/benchmarks/scenes/variant.hpp"
 #include "support/command_output.hpp"
 #include "support/temporary_folder.hpp"
@@ -119,6 +120,19 @@ TEST(ImpliedRows, LeaveAnUnknownOfTheSameNameAlone) {
       "\"0\"\n";
   EXPECT_NEAR(solved_by(text, "1", {"spectral_collocation", "--accuracy", "1e-10"}), 0.67200948165877728324,
               1e-8);
+}
+
+// A warning is about the row that is off most, which is no column here.
+TEST(ImpliedRows, AreNamedInWarnings) {
+  const auto warning = [](const std::string& text) {
+    return command(text, {"solve", "--scheme", "product_trapezoidal", "--steps", "20"}).err;
+  };
+  EXPECT_THAT(warning("end = 5\n[unknown.x]\norder = 0.7\nrhs = \"cos(40*t) - J(cos(30*t), 1.5) - x\"\n"
+                      "initial = [1]\n"),
+              HasSubstr("; J(cos(30*t), 1.5) at t = 5 is "));
+  EXPECT_THAT(warning("end = 20\n[unknown.y]\ntransfer = \"(1 + s^0.3)/(s^1.9 + 0.01*s^0.5 + 9)\"\n"
+                      "input = \"1 - 300*y\"\n"),
+              HasSubstr("; the state of y at t = 15 is "));
 }
 
 TEST(ImpliedRows, AreRefusedAtTheirPlace) {

@@ -90,6 +90,15 @@ TEST(Exact, BeyondDoubleIsANumericalFailure) {
               fails_with(3, "fdebench: the exact solution is beyond double at t = 50\n"));
 }
 
+// y = (1 - t) sqrt(t) solves the equation with exp(t (1 - t)^2 - y^2), which magnifies a small error of y
+// without limit: up to t = 5 the two methods differ by far more than all values.
+TEST(Exact, ThatIsNotKnownAtAllIsANumericalFailure) {
+  const std::string file = FDE_SOURCE_DIR "/benchmarks/peers/problems/nag_abel_exponential.toml";
+  EXPECT_EQ(fdebench("exact " + file + " --at 3").code, 0);
+  EXPECT_THAT(fdebench("exact " + file + ":until=5 --at 5"),
+              fails_with(3, HasSubstr("the two methods of a reference differ by")));
+}
+
 // Linear scenes with many digits, and a nonlinear scene.
 TEST(Exact, EndsWithItsBudgetAndPrintsNothingElse) {
   for (const auto& [arguments, time] : {std::pair{"relaxation --at 1 --digits 3000", "1"},

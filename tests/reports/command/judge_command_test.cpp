@@ -216,6 +216,14 @@ TEST_F(Judging, AddsToResultsUnderItsName) {
   EXPECT_THAT(chosen.out, testing::ContainsRegex("\nl1 +16 "));
 }
 
+// The bounds that `exact` prints beside its values are ignored, with both kinds of names.
+TEST_F(Judging, TakesWhatExactPrints) {
+  for (const std::string more : {"", " --bounds", " --bounds --plain-names"}) {
+    const auto table = printed(fdebench("exact pendulum --at 0,0.5,1" + more));
+    EXPECT_LT(number(judge(table, {}, "pendulum:until=1"), "error_end"), 1e-15) << more;
+  }
+}
+
 TEST_F(Judging, RefusesNamesThatWouldMislead) {
   for (const std::string name :
        {"l1", "a\nb", "\x1b[2J", "\xff", "\xc3", "\xed\xa0\x80", "\xc2\x85", "\x7f"}) {
