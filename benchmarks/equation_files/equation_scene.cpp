@@ -69,25 +69,6 @@ Outputs singular_outputs(const std::vector<SystemColumn>& columns, FileFormulas&
   return names.empty() ? Outputs{} : Outputs{names, program_of(values, columns, formulas)};
 }
 
-// The transfer functions of the unknowns that states stand for.
-std::vector<TransferFunction> transfers_of(FileFormulas& formulas) {
-  const auto numbers = [&](const std::vector<TermText>& terms) {
-    std::vector<TransferFunction::Term> sum;
-    for (const auto& [coefficient, order] : terms) {
-      sum.push_back({formulas.constant(coefficient, "coefficient", any_number),
-                     formulas.constant(order, "order", any_number)});
-    }
-    return sum;
-  };
-  std::vector<TransferFunction> all;
-  for (const auto& output : formulas.text().outputs) {
-    if (output.weighted || output.of_time) continue;
-    const auto state = std::ranges::find(formulas.text().unknowns, output.state, &UnknownText::name);
-    all.push_back({output.name, numbers(output.terms), numbers(state->terms)});
-  }
-  return all;
-}
-
 Energy energy_of(const EnergyText& text, const std::vector<SystemColumn>& columns, FileFormulas& formulas) {
   Energy energy{.value = [program = program_of({text.value}, columns, formulas, false)](In c) {
     return program(0.0, c);
@@ -165,11 +146,37 @@ Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormu
   return {.edge = text.edge, .margin = Program(formulas.pool(), {margin}, system.size())};
 }
 
+// The text without parts that are left out, and with states in place of transfer functions.
+EquationText in_states(EquationText text, const Parameters& parameters, int more_nodes = 0) {
+  text = with_components(present_parts(std::move(text), parameters), parameters);
+  return with_states(with_quadrature(std::move(text), parameters, more_nodes), parameters);
+}
+
+// The transfer functions, P as the terms of an output and Q as those of its state.
+std::vector<TransferFunction> transfers_of(const EquationText& all, const Parameters& parameters) {
+  std::vector<TransferFunction> transfers;
+  const auto has_transfer = [](const UnknownText& one) { return one.transfer.has_value(); };
+  if (std::ranges::none_of(all.unknowns, has_transfer)) return transfers;
+  const EquationText text = in_states(all, parameters);
+  FileFormulas formulas(text, parameters, NumberStorage::values);
+  const auto numbers = [&](const std::vector<TermText>& terms) {
+    std::vector<TransferFunction::Term> sum;
+    for (const auto& [coefficient, order] : terms) {
+      sum.push_back({formulas.constant(coefficient, "coefficient", any_number),
+                     formulas.constant(order, "order", any_number)});
+    }
+    return sum;
+  };
+  for (const auto& output : text.outputs) {
+    const auto state = std::ranges::find(text.unknowns, output.state, &UnknownText::name);
+    transfers.push_back({output.name, numbers(output.terms), numbers(state->terms)});
+  }
+  return transfers;
+}
+
 // The text in which all equations are sums of terms of one unknown each.
 EquationText in_terms(EquationText text, const Parameters& parameters, int more_nodes = 0) {
-  text = with_components(present_parts(std::move(text), parameters), parameters);
-  text = with_quadrature(std::move(text), parameters, more_nodes);
-  text = with_implied_rows(with_states(std::move(text), parameters), parameters);
+  text = with_implied_rows(in_states(std::move(text), parameters, more_nodes), parameters);
   return with_implied_terms(with_caputo_derivatives(std::move(text), parameters), parameters);
 }
 
@@ -268,7 +275,7 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   if (!scene.reference.at && scene.problem.resets.empty())
     scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
   scene.singular = singular_outputs(columns, formulas);
-  scene.transfers = transfers_of(formulas);
+  scene.transfers = transfers_of(all, parameters);
   if (text.energy) scene.energy = energy_of(*text.energy, columns, formulas);
   for (const auto& event : text.events) scene.events.push_back(event_of(event, columns, formulas));
   if (const auto& f = text.constraints; !f.empty())

@@ -32,7 +32,6 @@ reference::Reference mapped_to_columns(const Outputs& outputs, reference::Refere
   if (!outputs.evaluate) return components;
   const auto evidence = components.evidence;
   const auto seconds = components.seconds;
-  const auto zeros = components.zeros;
   return {.at = [outputs, components = std::move(components)](double t) -> reference::ReferenceValue {
             const reference::ReferenceValue known = components.at(t);
             Vec columns = columns_at(outputs, t, known.value);
@@ -40,8 +39,7 @@ reference::Reference mapped_to_columns(const Outputs& outputs, reference::Refere
             return {std::move(columns), std::move(bound)};
           },
           .evidence = evidence,
-          .seconds = seconds,
-          .zeros = zeros};
+          .seconds = seconds};
 }
 
 reference::Reference found_reference(const Scene& scene) {
