@@ -80,7 +80,8 @@ Command poles_command() {
        {scene_argument("id of a linear scene"), set_argument()},
        {{"fdebench poles bagley_torvik",
          "prints all s on the principal sheet for which e^(s t) is part of a solution, those to the right "
-         "first, and says whether the equation is stable."}},
+         "first, and says whether the equation is stable."},
+        {"fdebench poles fractional_control --set K=200", "prints those of a loop with a larger gain."}},
        {"response", "exact", "stability"}},
       print_poles};
 }
@@ -95,7 +96,9 @@ Command response_command() {
         {"--frequencies W1,W2,...", "angular frequencies", positive}},
        {{"fdebench response fractional_control --frequencies 0.1,1,10",
          "prints |G(i w)| and the phase in degrees, in (-180, 180], of the plant and its controller without "
-         "the feedback."}},
+         "the feedback."},
+        {"fdebench response fractional_control:mu=0.5 --frequencies 4",
+         "prints those of another controller at one frequency."}},
        {"poles", "solve"}},
       print_response};
 }
