@@ -143,6 +143,15 @@ bool only_chains(const Problem& problem, const std::vector<Chain>& chains) {
   return rows == problem.size();
 }
 
+// The smoothness up to the end of the problem: without breaking points that are later.
+Smoothness up_to_end(const Problem& problem, Smoothness smoothness) {
+  const auto is_before_end = [&](double t) { return t < problem.end; };
+  if (std::ranges::none_of(breaking_points(problem), is_before_end) &&
+      std::ranges::none_of(problem.delays.lags, is_before_end))
+    smoothness.breaking_points.clear();
+  return smoothness;
+}
+
 }  // namespace
 
 double end_rate_of_interpolated_f(double g, double p) {
@@ -211,11 +220,12 @@ ExpectedRate expected_rate(const RateTheory& theory, OrderSplitting (*splitting)
 
 std::optional<double> theoretical_rate(const Scheme& scheme, const Problem& problem,
                                        const Smoothness& smoothness, double grading, Norm norm) {
+  const Smoothness seen = up_to_end(problem, smoothness);
   const bool declared = smoothness.powers.size() == problem.components.size();
   if (!scheme.expected_rate || !declared) return std::nullopt;
-  if (!is_solved_by_shooting(problem)) return scheme.expected_rate(problem, smoothness, grading, norm);
+  if (!is_solved_by_shooting(problem)) return scheme.expected_rate(problem, seen, grading, norm);
   const auto rate = [&, complete = with_some_initial_values(problem)](Norm of) {
-    return scheme.expected_rate(complete, smoothness, grading, of);
+    return scheme.expected_rate(complete, seen, grading, of);
   };
   // The missing values have the error at the end.
   return std::min(rate(norm), rate(Norm::end));
