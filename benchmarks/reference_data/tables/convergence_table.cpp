@@ -28,12 +28,18 @@ constexpr double least_accuracy = 1e-8;  // of a reference, for a check to be me
 const std::vector<std::string> measured{"h", "error_end", "error_maximum", "expected_rate_end",
                                         "expected_rate_maximum"};
 
+// Whether a scene has this measure: not every scene has theoretical rates.
+bool has_measure(const Scene& scene, const std::string& name) {
+  return !name.starts_with("expected_rate") || !scene.smoothness.powers.empty();
+}
+
 TableMetadata convergence_facts(const SceneVariant& of) {
-  return {
+  const Scene scene = make_scene(of);
+  TableMetadata facts{
       .title = fmt::format("{}: errors of every scheme against the number of steps", of.factory->title),
       .method = fmt::format("each scheme on a uniform grid of [0, {}], compared at every step with the "
                             "reference, in double; reproducible to {:g} of the error and {:g} of 1 + max |y|",
-                            make_scene(of).problem.end, relative_tolerance, rounding_tolerance),
+                            scene.problem.end, relative_tolerance, rounding_tolerance),
       .source = std::string(of.factory->source),
       .bound = "of the reference at the end, against which the errors are measured",
       .digits = double_digits,
@@ -60,6 +66,8 @@ TableMetadata convergence_facts(const SceneVariant& of) {
            .description = "bound of the reference at the end",
            .required = false,
            .minimum = 0}}};
+  std::erase_if(facts.columns, [&](const auto& column) { return !has_measure(scene, column.name); });
+  return facts;
 }
 
 // The runs of one scene, which share cached reference values.
@@ -82,10 +90,7 @@ class Runs {
     return run;
   }
 
-  // Whether the scene has this measure: not every scene has theoretical rates.
-  [[nodiscard]] bool has_measure(const std::string& name) const {
-    return !name.starts_with("expected_rate") || !scene_.smoothness.powers.empty();
-  }
+  [[nodiscard]] bool has(const std::string& name) const { return has_measure(scene_, name); }
 
   // max |y| over the time interval of the scene.
   double size() {
@@ -102,8 +107,7 @@ class Runs {
 ComputedTable convergence_rows(const SceneVariant& of) {
   Runs runs(of);
   ComputedTable made;
-  for (const auto& column : convergence_facts(of).columns)
-    if (runs.has_measure(column.name)) made.table.columns.push_back(column.name);
+  for (const auto& column : convergence_facts(of).columns) made.table.columns.push_back(column.name);
   for (const auto& scheme : schemes()) {
     for (const int steps : table_steps) {
       const auto [values, ending] = runs(scheme, steps);
@@ -116,7 +120,7 @@ ComputedTable convergence_rows(const SceneVariant& of) {
       }
       std::vector<std::string> row{std::string(scheme.id), fmt::format("{}", steps)};
       for (const auto& name : measured)
-        if (runs.has_measure(name)) row.push_back(fmt::format("{}", values.at(name)));
+        if (runs.has(name)) row.push_back(fmt::format("{}", values.at(name)));
       row.push_back(bound_text(values.at("reference_bound")));
       made.table.rows.push_back(std::move(row));
     }
@@ -155,7 +159,7 @@ RowCheck convergence_check(const SceneVariant& of, const DataTable& given) {
     const double of_errors = rounding_tolerance * size + bound;
     std::vector<reference::Decimal> recomputed;
     for (const auto& name : measured) {
-      const double value = runs->has_measure(name) ? values.at(name) : 0.0;
+      const double value = runs->has(name) ? values.at(name) : 0.0;
       const double tolerance =
           name.starts_with("error") ? relative_tolerance * value + of_errors : rounding_tolerance * value;
       recomputed.push_back({fmt::format("{}", value), fmt::format("{}", tolerance)});
