@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/reference/two_sided/nodal_equations.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -252,9 +252,10 @@ Smoothness split_orders(const Problem& problem, const Smoothness& smoothness, co
       }
       node += link;
     }
-    for (const auto& [row, power] : smoothness.breaking_points)  // of the right-hand side, in the last link
+    for (const auto& [row, power] : smoothness.breaking_points) {  // of the right-hand side, in the last link
       if (row == static_cast<Eigen::Index>(i))
         result.breaking_points.push_back({std::ssize(result.powers) - 1, power});
+    }
   }
   return result;
 }

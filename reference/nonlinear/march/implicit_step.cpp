@@ -50,9 +50,7 @@ std::function<Vec(const Vec&)> dense_inverse(const LinearisedStep& step, const s
   const auto unknowns = std::ssize(step.jacobians) * step.mass.size();
   Matrix matrix = Matrix::Zero(unknowns, unknowns);
   for_each_entry(step, weights, [&](auto row, auto column, double value) { matrix(row, column) = value; });
-  return [lu = Eigen::PartialPivLU<Matrix>(std::move(matrix))](const Vec& right) -> Vec {
-    return lu.solve(right);
-  };
+  return [lu = Eigen::PartialPivLU<Matrix>(matrix)](const Vec& right) -> Vec { return lu.solve(right); };
 }
 
 std::function<Vec(const Vec&)> sparse_inverse(const LinearisedStep& step,

@@ -28,9 +28,10 @@ TEST(ReferenceData, HasATableOfEveryKindAndScene) {
   for (const auto& factory : built_in_scenes()) all.push_back({.factory = &factory});
   const auto tables = planned_tables(all);
   EXPECT_EQ(tables.size(), 1 + 2 * built_in_scenes().size() - 1);  // no trajectories of fractional_diffusion
-  for (const auto& table : tables)
+  for (const auto& table : tables) {
     EXPECT_TRUE(fs::exists(fmt::format(FDE_SOURCE_DIR "/reference/data/{}.csv", table.stem())))
         << table.stem();
+  }
   EXPECT_EQ(tables[0].stem(), "mittag_leffler");
   EXPECT_EQ(example_tables().at(1).stem(), "trajectories/relaxation,gamma=0.2");
 }
