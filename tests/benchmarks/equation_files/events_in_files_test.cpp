@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -18,6 +19,9 @@
 
 namespace fde::bench {
 namespace {
+
+constexpr std::array locating_schemes{"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal",
+                                      "adaptive_pc"};
 
 const std::string falling = "solve " + example("falling.toml");
 
@@ -122,8 +126,7 @@ TEST(EventsOfAFile, AreNotPassedOverInPairs) {
                            "zero = \"sin(5.13*t)\"\nset = {{ x = \"x/2\" }}\n",
                            end, start));
   const std::string file = folder.path() / "line.toml";
-  for (const auto* scheme :
-       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+  for (const auto* scheme : locating_schemes) {
     const auto answer = fdebench({"solve", file, "--scheme", scheme, "--accuracy", "1e-7", "--at", "1.5"});
     EXPECT_NEAR(csv_rows(answer.out).back()[1], ((start + z) / 2.0 + z) / 2.0 + end - 2.0 * z, 1e-7)
         << scheme;
@@ -136,8 +139,7 @@ TEST(EventsOfAFile, MayBeAtAJumpOfTheEquation) {
       "end = 2\n[unknown.x]\norder = 1\nrhs = \"step(t - 1)\"\ninitial = [1]\n[event.half]\nzero = \"t - "
       "1\"\n"
       "set = { x = \"x/2\" }\n";
-  for (const auto* scheme :
-       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+  for (const auto* scheme : locating_schemes) {
     const auto run = command(file, {"solve", "--scheme", scheme, "--accuracy", "1e-7", "--at", "2"});
     EXPECT_NEAR(values(run)[1], 1.5, 1e-9) << scheme;
   }
@@ -149,8 +151,7 @@ TEST(EventsOfAFile, AreNotPassedOverInPairsWhereTheyDependOnUnknowns) {
   const std::string line =
       "end = 3\n[unknown.x]\norder = 1\nrhs = \"1\"\ninitial = [0]\n[unknown.y]\norder = 0.6\nrhs = \"0\"\n"
       "initial = [0]\n[event.within]\nzero = \"(x - 1)*(x - 1.01)\"\nset = { y = \"y + 1\" }\n";
-  for (const auto* scheme :
-       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+  for (const auto* scheme : locating_schemes) {
     const auto at_end = [&](const std::string& file) {
       return values(command(file, {"solve", "--scheme", scheme, "--accuracy", "1e-6", "--at", "3"}))[2];
     };
@@ -164,8 +165,7 @@ TEST(EventsOfAFile, AreNotPassedOverInPairsWhereTheyDependOnUnknowns) {
 TEST(SwitchesOfAFile, AreNotPassedOverInPairs) {
   const std::string line =
       "end = 3\n[unknown.x]\norder = 1\nrhs = \"1 + step((x - 1)*(1.01 - x))\"\ninitial = [0]\n";
-  for (const auto* scheme :
-       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+  for (const auto* scheme : locating_schemes) {
     const auto run = command(line, {"solve", "--scheme", scheme, "--accuracy", "1e-7", "--at", "3"});
     EXPECT_NEAR(values(run)[1], 3.005, 1e-6) << scheme;
   }
@@ -177,8 +177,7 @@ TEST(EventsOfAFile, OfTimeAloneAreFoundHoweverCloseTheyAre) {
       "end = 2\n[unknown.x]\norder = 0.5\nrhs = \"-x\"\ninitial = [1]\n[event.pulse]\nzero = \"exp(-((t - "
       "1)/1e-4)^2) - 0.5\"\n";
   const double z = 1e-4 * std::sqrt(std::numbers::ln2);
-  for (const auto* scheme :
-       {"spectral_collocation", "radau_exponentials", "adaptive_trapezoidal", "adaptive_pc"}) {
+  for (const auto* scheme : locating_schemes) {
     const auto answer = command(file, {"solve", "--scheme", scheme, "--accuracy", "1e-3", "--events"});
     const auto row = answer.out.find("pulse,"), second = answer.out.find("pulse,", row + 1);
     ASSERT_NE(second, std::string::npos) << scheme;
