@@ -104,7 +104,7 @@ void require_supported_resets(const Problem& problem) {
 }
 
 // Both methods solve linear systems for all values of a panel or a step: dense ones of 100 unknowns in a
-// minute, and in eight times as long for 200; sparse ones of 400 points of a line in some seconds.
+// minute, and in eight times as long for 200; sparse ones of 400 points of a line in half a minute.
 void require_affordable(const Problem& problem) {
   constexpr Eigen::Index most_dense = 200, most_sparse = 400;
   if (problem.size() <= most_dense) return;

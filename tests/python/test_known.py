@@ -108,7 +108,7 @@ def test_every_kind_of_equation_is_solved_and_known(file):
     scene = fdebench.Scene(file)
     known = fdebench.exact(scene, scene.end)
     solution = fdebench.solve(scene, "radau_exponentials", accuracy=1e-6, at=[scene.end])
-    assert abs(solution[scene.columns[0]][-1] - known[scene.columns[0]][-1]) <= 1e-4
+    assert abs(solution[scene.columns[0]][-1] - known[scene.columns[0]][-1]) <= 1e-5
 
 
 def test_a_problem_of_ones_own_may_have_delays():
