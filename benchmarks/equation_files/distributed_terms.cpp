@@ -62,16 +62,16 @@ bool has_distributed_orders(const EquationText& text) {
   return std::ranges::any_of(text.unknowns, [](const UnknownText& one) { return !one.distributed.empty(); });
 }
 
-EquationText with_quadrature(EquationText text, const Parameters& parameters, int more_nodes) {
+EquationText with_quadrature(EquationText text, const Parameters& parameters, const QuadratureNodes& nodes) {
   if (!has_distributed_orders(text)) return text;
   const EquationText given = text;
   FileFormulas formulas(given, parameters, NumberStorage::values);
-  const double end = formulas.end();
+  const double end = nodes.end.value_or(formulas.end());
   for (auto& unknown : text.unknowns) {
     for (const auto& one : unknown.distributed) {
       if (unknown.factor)
         formulas.reject(*unknown.factor, "factor: must not be given with a distributed order");
-      add_terms(one, more_nodes, end, formulas, unknown);
+      add_terms(one, nodes.more, end, formulas, unknown);
     }
   }
   return text;

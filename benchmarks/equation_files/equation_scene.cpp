@@ -147,9 +147,9 @@ Domain domain_of(const DomainText& text, const EquationSystem& system, FileFormu
 }
 
 // The text without parts that are left out, and with states in place of transfer functions.
-EquationText in_states(EquationText text, const Parameters& parameters, int more_nodes = 0) {
+EquationText in_states(EquationText text, const Parameters& parameters, const QuadratureNodes& nodes = {}) {
   text = with_components(present_parts(std::move(text), parameters), parameters);
-  return with_states(with_quadrature(std::move(text), parameters, more_nodes), parameters);
+  return with_states(with_quadrature(std::move(text), parameters, nodes), parameters);
 }
 
 // The transfer functions, P as the terms of an output and Q as those of its state.
@@ -175,8 +175,8 @@ std::vector<TransferFunction> transfers_of(const EquationText& all, const Parame
 }
 
 // The text in which all equations are sums of terms of one unknown each.
-EquationText in_terms(EquationText text, const Parameters& parameters, int more_nodes = 0) {
-  text = with_implied_rows(in_states(std::move(text), parameters, more_nodes), parameters);
+EquationText in_terms(EquationText text, const Parameters& parameters, const QuadratureNodes& nodes = {}) {
+  text = with_implied_rows(in_states(std::move(text), parameters, nodes), parameters);
   return with_implied_terms(with_caputo_derivatives(std::move(text), parameters), parameters);
 }
 
@@ -206,11 +206,11 @@ constexpr int more_nodes = 2, many_more_nodes = 4;
 
 // The reference of the columns, up to another end if one is given; with distributed orders of a quadrature
 // with more nodes, whose difference to a still finer one is in the bound. Empty: there is none but by two
-// methods. Nodes, and the columns of unknowns that are infinite at t = 0, are those for the end of the file.
+// methods. The columns of unknowns that are infinite at t = 0 are those for the end of the file.
 reference::Reference known_reference(const EquationText& all, const Parameters& parameters,
                                      std::optional<double> end = {}) {
   const auto with_nodes = [&](int more) {
-    EquationText text = in_terms(all, parameters, more);
+    EquationText text = in_terms(all, parameters, {more, end});
     if (end) {
       text.end = {.text = fmt::format("{} + ({})", *end, all.start ? all.start->text : "0"),
                   .position = all.end.position};
@@ -268,10 +268,10 @@ Scene scene_of(const EquationText& all, const Parameters& parameters, const Note
   set_end(scene, system.end);
   scene.reference = has_distributed_orders(all) ? known_reference(all, parameters)
                                                 : file_reference(system, scene.problem, columns, formulas);
-  if (scene.reference.at && has_reference_to_end(system, formulas.pool()))
+  if (scene.reference.at && (has_distributed_orders(all) || has_reference_to_end(system, formulas.pool())))
     scene.reference_to = [all, parameters](double end) { return known_reference(all, parameters, end); };
   if (!scene.reference.at && has_distributed_orders(all))
-    scene.comparison_problem = PosedText(in_terms(all, parameters, more_nodes), parameters).posed();
+    scene.comparison_problem = PosedText(in_terms(all, parameters, {.more = more_nodes}), parameters).posed();
   if (!scene.reference.at && scene.problem.resets.empty())
     scene.reference_problem = without_singular_loads(system, scene.problem, columns, formulas.pool());
   scene.singular = singular_outputs(columns, formulas);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/problem/distributed_order.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -77,9 +79,10 @@ int nodes_for(const DistributedOrder& distributed, double end, double tolerance)
   };
   for (int nodes = 2; nodes <= most_nodes; ++nodes)
     if (error(nodes) <= tolerance) return nodes;
-  throw std::invalid_argument(
-      "weight: is not smooth between the orders: must be given in parts, one on each side of its jumps and "
-      "kinks");
+  throw std::invalid_argument(fmt::format(
+      "weight: {} orders are too few for times up to {}: must be smooth between the orders, or in "
+      "parts, one on each side of its jumps and kinks",
+      most_nodes, end));
 }
 
 }  // namespace fde

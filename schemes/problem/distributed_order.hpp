@@ -25,7 +25,7 @@ std::vector<Term> terms_of(const DistributedOrder& distributed, int nodes);
 // The smallest number of nodes for which the symbol of the terms differs from that of D by at most this share
 // of int |weight(q) s^q| dq, for |s| = 1/end ... 1e4/end: a solution of (0, end] changes by about as much,
 // and by more only before 1e-4 end. Throws std::invalid_argument where 40 nodes are too few, because the
-// weight is not smooth, and where it is not finite or 0 at all of them.
+// weight is not smooth or end is above 1e100, and where it is not finite or 0 at all of them.
 int nodes_for(const DistributedOrder& distributed, double end, double tolerance);
 
 }  // namespace fde

@@ -47,6 +47,18 @@ TEST(DistributedOrder, RelaxesAsItsLaplaceTransform) {
   }
 }
 
+// The built-in scene with weight 1 on [0, 1], from mpmath likewise, at
+// 1e100 by an integral over its spectrum: slower than any power of t, like 1/log t.
+TEST(DistributedOrder, OfTheSceneDecaysLikeALogarithm) {
+  constexpr std::array known{Value{"1e-6", 0.99998576180614849563}, Value{"1", 0.41030550159102619049},
+                             Value{"1e6", 0.064475020148636963991}, Value{"1e100", 0.00431326622817292622}};
+  for (const auto& [t, x] : known) {
+    const auto row = values(fdebench(fmt::format("exact distributed_relaxation --at {}", t)));
+    EXPECT_NEAR(row[1], x, row[2]) << t;
+    EXPECT_LT(row[2], 2e-15) << t;
+  }
+}
+
 // int_0^2 D^q x dq = -4 x: (s^2 - 1)/log s, with x(0) = 1 and x'(0) = 0.
 TEST(DistributedOrder, MayExceedOne) {
   const auto row = exact(equation("1", "0", "2", "-4*x", "1, 0"), "0.5");
@@ -143,7 +155,8 @@ TEST(DistributedOrder, IsRefusedAtItsPlace) {
     EXPECT_EQ(answer.code, 2) << text;
     return answer.err.substr(answer.err.find("line"));
   };
-  EXPECT_THAT(refusal(equation("abs(q - 0.3)", "0", "1")), HasSubstr("weight: is not smooth"));
+  EXPECT_THAT(refusal(equation("abs(q - 0.3)", "0", "1")),
+              HasSubstr("weight: 40 orders are too few for times up to 2: must be smooth"));
   EXPECT_THAT(refusal(equation("0", "0", "1")), HasSubstr("weight: is 0"));
   EXPECT_THAT(refusal(equation("log(q - 2)", "0", "1")), HasSubstr("weight: must be finite"));
   EXPECT_THAT(refusal(equation("t", "0", "1")),
