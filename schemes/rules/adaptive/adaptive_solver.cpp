@@ -173,21 +173,25 @@ class ControlledStepper final : public Stepper {
     return {t, reason};
   }
 
-  // The error within the first step, attempted to t: the distance of its dense output from the result of a
-  // step that ends there, in units of the tolerance. If a multiplier is singular at the start, it leaves an
+  // The error within the first step, attempted to t: the distance of its dense output from the results of
+  // steps that end there, in units of the tolerance. If a multiplier is singular at the start, it leaves an
   // error in the rows on which it acts, and the constraint removes this error at the end of the step only.
   // For an unknown that only a constraint determines, no other test of a first step shows its error.
   double dense_output_error(double t) {
-    constexpr double share = 0.3;
-    const double between = time_ + share * (t - time_);
-    const Vec within = rule_->dense_output(between), limit = rule_->limits();
-    if (rule_->attempt(run_, between) == no_solution) return no_solution;
+    constexpr std::array shares{0.03, 0.3};
+    std::vector<Vec> within;
+    for (const double share : shares) within.push_back(rule_->dense_output(time_ + share * (t - time_)));
+    const Vec limit = rule_->limits();
     double error = 0.0;
-    for (Eigen::Index i = 0; i < within.size(); ++i) {
-      const double y = rule_->result()[i], off = std::abs(within[i] - y);
-      const double allowed =
-          problem_.is_algebraic(i) ? limit[i] : accuracy_.atol + accuracy_.rtol * std::abs(y);
-      if (off > 0.0) error = std::max(error, off / allowed);
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      if (rule_->attempt(run_, time_ + shares[k] * (t - time_)) == no_solution) return no_solution;
+      const Vec& y = rule_->result();
+      for (Eigen::Index i = 0; i < y.size(); ++i) {
+        const double off = std::abs(within[k][i] - y[i]);
+        const double allowed =
+            problem_.is_algebraic(i) ? limit[i] : accuracy_.atol + accuracy_.rtol * std::abs(y[i]);
+        if (off > 0.0) error = std::max(error, off / allowed);
+      }
     }
     rule_->attempt(run_, t);
     return error;

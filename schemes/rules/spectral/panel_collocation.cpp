@@ -314,7 +314,7 @@ Vec PanelCollocation::errors_by_degree(const TimeBlock& panel, const PanelSystem
   Matrix effects(of_unknowns.rows(), integrated.row_count());
   for (Eigen::Index i = 0; i < allowed.size(); ++i) {
     const auto unknown = integrated.rows[static_cast<std::size_t>(i)].unknown;
-    const double unit = std::max(solver_.integral_of_one(task, i), velocity_error_unit(panel, i));
+    const double unit = std::max(solver_.integral_of_one(task, i), first_panel_unit(panel, i));
     effects.col(i) = unit / allowed[i] * of_unknowns.col(unknown).cwiseAbs();
   }
   const bool follows = panel.from > 0.0;  // after the initial transient
@@ -335,15 +335,18 @@ Vec PanelCollocation::errors_by_degree(const TimeBlock& panel, const PanelSystem
   return largest;
 }
 
-// In a row of an order above 1 an error of x_k on the first panel acts as an error of the velocity, whose
-// effect on the row is larger at the end than on the panel. The mean of the error is smaller than the last
-// coefficients, by a factor of the number of points.
-double PanelCollocation::velocity_error_unit(const TimeBlock& panel, Eigen::Index row) const {
+// On the first panel, where x_k behaves like a power t^p, its coefficients of degree n fall like 1/n^(2p+1):
+// the error of x_k, which an algebraic row has unchanged, is n times the last. In a row of an order above 1
+// it acts as an error of the velocity, whose effect on the row is larger at the end than on the panel; the
+// mean of the error is smaller than the last coefficients, by a factor of the number of points.
+double PanelCollocation::first_panel_unit(const TimeBlock& panel, Eigen::Index row) const {
+  if (panel.from > 0.0) return 0.0;
   const double order = solution_->integrated_rows.rows[static_cast<std::size_t>(row)].order;
-  if (panel.from > 0.0 || order <= 1.0) return 0.0;
+  const auto points = static_cast<double>(solution_->rule.size());
+  if (order == 0.0) return points;
+  if (order <= 1.0) return 0.0;
   const double until_end = problem_.end - panel.segment->start;
-  return panel.length() * std::pow(until_end, order - 1.0) /
-         (std::tgamma(order) * static_cast<double>(solution_->rule.size()));
+  return panel.length() * std::pow(until_end, order - 1.0) / (std::tgamma(order) * points);
 }
 
 // The error, in units of the tolerance, that a discontinuity of the x_k between the panel before and this one

@@ -66,7 +66,7 @@ class PanelCollocation final : public Stepper {
   [[nodiscard]] Vec errors_by_degree(const TimeBlock& panel, const PanelSystem& task,
                                      const PanelValues& solved, const Matrix& of_unknowns,
                                      const Vec& allowed);
-  [[nodiscard]] double velocity_error_unit(const TimeBlock& panel, Eigen::Index row) const;
+  [[nodiscard]] double first_panel_unit(const TimeBlock& panel, Eigen::Index row) const;
   [[nodiscard]] double discontinuity_error(const TimeBlock& panel, const PanelSystem& task,
                                            const PanelValues& solved, const Vec& allowed);
   static double needed_fraction(const Vec& effects);

@@ -51,9 +51,15 @@ Vec PanelSolver::with_multiplier_limits(const PanelSystem& task, Vec limits) con
       const double slope = row.is_algebraic() ? 0.0 : sensitivities_(row.unknown, a);
       if (slope > 0.0) unfelt = std::min(unfelt, limits[i] / (integral_of_one(task, i) * slope));
     }
+    unfelt = std::min(unfelt, determined_error(a, limits));
     if (std::isfinite(unfelt)) limits[a] = std::max(limits[a], unfelt);
   }
   return limits;
+}
+
+double PanelSolver::determined_error(Eigen::Index algebraic, const Vec& limits) const {
+  const auto slopes = sensitivities_.row(integrated_rows_.rows[static_cast<std::size_t>(algebraic)].unknown);
+  return (slopes.dot(limits) / slopes[algebraic]) - limits[algebraic];
 }
 
 // |y| at the points.

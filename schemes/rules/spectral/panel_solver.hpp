@@ -64,8 +64,9 @@ class PanelSolver {
   // panel. A growing mode that is not resolved is wrong however small it is.
   bool has_growing_mode(Run& run, const PanelSystem& task, const Matrix& rows, double folds);
 
-  // The error limit of each row. In an algebraic row it is at least the error that changes no other row by
-  // more than its limit: at an early time t a multiplier can be found up to 1/t of that only.
+  // The error limit of each row. In an algebraic row that its own equation does not determine it is at least
+  // the error that changes no other row by more than its limit: at an early time t a multiplier can be found
+  // up to 1/t of that only.
   [[nodiscard]] Vec error_limits(const PanelSystem& task, const Matrix& rows) const;
 
   // The error of Problem::outputs at the end of a panel, in units of the tolerance, for these errors of the
@@ -96,6 +97,9 @@ class PanelSolver {
   const Vec& rhs(Run& run, double t);  // at y_
   [[nodiscard]] Matrix sizes_of(const Matrix& rows) const;
   [[nodiscard]] Vec with_multiplier_limits(const PanelSystem& task, Vec limits) const;
+  // The error of an algebraic row by its own equation where all other rows have their limits as errors;
+  // infinite where the equation does not contain it.
+  [[nodiscard]] double determined_error(Eigen::Index algebraic, const Vec& limits) const;
   [[nodiscard]] Vec row_limits(const PanelSystem& task, const Matrix& rows, const Vec& unresolved) const;
   [[nodiscard]] Vec unresolved(const PanelSystem& task) const;
   [[nodiscard]] Vec newton_limits(const PanelSystem& task, const Matrix& rows) const;

@@ -160,6 +160,23 @@ TEST_P(AccuracyScheme, HasDenseOutputOfAlgebraicRowsInTheFirstStep) {
   }
 }
 
+// y + J^1/2 y^3 = g(t) with y = t^p, which is a power of t within the first step, too.
+TEST_P(AccuracyScheme, FollowsAPowerOfTimeInAVolterraEquation) {
+  for (const double p : {0.5, 1.5}) {
+    const Scene scene = scene_of("volterra_equation", {{"p", p}});
+    if (unsupported_reason(*GetParam(), scene.problem, Tolerance{1e-6, 1e-6}))
+      GTEST_SKIP() << "takes no algebraic rows";
+    for (const double accuracy : {1e-4, 1e-6, 1e-8}) {
+      const auto path = run(scene.problem, accuracy);
+      ASSERT_EQ(path.status, SolveStatus::finished) << accuracy;
+      for (double t = 1e-12; t < 7.0; t *= 1.7) {
+        const double y = columns_at(scene.outputs, t, path.dense_output(t))[0];
+        EXPECT_NEAR(y, std::pow(t, p), 3.0 * accuracy * (1.0 + y)) << p << ' ' << accuracy << ' ' << t;
+      }
+    }
+  }
+}
+
 // A multiplier that starts like t^-0.38, which a first step does not resolve: at the end of the step the
 // constraint removes the error that this leaves in the velocities.
 TEST_P(AccuracyScheme, DenseOutputOfConstrainedRowsIsAccurateInTheFirstStep) {
