@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fdebench/schemes/rules/implicit/difference_jacobian.hpp"
 
@@ -12,28 +13,22 @@ double Residual::norm() const {
   return std::sqrt(rows.squaredNorm() / static_cast<double>(rows.cols()) + conditions.squaredNorm());
 }
 
-GlobalEquations::GlobalEquations(const Problem& problem, const Grid& grid, const Options& options,
-                                 const WeightFamily& family)
-    : problem_(problem),
-      options_(options),
-      family_(family),
-      grid_(grid),
-      left_(problem, Side::left, family, grid, options),
-      right_(problem, Side::right, family, grid, options),
-      unknown_(problem) {}
+GlobalEquations::GlobalEquations(const Problem& problem, std::shared_ptr<const Discretisation> discretisation)
+    : problem_(problem), discretisation_(std::move(discretisation)), unknown_(problem) {}
 
 GlobalEquations GlobalEquations::with_steps(int steps) const {
-  return {problem_, {grid_.end, steps, grid_.grading}, options_, family_};
+  return discretisation_->with_steps ? GlobalEquations(problem_, discretisation_->with_steps(steps)) : *this;
 }
 
 GridFunction GlobalEquations::initial_guess() const {
-  GridFunction guess{.y = Rows(problem_.size(), grid_.steps + 1), .unknown = Vec::Zero(unknown_.count())};
+  GridFunction guess{.y = Rows(problem_.size(), times()), .unknown = Vec::Zero(unknown_.count())};
   const TaylorPart taylor(problem_);
   Vec value(problem_.size());
-  for (const auto* side : {&left_, &right_}) {
-    for (Eigen::Index m = 0; m < guess.y.cols(); ++m) {
-      taylor.at(side->time_from_side(m), value);
-      for (const auto i : side->rows()) guess.y(i, side->grid_index(m)) = value[i];
+  for (const auto* side : {&left(), &right()}) {
+    const Vec& own = side == &left() ? discretisation_->left : discretisation_->right;
+    for (Eigen::Index n = 0; n < times(); ++n) {
+      taylor.at(own[n], value);
+      for (const auto i : side->rows()) guess.y(i, n) = value[i];
     }
   }
   return guess;
@@ -42,11 +37,11 @@ GridFunction GlobalEquations::initial_guess() const {
 Residual GlobalEquations::residual(Run& run, const GridFunction& guess) const {
   Residual result{.rows = initial_guess().y, .conditions = Vec(unknown_.count()), .f = Rows(guess.y)};
   for (Eigen::Index n = 0; n < guess.y.cols(); ++n)
-    result.f.col(n) = run.rhs(grid_.time(static_cast<int>(n)), guess.y.col(n));
+    result.f.col(n) = run.rhs(discretisation_->left[n], guess.y.col(n));
   add_unknown(guess.unknown, result.rows);
   result.rows -= guess.y;
-  left_.integrate(result.f, result.rows);
-  right_.integrate(result.f, result.rows);
+  left().integrate(result.f, result.rows);
+  right().integrate(result.f, result.rows);
   if (problem_.conditions)
     problem_.conditions(guess.y.leftCols<1>().col(0), guess.y.rightCols<1>().col(0), result.conditions);
   return result;
@@ -54,8 +49,8 @@ Residual GlobalEquations::residual(Run& run, const GridFunction& guess) const {
 
 void GlobalEquations::add_unknown(In unknown, Rows& y) const {
   if (unknown_.count() == 0) return;
-  for (int n = 0; n <= grid_.steps; ++n)
-    unknown_.add(unknown, grid_.time(n), grid_.time(grid_.steps - n), y.col(n));
+  for (Eigen::Index n = 0; n < times(); ++n)
+    unknown_.add(unknown, discretisation_->left[n], discretisation_->right[n], y.col(n));
 }
 
 UnknownInitialValues::UnknownInitialValues(const Problem& problem) {
@@ -85,13 +80,13 @@ void Linearisation::update(Run& run, const GridFunction& guess, const Residual& 
   jacobians_.resize(size * size, is_linear(problem) ? 1 : guess.y.cols());
   const Vec sizes = guess.y.cwiseAbs().rowwise().maxCoeff();
   for (Eigen::Index n = 0; n < jacobians_.cols(); ++n) {
-    const double t = equations_.grid().time(static_cast<int>(n));
+    const double t = equations_.discretisation().left[n];
     Eigen::Map<Matrix> jacobian(jacobians_.col(n).data(), size, size);
     if (evaluate_jacobian(problem, t, guess.y.col(n), jacobian)) continue;
     difference_jacobian_of_rhs(run, problem, t, guess.y.col(n), residual.f.col(n), sizes, jacobian);
   }
-  left_inverses_ = equations_.left().inverses(jacobians_);
-  right_inverses_ = equations_.right().inverses(jacobians_);
+  left_ = equations_.left().factors(jacobians_);
+  right_ = equations_.right().factors(jacobians_);
 }
 
 void Linearisation::differentiate_conditions(const GridFunction& guess, const Vec& conditions) {
@@ -126,14 +121,14 @@ Linearisation::LeftHandSides Linearisation::left_hand_sides(const GridFunction& 
 }
 
 void Linearisation::forward_backward_sweep(const Rows& given, Rows& y) const {
-  equations_.left().solve(given, jacobians_, left_inverses_, y);
-  equations_.right().solve(given, jacobians_, right_inverses_, y);
+  left_->solve(given, y);
+  right_->solve(given, y);
 }
 
 Rows Linearisation::block_diagonal_solution(const Rows& given) const {
   Rows y(given.rows(), given.cols());
-  equations_.left().solve_block_diagonal(given, left_inverses_, y);
-  equations_.right().solve_block_diagonal(given, right_inverses_, y);
+  left_->solve_block_diagonal(given, y);
+  right_->solve_block_diagonal(given, y);
   return y;
 }
 
@@ -142,14 +137,9 @@ Vec Linearisation::conditions(const Rows& y) const {
   return by_start_ * y.col(0) + by_end_ * y.rightCols<1>();
 }
 
-Eigen::Map<const Matrix> Linearisation::jacobian(Eigen::Index n) const {
-  const auto size = equations_.problem().size();
-  return {jacobians_.col(std::min(n, jacobians_.cols() - 1)).data(), size, size};
-}
-
 std::size_t Linearisation::bytes() const {
-  return sizeof(double) *
-         static_cast<std::size_t>(jacobians_.size() + left_inverses_.size() + right_inverses_.size());
+  const auto of_sides = (left_ ? left_->bytes() : 0) + (right_ ? right_->bytes() : 0);
+  return of_sides + sizeof(double) * static_cast<std::size_t>(jacobians_.size());
 }
 
 }  // namespace fde

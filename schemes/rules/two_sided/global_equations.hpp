@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/rules/two_sided/side_rule.hpp"
+#include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {
 
@@ -46,13 +48,12 @@ struct Residual {
 };
 
 // All equations of a two-sided problem, discretised by one integral rule: one for each component at each
-// time, and the conditions. Problem, options and family must outlive it.
+// time, and the conditions. The problem must outlive it.
 class GlobalEquations {
  public:
-  GlobalEquations(const Problem& problem, const Grid& grid, const Options& options,
-                  const WeightFamily& family);
+  GlobalEquations(const Problem& problem, std::shared_ptr<const Discretisation> discretisation);
 
-  // The same equations on a grid with this number of steps.
+  // The same equations on a grid with this number of steps; these, where there is no other grid.
   [[nodiscard]] GlobalEquations with_steps(int steps) const;
 
   // The initial guess: the Taylor part, with 0 for unknown initial values.
@@ -63,17 +64,15 @@ class GlobalEquations {
   void add_unknown(In unknown, Rows& y) const;
 
   [[nodiscard]] const Problem& problem() const { return problem_; }
-  [[nodiscard]] const Grid& grid() const { return grid_; }
-  [[nodiscard]] const SideRule& left() const { return left_; }
-  [[nodiscard]] const SideRule& right() const { return right_; }
+  [[nodiscard]] const Discretisation& discretisation() const { return *discretisation_; }
+  [[nodiscard]] Eigen::Index times() const { return discretisation_->size(); }  // their number
+  [[nodiscard]] const SideRule& left() const { return *discretisation_->left_rule; }
+  [[nodiscard]] const SideRule& right() const { return *discretisation_->right_rule; }
   [[nodiscard]] Eigen::Index unknown_count() const { return unknown_.count(); }
 
  private:
   const Problem& problem_;
-  const Options& options_;
-  const WeightFamily& family_;
-  Grid grid_;
-  SideRule left_, right_;
+  std::shared_ptr<const Discretisation> discretisation_;
   UnknownInitialValues unknown_;
 };
 
@@ -106,7 +105,9 @@ class Linearisation {
   [[nodiscard]] const Matrix& conditions_by_start() const { return by_start_; }
   [[nodiscard]] const Matrix& conditions_by_end() const { return by_end_; }
   // df/dy at the n-th time.
-  [[nodiscard]] Eigen::Map<const Matrix> jacobian(Eigen::Index n) const;
+  [[nodiscard]] Eigen::Map<const Matrix> jacobian(Eigen::Index n) const {
+    return jacobian_at_time(jacobians_, n, equations_.problem().size());
+  }
 
   [[nodiscard]] const GlobalEquations& equations() const { return equations_; }
   [[nodiscard]] std::size_t bytes() const;
@@ -116,7 +117,7 @@ class Linearisation {
 
   const GlobalEquations& equations_;
   Matrix jacobians_;  // one column a time, or one for all
-  Matrix left_inverses_, right_inverses_;
+  std::unique_ptr<const SideFactors> left_{}, right_{};
   Matrix by_start_, by_end_;  // derivatives of the conditions
 };
 

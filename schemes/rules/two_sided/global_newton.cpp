@@ -93,8 +93,8 @@ CondensedSystem::CondensedSystem(const Linearisation& linearisation)
       right_value_count_(equations_.left().empty()
                              ? 0
                              : static_cast<Eigen::Index>(equations_.right().rows().size()) *
-                                   (equations_.grid().steps + 1)),
-      scale_(std::sqrt(equations_.grid().steps + 1.0)) {}
+                                   equations_.times()),
+      scale_(std::sqrt(static_cast<double>(equations_.times()))) {}
 
 GridFunction CondensedSystem::solution(const Residual& residual) const {
   Rows y = Rows::Zero(residual.rows.rows(), residual.rows.cols());
@@ -131,7 +131,7 @@ Vec CondensedSystem::unknowns(const Rows& y, In conditions) const {
 }
 
 Rows CondensedSystem::right_part(const Vec& z) const {
-  Rows y = Rows::Zero(equations_.problem().size(), equations_.grid().steps + 1);
+  Rows y = Rows::Zero(equations_.problem().size(), equations_.times());
   if (right_value_count_ > 0) {
     const auto& rows = equations_.right().rows();
     y(rows, Eigen::all) =
@@ -164,7 +164,7 @@ GridFunction NewtonIncrements::at(Run& run, const GridFunction& guess, const Res
     two_grid_->update(run, guess);
     GridFunction increment = two_grid_->solution(linearisation_, residual);
     if (relative_residual(increment, residual) <= solved || coarse_steps_ >= most_coarse_steps ||
-        coarse_steps_ >= equations_.grid().steps)
+        !equations_.discretisation().with_steps || coarse_steps_ + 1 >= equations_.times())
       return increment;
     coarse_steps_ *= 2;
     two_grid_ = std::make_unique<TwoGridSolver>(equations_, coarse_steps_);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "fdebench/schemes/problem/initial_guess.hpp"
-#include "fdebench/schemes/rules/two_sided/global_newton.hpp"
+#include "fdebench/schemes/rules/two_sided/stepped_side.hpp"
 #include "fdebench/schemes/rules/two_sided/two_grid_solver.hpp"
 
 namespace fde {
@@ -19,18 +19,19 @@ bool alike(const GridFunction& a, const GridFunction& b) {
   return (a.y - b.y).norm() <= 1e3 * search_tolerance * (a.y.norm() + b.y.norm());
 }
 
-// The mean of |y|^2 over time.
-double size(const Grid& grid, const Rows& y) {
+// The mean of |y|^2 over time, times the end.
+double size(const Vec& times, const Rows& y) {
   double sum = 0.0;
-  for (int n = 1; n <= grid.steps; ++n)
-    sum += grid.step(n) / 2 * (y.col(n - 1).squaredNorm() + y.col(n).squaredNorm());
-  return sum / grid.end;
+  for (Eigen::Index n = 1; n < times.size(); ++n)
+    sum += (times[n] - times[n - 1]) / 2 * (y.col(n - 1).squaredNorm() + y.col(n).squaredNorm());
+  return sum;
 }
 
 // The solutions on a coarse grid to which Newton's method converges from the Taylor part and from other
 // starts, the smallest first.
 std::vector<GridFunction> coarse_solutions(const GlobalEquations& equations, Run& run) {
   NewtonIncrements increments(equations, NewtonIncrements::First::two_grid);
+  const Vec& times = equations.discretisation().left;
   std::vector<GridFunction> found;
   const auto add_from = [&](GridFunction start) {
     NewtonResult end = solve_by_newton(equations, increments, run, search_tolerance, std::move(start));
@@ -41,11 +42,10 @@ std::vector<GridFunction> coarse_solutions(const GlobalEquations& equations, Run
   for (const auto& other : initial_guesses(equations.problem(), starts)) {
     if (run.out_of_budget()) break;
     GridFunction start = equations.initial_guess();
-    for (int n = 0; n <= equations.grid().steps; ++n) start.y.col(n) = other.at(equations.grid().time(n));
+    for (Eigen::Index n = 0; n < times.size(); ++n) start.y.col(n) = other.at(times[n]);
     add_from(std::move(start));
   }
-  std::ranges::sort(found, {},
-                    [&](const GridFunction& solution) { return size(equations.grid(), solution.y); });
+  std::ranges::sort(found, {}, [&](const GridFunction& solution) { return size(times, solution.y); });
   return found;
 }
 
@@ -56,7 +56,8 @@ std::vector<NewtonResult> solutions(const GlobalEquations& equations, NewtonIncr
   const GlobalEquations coarse = equations.with_steps(search_steps);
   std::vector<NewtonResult> found;
   for (auto& solution : coarse_solutions(coarse, run)) {
-    solution.y = interpolate_linearly(coarse.grid(), solution.y, equations.grid());
+    solution.y =
+        interpolate_linearly(coarse.discretisation().left, solution.y, equations.discretisation().left);
     NewtonResult end =
         solve_by_newton(equations, increments, run, options.newton_tolerance, std::move(solution));
     if (end.converged) found.push_back(std::move(end));
@@ -67,18 +68,34 @@ std::vector<NewtonResult> solutions(const GlobalEquations& equations, NewtonIncr
 
 }  // namespace
 
-Trajectory solve_globally(const Problem& problem, const Grid& grid, const Options& options,
-                          const WeightFamily& family) {
-  Run run(problem, options, grid.steps);
-  const GlobalEquations equations(problem, grid, options, family);
-  NewtonIncrements increments(equations);
-  const bool all = options.all_solutions && is_two_sided(problem);
+std::vector<NewtonResult> solve_equations(const GlobalEquations& equations, NewtonIncrements& increments,
+                                          Run& run, const Options& options) {
+  const auto& problem = equations.problem();
   NewtonResult end =
       solve_by_newton(equations, increments, run, options.newton_tolerance, equations.initial_guess());
   std::vector<NewtonResult> found;
-  if (all || (!end.converged && is_two_sided(problem) && !is_linear(problem)))
+  if (is_two_sided(problem) && (options.all_solutions || (!end.converged && !is_linear(problem))))
     found = solutions(equations, increments, run, options);
-  if (!found.empty()) end = std::move(found.front());
+  if (found.empty()) found.push_back(std::move(end));
+  return found;
+}
+
+Trajectory without_solution(Run& run, const NewtonResult& end, double first_time) {
+  if (run.out_of_budget()) {
+    run.fail(SolveStatus::out_of_budget, first_time);
+  } else {
+    run.fail_without_convergence(end.residual);
+  }
+  return run.finish();
+}
+
+Trajectory solve_globally(const Problem& problem, const Grid& grid, const Options& options,
+                          const WeightFamily& family) {
+  Run run(problem, options, grid.steps);
+  const GlobalEquations equations(problem, discretisation_by_steps(problem, grid, options, family));
+  NewtonIncrements increments(equations);
+  const auto found = solve_equations(equations, increments, run, options);
+  const auto& end = found.front();
   const auto values = 8 * end.guess.y.size();  // guesses, residuals and increments
   run.cost().history = equations.left().history_kind_name();
   if (run.cost().history.empty()) run.cost().history = equations.right().history_kind_name();
@@ -87,16 +104,10 @@ Trajectory solve_globally(const Problem& problem, const Grid& grid, const Option
   if (!end.converged) {
     // The initial value is recorded, as in every run that fails at its first step.
     if (is_two_sided(problem)) run.accept(0.0, run.start());
-    if (run.out_of_budget()) {
-      run.fail(SolveStatus::out_of_budget, grid.time(1));
-    } else {
-      run.fail_without_convergence(end.residual);
-    }
-    return run.finish();
+    return without_solution(run, end, grid.time(1));
   }
-  for (int n = is_two_sided(problem) ? 0 : 1; n <= grid.steps; ++n) {
-    if (!run.accept(grid.time(n), end.guess.y.col(n))) break;
-  }
+  const int first = is_two_sided(problem) ? 0 : 1;
+  for (int n = first; n <= grid.steps && run.accept(grid.time(n), end.guess.y.col(n)); ++n) continue;
   Trajectory path = run.finish();
   Options unheard = options;
   unheard.observer = {};

@@ -30,7 +30,7 @@ struct Packing {
 
 DenseLinearisation::DenseLinearisation(const GlobalEquations& equations)
     : rows_(equations.problem().size()),
-      times_(equations.grid().steps + 1),
+      times_(equations.times()),
       weights_(static_cast<std::size_t>(rows_), Matrix(times_, times_)),
       unknown_columns_(size(), equations.unknown_count()) {
   const auto integrated = [&](const Rows& f, Rows value) {
@@ -85,12 +85,13 @@ GridFunction DenseLinearisation::solution(const Linearisation::LeftHandSides& ri
 
 TwoGridSolver::TwoGridSolver(const GlobalEquations& equations, int coarse_steps)
     : equations_(equations),
-      coarse_equations_(equations.with_steps(std::min(coarse_steps, equations.grid().steps))),
+      coarse_equations_(
+          equations.with_steps(std::min(coarse_steps, static_cast<int>(equations.times()) - 1))),
       coarse_(coarse_equations_),
       dense_(coarse_equations_) {}
 
 void TwoGridSolver::update(Run& run, const GridFunction& guess) {
-  const GridFunction here{.y = interpolate_linearly(equations_.grid(), guess.y, coarse_equations_.grid()),
+  const GridFunction here{.y = interpolate_linearly(times(), guess.y, coarse_times()),
                           .unknown = guess.unknown};
   coarse_.update(run, here, coarse_equations_.residual(run, here));
   dense_.factorise(coarse_);
@@ -101,10 +102,10 @@ GridFunction TwoGridSolver::preconditioned(const Linearisation& fine,
   GridFunction x{.y = fine.block_diagonal_solution(right.rows),
                  .unknown = Vec::Zero(right.conditions.size())};
   const auto done = fine.left_hand_sides(x);
-  const auto correction = dense_.solution(
-      {interpolate_linearly(equations_.grid(), right.rows - done.rows, coarse_equations_.grid()),
-       right.conditions - done.conditions});
-  x.y += interpolate_linearly(coarse_equations_.grid(), correction.y, equations_.grid());
+  const auto correction =
+      dense_.solution({interpolate_linearly(times(), right.rows - done.rows, coarse_times()),
+                       right.conditions - done.conditions});
+  x.y += interpolate_linearly(coarse_times(), correction.y, times());
   x.unknown += correction.unknown;
   return x;
 }
@@ -121,22 +122,19 @@ GridFunction TwoGridSolver::solution(const Linearisation& fine, const Residual& 
 }
 
 std::size_t TwoGridSolver::bytes() const {
-  const auto fine = equations_.problem().size() * (equations_.grid().steps + 1) + equations_.unknown_count();
-  const auto coarse =
-      equations_.problem().size() * (coarse_equations_.grid().steps + 1) + equations_.unknown_count();
+  const auto fine = equations_.problem().size() * equations_.times() + equations_.unknown_count();
+  const auto coarse = equations_.problem().size() * coarse_equations_.times() + equations_.unknown_count();
   return coarse_.bytes() +
          sizeof(double) * static_cast<std::size_t>(fine * max_krylov_vectors(fine) + coarse * coarse);
 }
 
-Rows interpolate_linearly(const Grid& from, const Rows& y, const Grid& to) {
-  if (from.steps == to.steps) return y;
-  Rows result(y.rows(), to.steps + 1);
-  int after = 1;
-  for (int n = 0; n <= to.steps; ++n) {
-    const double t = to.time(n);
-    while (after < from.steps && from.time(after) < t) ++after;
-    const double before = from.time(after - 1);
-    const double share = (t - before) / (from.time(after) - before);
+Rows interpolate_linearly(const Vec& from, const Rows& y, const Vec& to) {
+  if (from.size() == to.size()) return y;
+  Rows result(y.rows(), to.size());
+  Eigen::Index after = 1;
+  for (Eigen::Index n = 0; n < to.size(); ++n) {
+    while (after < from.size() - 1 && from[after] < to[n]) ++after;
+    const double share = (to[n] - from[after - 1]) / (from[after] - from[after - 1]);
     result.col(n) = (1.0 - share) * y.col(after - 1) + share * y.col(after);
   }
   return result;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fdebench/schemes/problem/grid.hpp"
 #include "fdebench/schemes/rules/two_sided/global_equations.hpp"
 #include "fdebench/schemes/solvers/dense_factors.hpp"
 #include "fdebench/schemes/stepping/trajectory.hpp"
@@ -46,6 +45,8 @@ class TwoGridSolver {
  private:
   [[nodiscard]] GridFunction preconditioned(const Linearisation& fine,
                                             const Linearisation::LeftHandSides& right) const;
+  [[nodiscard]] const Vec& times() const { return equations_.discretisation().left; }
+  [[nodiscard]] const Vec& coarse_times() const { return coarse_equations_.discretisation().left; }
 
   const GlobalEquations& equations_;
   GlobalEquations coarse_equations_;
@@ -53,8 +54,8 @@ class TwoGridSolver {
   DenseLinearisation dense_;
 };
 
-// Interpolates y linearly from the times of one grid to the times of another, one column a time.
-// Precondition: the grids have the same end.
-Rows interpolate_linearly(const Grid& from, const Rows& y, const Grid& to);
+// Interpolates y linearly from increasing times to others, one column a time. Precondition: the first and the
+// last time are the same; as many times are the same times.
+Rows interpolate_linearly(const Vec& from, const Rows& y, const Vec& to);
 
 }  // namespace fde

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rules of the two sides are mirror images.
 
-#include "fdebench/schemes/rules/two_sided/side_rule.hpp"
+#include "fdebench/schemes/rules/two_sided/stepped_side.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ class SideRules : public testing::TestWithParam<SideCase> {
   // The integral of f by the rule of one side.
   static Rows integral(Side side, double order, const Rows& f) {
     const Problem problem{.components = {{order, {}, side}}, .end = 3.0};
-    const SideRule rule(problem, side, *GetParam().family, {3.0, static_cast<int>(f.cols()) - 1},
+    const SteppedSide rule(problem, side, *GetParam().family, {3.0, static_cast<int>(f.cols()) - 1},
                         {.history = GetParam().history});
     Rows value = Rows::Zero(1, f.cols());
     rule.integrate(f, value);
