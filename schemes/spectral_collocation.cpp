@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "fdebench/schemes/rules/implicit/piecewise_constant_multipliers.hpp"
 #include "fdebench/schemes/rules/spectral/panel_collocation.hpp"
+#include "fdebench/schemes/rules/two_sided/two_sided_collocation.hpp"
 #include "fdebench/schemes/stepping/scheme.hpp"
 
 namespace fde {
@@ -11,13 +13,19 @@ Scheme spectral_collocation() {
       .source =
           "Brunner, Collocation Methods for Volterra Integral Equations (2004), chapter 6; the memory term "
           "as Greengard & Rokhlin, J. Comput. Phys. 73 (1987)",
-      .capabilities = {.resolution = ResolutionKind::tolerance, .implicit = true, .algebraic_rows = true},
+      .capabilities = {.resolution = ResolutionKind::tolerance,
+                       .implicit = true,
+                       .algebraic_rows = true,
+                       .is_two_sided = true},
       .solve =
           [](const Problem& problem, const Resolution& resolution, const Options& options) {
-            return integrate(PanelCollocation(problem, std::get<Tolerance>(resolution), options));
+            const auto& accuracy = std::get<Tolerance>(resolution);
+            if (has_right_rows(problem)) return solve_on_panels(problem, accuracy, options);
+            return integrate(PanelCollocation(problem, accuracy, options));
           },
       .unsupported_problem_reason = [](const Problem& problem) -> std::optional<std::string> {
         if (has_sparse_jacobian(problem)) return "takes dense Jacobians only";
+        if (has_right_rows(problem)) return unsupported_multipliers_reason(problem);
         return std::nullopt;
       }};
 }

@@ -14,24 +14,26 @@ double Residual::norm() const {
 }
 
 GlobalEquations::GlobalEquations(const Problem& problem, std::shared_ptr<const Discretisation> discretisation)
-    : problem_(problem), discretisation_(std::move(discretisation)), unknown_(problem) {}
+    : problem_(problem), discretisation_(std::move(discretisation)), taylor_(problem), unknown_(problem) {}
 
 GlobalEquations GlobalEquations::with_steps(int steps) const {
-  return discretisation_->with_steps ? GlobalEquations(problem_, discretisation_->with_steps(steps)) : *this;
+  return {problem_, discretisation_->with_steps(steps)};
 }
 
 GridFunction GlobalEquations::initial_guess() const {
   GridFunction guess{.y = Rows(problem_.size(), times()), .unknown = Vec::Zero(unknown_.count())};
-  const TaylorPart taylor(problem_);
-  Vec value(problem_.size());
-  for (const auto* side : {&left(), &right()}) {
-    const Vec& own = side == &left() ? discretisation_->left : discretisation_->right;
-    for (Eigen::Index n = 0; n < times(); ++n) {
-      taylor.at(own[n], value);
-      for (const auto i : side->rows()) guess.y(i, n) = value[i];
-    }
-  }
+  for (Eigen::Index n = 0; n < times(); ++n)
+    guess.y.col(n) = taylor_part(discretisation_->left[n], discretisation_->right[n], guess.unknown);
   return guess;
+}
+
+Vec GlobalEquations::taylor_part(double left, double right, In unknown) const {
+  Vec from_left(problem_.size()), from_right(problem_.size());
+  taylor_.at(left, from_left);
+  taylor_.at(right, from_right);
+  for (const auto i : this->right().rows()) from_left[i] = from_right[i];
+  if (unknown_.count() > 0) unknown_.add(unknown, left, right, from_left);
+  return from_left;
 }
 
 Residual GlobalEquations::residual(Run& run, const GridFunction& guess) const {

@@ -53,12 +53,16 @@ class GlobalEquations {
  public:
   GlobalEquations(const Problem& problem, std::shared_ptr<const Discretisation> discretisation);
 
-  // The same equations on a grid with this number of steps; these, where there is no other grid.
+  // The same equations on a grid with this number of steps.
   [[nodiscard]] GlobalEquations with_steps(int steps) const;
 
   // The initial guess: the Taylor part, with 0 for unknown initial values.
   [[nodiscard]] GridFunction initial_guess() const;
   Residual residual(Run& run, const GridFunction& guess) const;
+
+  // The Taylor part of all rows, left and right, at a time at these distances from the start and from the
+  // end.
+  [[nodiscard]] Vec taylor_part(double left, double right, In unknown) const;
 
   // Adds to y the terms of the unknown initial values in the Taylor part.
   void add_unknown(In unknown, Rows& y) const;
@@ -73,6 +77,7 @@ class GlobalEquations {
  private:
   const Problem& problem_;
   std::shared_ptr<const Discretisation> discretisation_;
+  TaylorPart taylor_;
   UnknownInitialValues unknown_;
 };
 

@@ -164,7 +164,7 @@ GridFunction NewtonIncrements::at(Run& run, const GridFunction& guess, const Res
     two_grid_->update(run, guess);
     GridFunction increment = two_grid_->solution(linearisation_, residual);
     if (relative_residual(increment, residual) <= solved || coarse_steps_ >= most_coarse_steps ||
-        !equations_.discretisation().with_steps || coarse_steps_ + 1 >= equations_.times())
+        coarse_steps_ + 1 >= equations_.times())
       return increment;
     coarse_steps_ *= 2;
     two_grid_ = std::make_unique<TwoGridSolver>(equations_, coarse_steps_);

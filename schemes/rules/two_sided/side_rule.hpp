@@ -68,9 +68,9 @@ Eigen::Map<const Matrix> jacobian_at_time(const Matrix& jacobians, Eigen::Index 
 // rules of both sides.
 struct Discretisation {
   Vec left, right;
-  std::unique_ptr<const SideRule> left_rule, right_rule;
-  // The same on a grid with this number of steps; empty: there is no other.
-  std::function<std::shared_ptr<const Discretisation>(int steps)> with_steps{};
+  std::shared_ptr<const SideRule> left_rule, right_rule;
+  // A coarse one, on a grid with this number of steps.
+  std::function<std::shared_ptr<const Discretisation>(int steps)> with_steps;
 
   [[nodiscard]] Eigen::Index size() const { return left.size(); }
 };

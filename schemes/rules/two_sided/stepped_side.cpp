@@ -130,8 +130,10 @@ std::shared_ptr<const Discretisation> discretisation_by_steps(const Problem& pro
       .right = times.reverse(),
       .left_rule = side(Side::left),
       .right_rule = side(Side::right),
-      .with_steps = [&problem, grid, &options, &family](int steps) {
-        return discretisation_by_steps(problem, {grid.end, steps, grid.grading}, options, family);
+      .with_steps = [&problem, grid,
+                     rule = Options{.history = options.history, .newton_tolerance = options.newton_tolerance},
+                     &family](int steps) {
+        return discretisation_by_steps(problem, {grid.end, steps, grid.grading}, rule, family);
       }});
 }
 

@@ -47,8 +47,7 @@ class SteppedSide final : public SideRule {
   std::unique_ptr<History> history_prototype_{};  // copied for each pass over the own times
 };
 
-// The rules of a family of weights for both sides. Family and options are only read here; `problem` must
-// outlive it.
+// The rules of a family of weights for both sides. Problem and family must outlive it.
 std::shared_ptr<const Discretisation> discretisation_by_steps(const Problem& problem, const Grid& grid,
                                                               const Options& options,
                                                               const WeightFamily& family);

@@ -129,7 +129,7 @@ std::size_t TwoGridSolver::bytes() const {
 }
 
 Rows interpolate_linearly(const Vec& from, const Rows& y, const Vec& to) {
-  if (from.size() == to.size()) return y;
+  if (from.size() == to.size() && from == to) return y;
   Rows result(y.rows(), to.size());
   Eigen::Index after = 1;
   for (Eigen::Index n = 0; n < to.size(); ++n) {

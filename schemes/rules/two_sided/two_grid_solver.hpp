@@ -55,7 +55,7 @@ class TwoGridSolver {
 };
 
 // Interpolates y linearly from increasing times to others, one column a time. Precondition: the first and the
-// last time are the same; as many times are the same times.
+// last time are the same.
 Rows interpolate_linearly(const Vec& from, const Rows& y, const Vec& to);
 
 }  // namespace fde

@@ -331,7 +331,7 @@ TEST(Fits, NameTheFieldThatTheyRefuse) {
   request.scheme = "l1";
   EXPECT_THAT(refusal_of([&] { fit(request); }),
               HasSubstr("<scheme> = l1: must be one with adaptive step size"));
-  request = request_for("fractional_hamilton", {{"alpha"}}, data);
+  request = request_for("fractional_extremum:form=whole", {{"alpha"}}, data);
   EXPECT_THAT(refusal_of([&] { fit(request); }),
               HasSubstr("no scheme with adaptive step size takes the scene"));
 }
