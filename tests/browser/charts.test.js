@@ -37,7 +37,7 @@ const ofPendulum = finished(runs).filter(({ scene }) => scene === "pendulum");
 const linesIn = (figure) => figure.evaluate((node) => [...new Set([...node.querySelectorAll(".mark-symbol.role-mark path")].map((path) => path.__data__.datum.line))]);
 
 test("of many lines a chart begins with those on the Pareto front, and a button draws all", () =>
-  withPage({ address: "#scene-pendulum", changed: ["const mostLines = 6, firstLines = 5;", "const mostLines = 3, firstLines = 2;"] }, async (page) => {
+  withPage({ address: "#scene-pendulum?scene=pendulum", changed: ["const mostLines = 6, firstLines = 5;", "const mostLines = 3, firstLines = 2;"] }, async (page) => {
     await settled(page);
     const section = sectionOf(page, "pendulum"), figure = section.locator('figure[data-chart="error-against-time"]');
     const all = [...new Set(ofPendulum.map(({ scheme }) => scheme))], front = await page.evaluate(() => {

@@ -118,7 +118,7 @@ def make(cpack, build, made):
     shutil.rmtree(made, ignore_errors=True)
     run(cpack, "--config", f"{build}/CPackConfig.cmake", "-B", made, "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=none")
     run(sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation", "--no-index", "--no-cache-dir",
-        "--wheel-dir", made, ROOT / "python", env=os.environ | {"FDEBENCH_BUILD": build})
+        "--config-settings=--build-option=--compression=stored", "--wheel-dir", made, ROOT / "python", env=os.environ | {"FDEBENCH_BUILD": build})
     names = {file.name for file in Path(made).iterdir() if file.is_file()}
     for wanted in [f"fdebench-{VERSION}-linux-x86_64.tar.gz", f"fdebench_{VERSION}_amd64.deb", f"fdebench-data_{VERSION}_all.deb",
                    f"libfdebench-dev_{VERSION}_amd64.deb", f"python3-fdebench_{VERSION}_amd64.deb"]:

@@ -8,6 +8,7 @@ six digits, but not in lines with times, and of `choose`, whose answer depends o
 block that shows no output is not run. One line for each fault.
 """
 
+import functools
 import os
 import re
 import subprocess
@@ -62,6 +63,7 @@ def first_words(answer):
     return answer.partition(" --scheme ")[0]
 
 
+@functools.cache
 def python_with_numpy():
     """The interpreter that the examples need; None where there is none."""
     for python in [sys.executable, "/usr/bin/python3"]:

@@ -205,8 +205,9 @@ TEST(Tables, OfUnknownsAreTheirPiecewiseFormulas) {
       "end = 4\n" + body +
       "\"-(-2 + 0.375*(x + 5) + 0.125*max(x + 1, 0) + 1.5*max(x, 0) - 1.75*max(x - 1, 0)) + 2.4*t - "
       "(0.8/0.6 + 2.4)*max(t - 0.5, 0) + 0.8/0.6*max(t - 1.1, 0) - 2*max(t - 2, 0) + 3*max(t - 2.7, 0)\"\n");
+  const reference::Reference of_table = reference_of(table), of_formula = reference_of(formula);
   for (const double t : {0.3, 1.0, 2.5, 4.0}) {
-    const auto one = reference_of(table).at(t), other = reference_of(formula).at(t);
+    const auto one = of_table.at(t), other = of_formula.at(t);
     EXPECT_NEAR(one.value[0], other.value[0], one.bound[0] + other.bound[0]) << t;
     EXPECT_LT(one.bound[0], 1e-10);
   }

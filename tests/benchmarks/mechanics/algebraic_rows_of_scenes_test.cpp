@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "fdebench/benchmarks/references/reference_of.hpp"
 #include "support/testing.hpp"
@@ -60,6 +61,14 @@ std::optional<Scene> in_form(const ConstrainedMotion& motion, const std::string&
   }
 }
 
+// The columns at the end, computed once for all gradings.
+const Vec& exact_end(const ConstrainedMotion& motion) {
+  static std::map<std::string, Vec> known;
+  if (!known.contains(motion.name))
+    known[motion.name] = reference_of(*in_form(motion, "multiplier")).at(motion.end).value;
+  return known[motion.name];
+}
+
 // The error of the last step, relative to 1 + |exact|; nullopt if the scheme refuses.
 std::optional<double> error_of(const Scene& scene, const Scheme& scheme, const Grid& grid, const Vec& exact) {
   if (unsupported_reason(scheme, scene.problem, grid)) return std::nullopt;
@@ -87,7 +96,7 @@ class AlgebraicRowsOfScenes : public testing::TestWithParam<std::tuple<Constrain
 
 TEST_P(AlgebraicRowsOfScenes, ComeNearerToTheTruthOrAreRefused) {
   const auto& [motion, grading] = GetParam();
-  const Vec exact = reference_of(*in_form(motion, "multiplier")).at(motion.end).value;
+  const Vec& exact = exact_end(motion);
   for (const auto& formulation : formulations()) {
     const auto scene = in_form(motion, formulation);
     if (!scene) continue;

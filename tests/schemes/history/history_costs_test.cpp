@@ -66,10 +66,10 @@ TEST(AutomaticHistory, TurnsFromDirectSumsToExponentialsOnce) {
     for (const auto& sums : {std::vector{&families::l1}, {&families::rectangle, &families::trapezoid}}) {
       std::vector<int> crossings;
       for (const std::size_t components : {1, 4, 16, 64, 256, 1024, 16'384}) {
+        const WeightTables tables = tables_of(sums, components);
         int crossing = 0;
         for (int steps = 32; steps <= 2048; ++steps) {
-          const bool direct =
-              chosen(tables_of(sums, components), steps_of(steps, grading)) == HistoryKind::direct;
+          const bool direct = chosen(tables, steps_of(steps, grading)) == HistoryKind::direct;
           EXPECT_FALSE(direct && crossing > 0) << components << ' ' << steps;
           if (!direct && crossing == 0) crossing = steps;
         }
