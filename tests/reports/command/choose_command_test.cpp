@@ -42,7 +42,7 @@ TEST(Choose, MakesTheRunThatItNames) {
 }
 
 TEST(Choose, SaysWhatWouldBeNeeded) {
-  EXPECT_THAT(fdebench("choose fractional_hamilton --error 1e-10 --max-time 2"),
+  EXPECT_THAT(fdebench("choose fractional_diffusion --error 1e-12 --max-time 0.3"),
               is_refused(3, HasSubstr("would need about N = ")));
 }
 
