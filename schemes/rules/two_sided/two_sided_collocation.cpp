@@ -80,13 +80,13 @@ class SolutionOnPanels {
     const bool singular = mesh_.touches_singular_edge(panel);
     double largest = 0.0;
     for (Eigen::Index i = 0; i < problem_->size(); ++i) {
-      const double unit = unit_of_rhs(panel, i);
-      const double off =
-          std::max(unit * of_f[i],
-                   singular && unit > 0.0 ? 0.0 : of_y[i] * (singular ? static_cast<double>(count()) : 1.0));
+      double off = unit_of_rhs(panel, i) * of_f[i];
+      if (!singular) off = std::max(off, of_y[i]);
+      if (singular && problem_->is_algebraic(i)) off = static_cast<double>(count()) * of_y[i];
       largest = std::max(largest, off / allowed[i]);
     }
-    return std::isfinite(largest) ? largest : infinity;
+    if (!std::isfinite(largest)) return infinity;
+    return largest;
   }
 
  private:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The rules of the two sides are mirror images.
 
-#include "fdebench/schemes/rules/two_sided/stepped_side.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+
+#include "fdebench/schemes/rules/two_sided/stepped_side.hpp"
 
 namespace fde::bench {
 namespace {
@@ -22,7 +22,7 @@ class SideRules : public testing::TestWithParam<SideCase> {
   static Rows integral(Side side, double order, const Rows& f) {
     const Problem problem{.components = {{order, {}, side}}, .end = 3.0};
     const SteppedSide rule(problem, side, *GetParam().family, {3.0, static_cast<int>(f.cols()) - 1},
-                        {.history = GetParam().history});
+                           {.history = GetParam().history});
     Rows value = Rows::Zero(1, f.cols());
     rule.integrate(f, value);
     return value;
