@@ -25,8 +25,9 @@ Scheme spectral_collocation() {
           },
       .unsupported_problem_reason = [](const Problem& problem) -> std::optional<std::string> {
         if (has_sparse_jacobian(problem)) return "takes dense Jacobians only";
-        if (has_right_rows(problem)) return unsupported_multipliers_reason(problem);
-        return std::nullopt;
+        if (!has_right_rows(problem)) return std::nullopt;
+        if (!problem.switching_functions.empty()) return "locates switches in steps from the left only";
+        return unsupported_multipliers_reason(problem);
       }};
 }
 

@@ -156,7 +156,7 @@ TEST(TwoSidedCollocation, LocatesEvents) {
   EXPECT_NEAR(path.events.front().t, 0.5, 1e-9);
 }
 
-// y = known + J^0.5 (1e6 + y^2) has no real solution; multipliers are not determined panel by panel.
+// y = known + J^0.5 (1e6 + y^2) has no real solution; multipliers and switches are determined in steps.
 TEST(TwoSidedCollocation, SaysWhatItDoesNotSolve) {
   const Problem problem{.components = {{0.5, {0.0}}, {0.5, {0.25}, Side::right}},
                         .rhs = [](double, In y, Out f) { f << 1e6 + y[0] * y[0], y[0]; }};
@@ -167,6 +167,10 @@ TEST(TwoSidedCollocation, SaysWhatItDoesNotSolve) {
                                   make_scene(parse_variant("fractional_extremum:form=whole")).problem,
                                   Tolerance{1e-6, 1e-6}),
               HasSubstr("multipliers"));
+  Problem switching = smooth_two_sided().problem;
+  switching.switching_functions = {[](double, In y) { return y[0]; }};
+  EXPECT_THAT(*unsupported_reason(*find_scheme("spectral_collocation"), switching, Tolerance{1e-6, 1e-6}),
+              HasSubstr("switches"));
 }
 
 }  // namespace
