@@ -8,12 +8,11 @@
 
 namespace fde {
 
-// The solution of the equations at all times to which Newton's method converges from the Taylor part, with 0
-// for unknown initial values. Where it does not converge from there, a nonlinear problem is solved on 64
-// steps from each of initial_guesses(). The result is then the smallest
-// of these solutions, in the mean square over time and components, from which Newton's method converges on
-// all times. With Options::all_solutions this search is always made, and the further solutions follow. The
-// first result may not have converged.
+// The solution of the equations to which Newton's method converges from the Taylor part, with 0 for unknown
+// initial values. Where it does not converge from there, a nonlinear problem is solved on 64 steps from each
+// of initial_guesses(). The result is then the smallest of these solutions, in the mean square over time and
+// components, from which Newton's method converges on all times. With Options::all_solutions this search is
+// always made, and the further solutions follow. The first result may not have converged.
 std::vector<NewtonResult> solve_equations(const GlobalEquations& equations, NewtonIncrements& increments,
                                           Run& run, const Options& options);
 

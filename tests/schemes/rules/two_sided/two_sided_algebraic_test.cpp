@@ -6,31 +6,23 @@
 #include <cmath>
 
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
+#include "support/two_sided_problems.hpp"
 
 namespace fde::bench {
 namespace {
 
 class TwoSidedAlgebraic : public testing::TestWithParam<const WeightFamily*> {};
 
-// D^0.6 y = -y + r, right D^0.8 r = -r / 2 - z with z = y^2 + sin r: substituted, or as an algebraic row.
 TEST_P(TwoSidedAlgebraic, ARowThatDefinesAnUnknownCanBeEliminated) {
-  const auto z_of = [](In y) { return y[0] * y[0] + std::sin(y[1]); };
-  const Problem eliminated{.components = {{0.6, {1.0}}, {0.8, {0.5}, Side::right}},
-                           .rhs = [=](double, In y, Out f) { f << -y[0] + y[1], -y[1] / 2 - z_of(y); }};
-  // z(0), which depends on r(0), is determined by a condition.
-  const Problem whole{
-      .components = {{0.0, {}}, {0.6, {1.0}}, {0.8, {0.5}, Side::right}},
-      .rhs = [=](double, In y, Out f) { f << y[0] - z_of(y.tail(2)), -y[1] + y[2], -y[2] / 2 - y[0]; },
-      .conditions = [=](In at_start, In,
-                        Out residual) { residual[0] = at_start[0] - z_of(at_start.tail(2)); }};
-  const auto a = solve_globally(eliminated, {1.0, 200}, {}, *GetParam());
-  const auto b = solve_globally(whole, {1.0, 200}, {}, *GetParam());
+  const DefinedUnknown problems;
+  const auto a = solve_globally(problems.eliminated, {1.0, 200}, {}, *GetParam());
+  const auto b = solve_globally(problems.whole, {1.0, 200}, {}, *GetParam());
   ASSERT_EQ(a.status, SolveStatus::finished);
   ASSERT_EQ(b.status, SolveStatus::finished);
   for (Eigen::Index n = 0; n <= 200; ++n) {
     EXPECT_NEAR(b.y(1, n), a.y(0, n), 1e-13);
     EXPECT_NEAR(b.y(2, n), a.y(1, n), 1e-13);
-    EXPECT_NEAR(b.y(0, n), z_of(a.y.col(n)), 1e-13);
+    EXPECT_NEAR(b.y(0, n), DefinedUnknown::z(a.y.col(n)), 1e-13);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "fdebench/schemes/rules/two_sided/panel_side.hpp"
 #include "support/adaptive_schemes.hpp"
 #include "support/testing.hpp"
+#include "support/two_sided_problems.hpp"
 
 namespace fde::bench {
 namespace {
@@ -83,14 +84,10 @@ TEST(TwoSidedCollocation, DeliversTheAccuracyOfScenes) {
   }
 }
 
-// With time reversed, left rows are right rows; what is left is the error of Newton's method.
+// What differs is the error of Newton's method.
 TEST(TwoSidedCollocation, OfTheMirroredProblemIsMirrored) {
   const ManufacturedProblem made = smooth_two_sided();
-  Problem mirrored = made.problem;
-  for (auto& [order, initial, side] : mirrored.components)
-    side = side == Side::left ? Side::right : Side::left;
-  mirrored.rhs = [&made](double t, In y, Out f) { made.problem.rhs(made.problem.end - t, y, f); };
-  const auto path = solved(made.problem, 1e-6), back = solved(mirrored, 1e-6);
+  const auto path = solved(made.problem, 1e-6), back = solved(mirrored(made.problem), 1e-6);
   ASSERT_EQ(path.times.size(), back.times.size());
   EXPECT_LT((path.y - back.y.rowwise().reverse()).cwiseAbs().maxCoeff(), 1e-9);
 }
@@ -127,23 +124,15 @@ TEST(TwoSidedCollocation, FindsOtherSolutionsWhereAsked) {
   EXPECT_LT(std::min(a, b), -5.0);
 }
 
-// D^0.6 y = -y + r, right D^0.8 r = -r / 2 - z with z = y^2 + sin r: substituted, or as an algebraic row.
 TEST(TwoSidedCollocation, TakesAlgebraicRowsThatDetermineTheirUnknown) {
-  const auto z_of = [](In y) { return y[0] * y[0] + std::sin(y[1]); };
-  const Problem eliminated{.components = {{0.6, {1.0}}, {0.8, {0.5}, Side::right}},
-                           .rhs = [=](double, In y, Out f) { f << -y[0] + y[1], -y[1] / 2 - z_of(y); }};
-  const Problem whole{
-      .components = {{0.0, {}}, {0.6, {1.0}}, {0.8, {0.5}, Side::right}},
-      .rhs = [=](double, In y, Out f) { f << y[0] - z_of(y.tail(2)), -y[1] + y[2], -y[2] / 2 - y[0]; },
-      .conditions = [=](In at_start, In,
-                        Out residual) { residual[0] = at_start[0] - z_of(at_start.tail(2)); }};
-  const auto a = solved(eliminated, 1e-9), b = solved(whole, 1e-9);
+  const DefinedUnknown problems;
+  const auto a = solved(problems.eliminated, 1e-9), b = solved(problems.whole, 1e-9);
   ASSERT_EQ(a.status, SolveStatus::finished);
   ASSERT_EQ(b.status, SolveStatus::finished);
   for (const double t : {0.0, 1e-12, 1e-6, 0.2, 0.7, 0.999, 1.0}) {
     const Vec known = a.dense_output(t), found = b.dense_output(t);
     EXPECT_LT((found.tail(2) - known).cwiseAbs().maxCoeff(), 2e-9) << t;
-    EXPECT_NEAR(found[0], z_of(known), 4e-9) << t;
+    EXPECT_NEAR(found[0], DefinedUnknown::z(known), 4e-9) << t;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "fdebench/schemes/rules/two_sided/global_solver.hpp"
 #include "support/scheme_test.hpp"
 #include "support/testing.hpp"
+#include "support/two_sided_problems.hpp"
 
 namespace fde::bench {
 namespace {
@@ -92,11 +93,7 @@ TEST_P(TwoSided, TheWorstErrorIsInTheFirstStepOfARightRow) {
 // With time reversed, left rows are right rows.
 TEST_P(TwoSided, TheMirroredProblemHasTheMirroredSolution) {
   const ManufacturedProblem made = smooth_two_sided();
-  Problem mirrored = made.problem;
-  for (auto& [order, initial, side] : mirrored.components)
-    side = side == Side::left ? Side::right : Side::left;
-  mirrored.rhs = [&made](double t, In y, Out f) { made.problem.rhs(made.problem.end - t, y, f); };
-  const Rows y = run(made.problem, 256).y, back = run(mirrored, 256).y.rowwise().reverse();
+  const Rows y = run(made.problem, 256).y, back = run(mirrored(made.problem), 256).y.rowwise().reverse();
   EXPECT_LT((y - back).cwiseAbs().maxCoeff(), 1e-12);
 }
 
