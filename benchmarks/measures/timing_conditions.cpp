@@ -50,7 +50,7 @@ MedianInterval spread_of(std::vector<double> seconds) {
   const auto last = static_cast<double>(seconds.size() - 1);
   const auto at = [&](double rank) { return seconds[static_cast<std::size_t>(std::clamp(rank, 0.0, last))]; };
   const double median = 0.5 * (at(std::floor(last / 2)) + at(std::ceil(last / 2)));
-  if (seconds.size() < fewest) return {median, seconds.front(), seconds.back()};
+  if (seconds.size() < fewest) return {median, seconds.front(), seconds.back(), 1.0 - std::exp2(-last)};
   const double ranks = half_width * std::sqrt(last + 1.0);
   return {median, at(std::floor(last / 2 - ranks)), at(std::ceil(last / 2 + ranks))};
 }

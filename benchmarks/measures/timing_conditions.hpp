@@ -26,13 +26,15 @@ class TimingWatch {
   double switches_;
 };
 
-// The median of the times of a solve, and its 95 % confidence interval.
+// The median of the times of a solve, and its confidence interval.
 struct MedianInterval {
   double median = 0.0, low = 0.0, high = 0.0;  // seconds
+  double confidence = 0.95;                    // probability that the interval contains the true median
 };
 
 // The median with an interval from order statistics; for fewer than six times the interval is from the
-// minimum to the maximum. Precondition: at least one time.
+// minimum to the maximum, which n times on the same side of the true median miss: its confidence is
+// 1 - 2^(1-n). Precondition: at least one time.
 MedianInterval spread_of(std::vector<double> seconds);
 
 }  // namespace fde::bench

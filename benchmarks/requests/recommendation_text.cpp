@@ -102,8 +102,8 @@ std::string certainty(const Recommendation& made, const RecommendedRun& first) {
     text = fmt::format("the reference is known to {}{}; ", error_text(*made.reference_bound),
                        made.examined_at_points_only ? ", examined at points only" : "");
   }
-  text +=
-      fmt::format("the time is in {} ... {} (95 %)", time_text(first.time.low), time_text(first.time.high));
+  text += fmt::format("the time is in {} ... {} ({:.0f} %)", time_text(first.time.low),
+                      time_text(first.time.high), 100.0 * first.time.confidence);
   if (made.constant) return text + "; the solution is constant: any scheme that keeps y(0) will do";
   if (const auto noise = within_noise(made); !noise.empty())
     return text + fmt::format("; within noise of {}", fmt::join(noise, ", "));

@@ -46,7 +46,7 @@ std::string run_text(const RecommendedRun& option, std::string_view error) {
   std::string text =
       fmt::format("{}N = {}, {} {}", requested, count_text(option.steps), error, error_text(option.error));
   if (!(option.time.median > 0.0)) return text + ", not timed";
-  const auto& [median, low, high] = option.time;
+  const auto& [median, low, high, confidence] = option.time;
   text += fmt::format(", {} ({} ... {}){}", time_text(median), time_text(low), time_text(high),
                       clock_note(option.wall_clock));
   return text;

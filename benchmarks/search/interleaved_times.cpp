@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace fde::bench {
 namespace {
@@ -32,41 +33,69 @@ int times_in_a_round(const TimedSolve& timed) {
   return each * most < least ? most : std::max(1, static_cast<int>(std::ceil(least / each)));
 }
 
-std::vector<MedianInterval> intervals(const std::vector<std::vector<double>>& measured) {
-  std::vector<MedianInterval> all;
-  for (const auto& one : measured) all.push_back(spread_of(one));
-  return all;
-}
+// The solves that are still timed, with their times so far.
+class Race {
+ public:
+  explicit Race(const std::vector<TimedSolve>& solves) : solves_(solves), measured_(solves.size()) {
+    for (std::size_t i = 0; i < solves.size(); ++i) {
+      times_.push_back(times_in_a_round(solves[i]));
+      left_.push_back(i);
+    }
+  }
 
-// Whether the interval of the quickest is below all others.
-bool is_decided(const std::vector<std::vector<double>>& measured) {
-  const auto times = intervals(measured);
-  const auto first = std::ranges::min_element(times, {}, &MedianInterval::median);
-  return std::ranges::all_of(
-      times, [&](const MedianInterval& time) { return &time == &*first || time.low > first->high; });
-}
+  void make_round() {
+    for (const std::size_t i : left_) measured_[i].push_back(seconds_each(solves_[i].solve, times_[i]));
+  }
+
+  // Leaves the solves whose intervals are above that of the quickest.
+  void leave_slower() {
+    double least = std::numeric_limits<double>::infinity();
+    MedianInterval quickest;
+    for (const std::size_t i : left_) {
+      const auto time = spread_of(measured_[i]);
+      if (time.median < least) least = time.median, quickest = time;
+    }
+    std::erase_if(left_, [&](std::size_t i) { return spread_of(measured_[i]).low > quickest.high; });
+  }
+
+  // Whether one is left, or all that are left are known so well that more rounds would not part them.
+  [[nodiscard]] bool is_decided() const {
+    constexpr double known = 0.02;
+    return left_.size() == 1 || std::ranges::all_of(left_, [&](std::size_t i) {
+             const auto time = spread_of(measured_[i]);
+             return time.high - time.low < known * time.median;
+           });
+  }
+
+  [[nodiscard]] std::vector<MedianInterval> intervals() const {
+    std::vector<MedianInterval> all;
+    for (const auto& one : measured_) all.push_back(spread_of(one));
+    return all;
+  }
+
+ private:
+  const std::vector<TimedSolve>& solves_;
+  std::vector<int> times_{};  // solves in a round
+  std::vector<std::size_t> left_{};
+  std::vector<std::vector<double>> measured_;
+};
 
 }  // namespace
 
 std::vector<MedianInterval> time_interleaved(const std::vector<TimedSolve>& solves, double seconds) {
-  constexpr std::size_t most_rounds = 201, rounds_between = 10;
-  constexpr double long_round = 0.5;
-  std::vector<int> times;
-  double round_seconds = 0.0;
-  for (const TimedSolve& timed : solves) {
-    times.push_back(times_in_a_round(timed));
-    round_seconds += timed.expected_seconds;
-  }
-  const std::size_t fewest_rounds = round_seconds > long_round ? 2 : 3;
-  std::vector<std::vector<double>> measured(solves.size());
+  constexpr std::size_t most_rounds = 201, fewest_rounds = 6, fewest_long_rounds = 3;
+  constexpr double long_round = 0.2;
+  Race race(solves);
   const auto start = Clock::now();
-  for (std::size_t round = 0;
-       round < fewest_rounds || (round < most_rounds && seconds_since(start) < seconds); ++round) {
-    for (std::size_t i = 0; i < solves.size(); ++i)
-      measured[i].push_back(seconds_each(solves[i].solve, times[i]));
-    if (round > 0 && round % rounds_between == 0 && is_decided(measured)) break;
+  for (std::size_t round = 1; round <= most_rounds; ++round) {
+    race.make_round();
+    const double taken = seconds_since(start);
+    if (round < (taken > long_round * static_cast<double>(round) ? fewest_long_rounds : fewest_rounds))
+      continue;
+    race.leave_slower();
+    if (race.is_decided() || taken >= seconds) break;
   }
-  return intervals(measured);
+  return race.intervals();
 }
 
 }  // namespace fde::bench

@@ -26,11 +26,14 @@ using ForecastMemo = std::map<std::tuple<std::size_t, std::size_t, std::size_t>,
 // The next run of each configuration of a scene that can change which run is the cheapest within some target;
 // nullopt where there is none. The steps are doubled, from coarsest_steps on, until a run is within the
 // target; then the bracket between the fewest steps within it and the most outside it is closed by the secant
-// in log N and log e. Tolerances are divided by ten from the loosest on; then those next to the quickest run
-// are tried, for neither error nor time need be monotone in the tolerance. A configuration is left
+// in log N and log e. Tolerances are divided by ten from the loosest on, by up to a thousand before runs
+// longer than long_run where the errors so far leave the target that far away; then those next to the
+// quickest run are tried, for neither error nor time need be monotone in the tolerance. A configuration is
+// left
 //   - if more steps fail alike, or another run would take more than most_seconds;
 //   - if its finest run, not within the target, already takes `margin` times the quickest run within it; a
-//     run that failed counts with the cheapest step of any configuration;
+//     run that failed counts with the cheapest step of any configuration, or with its time where it grew
+//     beyond all numbers;
 //   - if its errors stagnate outside the target;
 //   - if by its errors so far, which decrease, it needs more than `margin` times what another one is measured
 //     or forecast to need; this is asked only before runs that take longer than long_run, and where no run is

@@ -57,10 +57,12 @@ class StepsSearch {
   [[nodiscard]] double error(int steps) const { return error_of(*runs_.at(steps), target_.kind).value; }
 
   // A run to the end with as many steps takes at least this long: a run that failed may have failed late, by
-  // iterations that do not converge, or at once.
+  // iterations that do not converge, or at once. Its steps up to where it grew beyond all numbers are as long
+  // as those of a run that ends.
   [[nodiscard]] double least_seconds(const RefinementRun& run) const {
-    const bool finished = std::isfinite(error_of(run, target_.kind).value);
-    return finished ? run.seconds.value_or(0.0) : run.steps * least_step_;
+    const bool finished = std::isfinite(error_of(run, target_.kind).value),
+               counts = finished || run.ending.kind == SolveStatus::non_finite;
+    return std::max(counts ? run.seconds.value_or(0.0) : 0.0, finished ? 0.0 : run.steps * least_step_);
   }
 
   [[nodiscard]] int multiple(double steps) const {

@@ -74,8 +74,7 @@ class Search {
   }
 
  private:
-  // Sets at how many times runs are compared, from the measured cost of one reference value. All runs with
-  // adaptive step size are compared at the same times.
+  // Sets at how many times runs are compared, from the measured cost of one reference value.
   void set_comparison_times() {
     constexpr int most = 512, least = 64, most_at_last = max_comparison_steps;
     constexpr double usual_seconds = 5.0;
@@ -87,7 +86,6 @@ class Search {
     comparison_times_ = static_cast<int>(std::clamp(seconds / (300.0 * each), 1.0 * least, 1.0 * most));
     final_comparison_times_ =
         static_cast<int>(std::clamp(seconds / (10.0 * each), 1.0 * most, 1.0 * most_at_last));
-    adaptive_comparison_times_ = std::min(final_comparison_times_, evenly_spaced_comparisons);
   }
 
   [[nodiscard]] double elapsed() const {
@@ -139,11 +137,9 @@ class Search {
     const RunSettings settings{.resolution = resolution, .grading = of.configuration.grading};
     progress_(fmt::format("{} {}", of.configuration.scheme->id, resolution_text(settings)),
               std::min(1.0, elapsed() / seconds_));
-    if (!of.configuration.is_adaptive())
-      return evaluator_.evaluate(of.configuration, resolution, compared, std::max(1.0, left()));
-    return evaluator_.evaluate(of.configuration, resolution,
-                               compared == comparison_times_ ? adaptive_comparison_times_ : compared,
-                               adaptive_budget());
+    const bool is_adaptive = of.configuration.is_adaptive();
+    return evaluator_.evaluate(of.configuration, resolution, compared,
+                               is_adaptive ? adaptive_budget() : std::max(1.0, left()));
   }
 
   // A run that takes many times as long as the quickest one cannot be the best; before there is one, a run
@@ -228,7 +224,9 @@ class Search {
                         *best.seconds});
     }
     progress_(fmt::format("timing {} runs", quick.size()), std::min(1.0, elapsed() / seconds_));
-    const auto times = time_interleaved(solves, timing_part * seconds_);
+    const auto start = Clock::now();
+    const auto times = time_interleaved(solves, part_of_timing * timing_seconds_left_);
+    timing_seconds_left_ -= std::chrono::duration<double>(Clock::now() - start).count();
     for (std::size_t k = 0; k < quick.size(); ++k) take_time(quick[k], times[k]);
     const bool is_overtaken =
         std::ranges::none_of(quick, [&](std::size_t i) { return *best_run(i)->seconds <= quickest(); });
@@ -241,22 +239,26 @@ class Search {
   void take_time(std::size_t i, MedianInterval time) {
     const RefinementRun* best = best_run(i);
     const double more = best->counted_setup();
-    time = {time.median + more, time.low + more, time.high + more};
+    for (double* seconds : {&time.median, &time.low, &time.high}) *seconds += more;
     candidates_[i].time = time;
     // What made this run slower or quicker than it was before makes the others of the configuration so too.
     const double factor = time.median / *best->seconds;
     for (RefinementRun& run : refinements_[i].runs) *run.seconds *= factor;
   }
 
-  // Compares the best run with the reference at more times; returns whether it is within the accuracy there.
+  // Compares the best run with the reference at more times, with adaptive step size at its own steps; returns
+  // whether it is within the accuracy there.
   bool verify(std::size_t i) {
     const auto number = best_run(i) - refinements_[i].runs.data();
     RefinementRun& made = refinements_[i].runs[static_cast<std::size_t>(number)];
-    if (!verified_.insert({i, number}).second) return true;
-    RefinementRun again = evaluated(candidates_[i], made.resolution, final_comparison_times_);
-    const bool has_own_steps = candidates_[i].configuration.is_adaptive() && !at_end();
-    if (has_own_steps && again.ending.kind == SolveStatus::finished)
-      evaluator_.compare_at_own_steps(candidates_[i].configuration, again);
+    if (at_end() || !verified_.insert({i, number}).second) return true;
+    const Configuration& configuration = candidates_[i].configuration;
+    const int more = configuration.is_adaptive()
+                         ? std::min(final_comparison_times_, evenly_spaced_comparisons)
+                         : final_comparison_times_;
+    RefinementRun again = evaluated(candidates_[i], made.resolution, more);
+    if (configuration.is_adaptive() && again.ending.kind == SolveStatus::finished)
+      evaluator_.compare_at_own_steps(configuration, again);
     again.seconds = made.seconds;
     again.setup_seconds = made.setup_seconds;
     made = std::move(again);
@@ -269,15 +271,17 @@ class Search {
     return {static_cast<int>(of.outcome), of.best.seconds.value_or(0.0)};
   }
 
-  static constexpr double timing_part = 0.05;
+  static constexpr double timing_part = 0.05;        // of the time of the search, for all timings
+  static constexpr double part_of_timing = 1.0 / 3;  // of what is left of it, for one
   RunEvaluator evaluator_;
   double seconds_;
   const SearchProgress& progress_;
   Clock::time_point start_ = Clock::now();
+  double timing_seconds_left_ = timing_part * seconds_;
   SearchGoal goal_{};
   std::vector<SearchCandidate> candidates_{};
   std::vector<Refinement> refinements_{};  // one entry for each of candidates_: its runs until run() ends
-  int comparison_times_ = 0, final_comparison_times_ = 0, adaptive_comparison_times_ = 0;
+  int comparison_times_ = 0, final_comparison_times_ = 0;
   std::set<std::pair<std::size_t, std::ptrdiff_t>> verified_{};  // indices of candidates and their runs
 };
 

@@ -11,13 +11,11 @@
 namespace fde::bench {
 
 // Searches for `seconds` for the cheapest run of a scene within the accuracy of the target, over all
-// schemes of ours and of the caller's `own`, gradings and numbers of steps. Every configuration doubles its
-// steps until its error is within the accuracy or it is expected to be slower than another. fewest_steps()
-// then closes the bracket of the last two runs; for Norm::end, where an error may pass through 0, it also
-// scans smaller numbers of steps. The quickest configurations are timed against each other, and the best is
-// compared with the reference at as many steps as a record is. Returns all configurations: first those within
-// the accuracy, the quickest first. Throws std::runtime_error if the reference is missing or less accurate
-// than requested.
+// schemes of ours and of the caller's `own`, gradings and numbers of steps. Every configuration makes the
+// runs of next_resolutions() (next_resolution.hpp) until none may be the cheapest. The quickest
+// configurations are timed against each other, and the best is compared with the reference at as many steps
+// as a record is. Returns all configurations: first those within the accuracy, the quickest first. Throws
+// std::runtime_error if the reference is missing or less accurate than requested.
 std::vector<SearchCandidate> search(const Scene& scene, const AccuracyTarget& target, double seconds,
                                     const SearchProgress& progress, std::span<const Scheme* const> own = {});
 

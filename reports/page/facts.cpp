@@ -65,7 +65,7 @@ json run_facts(const PageInput& page, const Record& run, std::initializer_list<s
 
 json run_facts(const PageInput& page, const RecommendedRun& option) {
   const auto* requested = std::get_if<Tolerance>(&option.settings.resolution);
-  const auto& [median, low, high] = option.time;
+  const auto& [median, low, high, confidence] = option.time;
   const bool is_timed = median > 0.0;
   json facts{{"line", page.label(option)},      {"grid", page.grid(option.settings)},
              {"steps", option.steps},           {"error", fact(option.error)},

@@ -57,7 +57,7 @@ json columns_of(std::size_t members, const std::function<json(std::size_t)>& of)
 json cell_facts(Plane& plane, const std::vector<RecommendedRun>& ranked) {
   if (ranked.empty()) return json::object();
   const RecommendedRun& first = ranked.front();
-  const auto& [median, low, high] = first.time;
+  const auto& [median, low, high, confidence] = first.time;
   json facts{{"line", plane.label(first)}, {"scheme", plane.options(first.schemes.front())},
              {"steps", first.steps},       {"error", few(first.error)},
              {"seconds", few(median)},     {"low", few(low)},

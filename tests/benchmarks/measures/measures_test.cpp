@@ -127,12 +127,14 @@ TEST(TimingWatch, CountsWhatTheSystemTells) {
 TEST(MedianInterval, IsAnIntervalOfTheMedian) {
   std::vector<double> seconds(25);
   std::iota(seconds.rbegin(), seconds.rend(), 1.0);
-  const auto [median, low, high] = spread_of(seconds);
+  const auto [median, low, high, confidence] = spread_of(seconds);
   EXPECT_EQ(median, 13.0);
   EXPECT_EQ(low, 8.0);
   EXPECT_EQ(high, 18.0);
+  EXPECT_EQ(confidence, 0.95);
   EXPECT_EQ(time_measure("time_low", {3.0, 1.0, 2.0}), 1.0) << "few tell no more than their limits";
   EXPECT_EQ(time_measure("time_high", {3.0, 1.0, 2.0}), 3.0);
+  EXPECT_EQ(spread_of({3.0, 1.0, 2.0}).confidence, 0.75) << "three on one side of the median: 2 of 8 cases";
 }
 
 TEST(WatchedSteps, AreAllUpToALimitAndThenSpread) {

@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace fde::bench {
 namespace {
@@ -264,6 +265,16 @@ TEST(NextResolutions, EndWhereMoreStepsEndInTheSameWay) {
   EXPECT_FALSE(next_resolutions(goal_for(), {&of, 1}).front());
 }
 
+// Steps up to where a run grew beyond all numbers took as long as those of a run that ends.
+TEST(NextResolutions, LeaveASlowRunThatGrewBeyondAllNumbers) {
+  std::vector<Refinement> of_scene{{.runs = {run_of(power(1.0, 2.0), 512), run_of(power(1.0, 2.0), 1024)}},
+                                   {.runs = {{.resolution = 64, .steps = 64, .seconds = 2e-3}}}};
+  EXPECT_EQ(next_resolutions(goal_for(), of_scene).back(), StepsOrTolerance(128))
+      << "may end at once with more";
+  of_scene[1].runs.front().ending.kind = SolveStatus::non_finite;
+  EXPECT_FALSE(next_resolutions(goal_for(), of_scene).back());
+}
+
 // A run that failed has no errors at all, as in a forecast; beside a quick one it is left by its steps.
 TEST(NextResolutions, DoubleTheStepsOfARunWithoutErrors) {
   std::vector<Refinement> of_scene{{.runs = {{.resolution = 64, .steps = 64, .seconds = 2e-3}}}, {}};
@@ -366,6 +377,16 @@ TEST(NextTolerances, AreNoLongerThanTheMostSeconds) {
   const auto of = searched_tolerances([](double tolerance) { return 100.0 * tolerance; },
                                       [](double tolerance) { return 1e-5 / tolerance; });
   EXPECT_LE(most_seconds(of), 0.1);
+}
+
+// The errors of 0.1 and 0.01 leave four decades, of which three are skipped at once; 3.2e-6 is expected to be
+// three times outside.
+TEST(NextTolerances, SkipWhatIsFarOutsideBeforeLongRuns) {
+  const auto of = searched_tolerances([](double tolerance) { return tolerance; },
+                                      [](double tolerance) { return 4e-3 * std::pow(tolerance, -0.2); });
+  std::vector<double> tolerances;
+  for (const RefinementRun& run : of.runs) tolerances.push_back(std::get<Tolerance>(run.resolution).rtol);
+  EXPECT_THAT(tolerances, testing::ElementsAre(0.1, 0.01, 1e-5, 1e-6, 1.8e-6));
 }
 
 TEST(NextTolerances, EndWhereTheTimeRunsOut) {
