@@ -43,10 +43,16 @@ bool try_lock_for(std::chrono::seconds wait, int descriptor) {
 
 }  // namespace
 
-Results read_results(const std::filesystem::path& file) {
+Results read_results(const std::filesystem::path& file, Examinations which) {
   Results results;
   std::vector<std::size_t> builds;  // for each session the first of the same build
-  std::map<std::pair<std::size_t, RunKey>, std::size_t> last;
+  std::unordered_map<Digest, std::size_t, DigestHash>
+      last;  // index of the record of a run, of each build or of any
+  const auto digest = [&](const RunKey& run) {
+    auto of_run = digest_of(run);
+    if (which == Examinations::all) of_run[1] += builds.back();
+    return of_run;
+  };
   ResultsReader reader(file);
   while (auto line = reader.next()) {
     if (auto* session = std::get_if<Session>(&*line)) {
@@ -57,11 +63,18 @@ Results read_results(const std::filesystem::path& file) {
     } else if (auto* scene = std::get_if<SceneDescription>(&*line)) {
       results.scenes.push_back(std::move(*scene));
     } else if (auto* run = std::get_if<Record>(&*line)) {
-      last.insert_or_assign({builds.back(), run->key}, results.records.size());
-      results.records.push_back(std::move(*run));
+      auto& place = last.try_emplace(digest(run->key), results.records.size()).first->second;
+      if (which == Examinations::all) place = results.records.size();
+      if (place == results.records.size()) {
+        results.records.push_back(std::move(*run));
+      } else {
+        results.records[place] = std::move(*run);
+      }
     } else if (const auto* times = std::get_if<LaterTimes>(&*line)) {
-      const auto found = last.find({builds.back(), times->key});
-      if (found != last.end()) results.records[found->second].take(times->timing);
+      const auto found = last.find(digest(times->key));
+      if (found == last.end()) continue;
+      Record& timed = results.records[found->second];
+      if (builds[timed.session] == builds.back()) timed.take(times->timing);
     }
   }
   results.warning = reader.warning();

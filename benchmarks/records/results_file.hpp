@@ -15,9 +15,12 @@
 
 namespace fde::bench {
 
+// Which examinations of a run are read: all, or the last one of any build.
+enum class Examinations { all, latest };
+
 // The contents of a results file, as ResultsReader reads it. Later times are those of the last examination of
 // their run by the same build; without one they are left out.
-Results read_results(const std::filesystem::path& file);
+Results read_results(const std::filesystem::path& file, Examinations which = Examinations::all);
 
 // What this build has recorded of each run: its examination on any machine, its times on this one. Where they
 // are is known; a record is read from the file when it is looked up.

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "results_file_test.hpp"
+#include "benchmarks/records/results_file_test.hpp"
 
 namespace fde::bench {
 
