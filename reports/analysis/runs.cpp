@@ -60,8 +60,8 @@ std::vector<Placed> latest_in_order(const std::vector<Record>& records) {
     const auto of_a = order(a), of_b = order(b);
     return of_a < of_b || (of_a == of_b && a.index > b.index);
   });
-  const auto repeated = std::ranges::unique(places, {}, order);
-  places.erase(repeated.begin(), repeated.end());
+  const auto same = [&](const Placed& a, const Placed& b) { return order(a) == order(b); };
+  places.erase(std::unique(places.begin(), places.end(), same), places.end());
   return places;
 }
 
@@ -116,8 +116,7 @@ Runs runs_of(Results results) {
   const auto is_finished = [&](const Placed& at) {
     return results.records[at.index].ending.kind == SolveStatus::finished;
   };
-  const auto failed = std::ranges::stable_partition(order, is_finished);
-  const auto first_failed = std::ssize(order) - std::ssize(failed);
+  const auto first_failed = std::stable_partition(order.begin(), order.end(), is_finished) - order.begin();
   rearrange(results.records, order);
   Runs runs;
   runs.failed.assign(std::make_move_iterator(results.records.begin() + first_failed),
