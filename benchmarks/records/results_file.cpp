@@ -41,55 +41,18 @@ bool try_lock_for(std::chrono::seconds wait, int descriptor) {
   return true;
 }
 
-Record without_details(Record run) {
-  run.columns = {};
-  run.courses.clear();
-  return run;
-}
-
-// Adds a line of the same build. Of another machine, an examination counts unless one is known or the run was
-// too slow there; a time does not.
-void add(ResultsLine line, bool from_here, RecordedByKey& runs) {
-  if (auto* run = std::get_if<Record>(&line)) {
-    if (!from_here && (runs.contains(run->key) || run->ending.kind == SolveStatus::out_of_budget)) return;
-    if (!from_here) run->timing = {};
-    runs.insert_or_assign(run->key, without_details(*run));
-  } else if (const auto* times = std::get_if<LaterTimes>(&line)) {
-    const auto found = runs.find(times->key);
-    if (from_here && found != runs.end()) found->second.take(times->timing);
-  }
-}
-
-// The recorded runs and scenes of this build, and the offset of the end of the last complete line.
-struct RecordedContents {
-  ReadRecorded read{};
-  std::set<SceneSettings> scenes{};
-  std::uint64_t complete = 0;
-};
-RecordedContents recorded_in(const std::filesystem::path& file, const Session& build) {
-  RecordedContents found;
-  bool is_ours = false, from_here = false;
-  ResultsReader reader(file);
-  while (auto line = reader.next()) {
-    if (const auto* session = std::get_if<Session>(&*line)) {
-      is_ours = same_build(*session, build);
-      from_here = same_machine(*session, build);
-    }
-    if (!is_ours) continue;
-    if (const auto* scene = std::get_if<SceneDescription>(&*line)) found.scenes.insert(scene->scene);
-    add(std::move(*line), from_here, found.read.runs);
-  }
-  found.read.warning = reader.warning();
-  found.complete = reader.complete();
-  return found;
-}
-
 }  // namespace
 
-Results read_results(const std::filesystem::path& file) {
+Results read_results(const std::filesystem::path& file, Examinations which) {
   Results results;
   std::vector<std::size_t> builds;  // for each session the first of the same build
-  std::map<std::pair<std::size_t, RunKey>, std::size_t> last;
+  std::unordered_map<Digest, std::size_t, DigestHash>
+      last;  // index of the record of a run, of each build or of any
+  const auto digest = [&](const RunKey& run) {
+    auto of_run = digest_of(run);
+    if (which == Examinations::all) of_run[1] += builds.back();
+    return of_run;
+  };
   ResultsReader reader(file);
   while (auto line = reader.next()) {
     if (auto* session = std::get_if<Session>(&*line)) {
@@ -100,24 +63,61 @@ Results read_results(const std::filesystem::path& file) {
     } else if (auto* scene = std::get_if<SceneDescription>(&*line)) {
       results.scenes.push_back(std::move(*scene));
     } else if (auto* run = std::get_if<Record>(&*line)) {
-      last.insert_or_assign({builds.back(), run->key}, results.records.size());
-      results.records.push_back(std::move(*run));
+      auto& place = last.try_emplace(digest(run->key), results.records.size()).first->second;
+      if (which == Examinations::all) place = results.records.size();
+      if (place == results.records.size()) {
+        results.records.push_back(std::move(*run));
+      } else {
+        results.records[place] = std::move(*run);
+      }
     } else if (const auto* times = std::get_if<LaterTimes>(&*line)) {
-      const auto found = last.find({builds.back(), times->key});
-      if (found != last.end()) results.records[found->second].take(times->timing);
+      const auto found = last.find(digest(times->key));
+      if (found == last.end()) continue;
+      Record& timed = results.records[found->second];
+      if (builds[timed.session] == builds.back()) timed.take(times->timing);
     }
   }
   results.warning = reader.warning();
   return results;
 }
 
-std::optional<Record> recorded_of(const RecordedByKey& runs, const RunKey& run) {
-  const auto found = runs.find(run);
-  return found == runs.end() ? std::nullopt : std::optional(found->second);
+RecordedRuns::RecordedRuns(const std::filesystem::path& path, const Session& build) : file_(path) {
+  bool is_ours = false, is_from_here = false;
+  ResultsReader reader(path);
+  while (const auto line = reader.next()) {
+    if (const auto* session = std::get_if<Session>(&*line)) {
+      is_ours = same_build(*session, build);
+      is_from_here = same_machine(*session, build);
+    }
+    if (is_ours) add(*line, reader.begin(), is_from_here);
+  }
+  warning_ = reader.warning();
+  complete_ = reader.complete();
 }
 
-ReadRecorded read_recorded(const std::filesystem::path& file) {
-  return std::filesystem::exists(file) ? recorded_in(file, this_session()).read : ReadRecorded();
+void RecordedRuns::add(const ResultsLine& line, std::uint64_t offset, bool is_from_here) {
+  if (const auto* scene = std::get_if<SceneDescription>(&line)) {
+    described_.insert(scene->scene);
+  } else if (const auto* run = std::get_if<Record>(&line)) {
+    const auto key = digest_of(run->key);
+    if (!is_from_here && (places_.contains(key) || run->ending.kind == SolveStatus::out_of_budget)) return;
+    places_.insert_or_assign(key, PlacedRun{.examination = offset,
+                                            .session = static_cast<std::uint32_t>(run->session),
+                                            .has_own_times = is_from_here});
+  } else if (const auto* times = std::get_if<LaterTimes>(&line)) {
+    const auto found = places_.find(digest_of(times->key));
+    if (is_from_here && found != places_.end()) found->second.take_times(offset, times->timing.session);
+  }
+}
+
+std::optional<Record> RecordedRuns::find(const RunKey& run) const {
+  const auto found = places_.find(digest_of(run));
+  return found == places_.end() ? std::nullopt : std::optional(read_record(file_, found->second));
+}
+
+std::optional<RecordedRuns> read_recorded(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  return std::optional<RecordedRuns>(std::in_place, file, this_session());
 }
 
 ResultsFile::ResultsFile(std::filesystem::path file, std::chrono::seconds wait) : path_(std::move(file)) {
@@ -126,11 +126,8 @@ ResultsFile::ResultsFile(std::filesystem::path file, std::chrono::seconds wait) 
   if (descriptor_ < 0) throw cannot_be_written(path_, std::strerror(errno));
   try {
     if (!try_lock_for(wait, descriptor_)) throw cannot_be_written(path_, "another run is writing to it");
-    auto found = recorded_in(path_, session_);
-    recorded_ = std::move(found.read.runs);
-    described_ = std::move(found.scenes);
-    warning_ = std::move(found.read.warning);
-    if (ftruncate(descriptor_, static_cast<off_t>(found.complete)) != 0)
+    recorded_.emplace(path_, session_);
+    if (ftruncate(descriptor_, static_cast<off_t>(recorded_->complete())) != 0)
       throw cannot_be_written(path_, std::strerror(errno));
   } catch (...) {
     close(descriptor_);
@@ -140,31 +137,29 @@ ResultsFile::ResultsFile(std::filesystem::path file, std::chrono::seconds wait) 
 
 ResultsFile::~ResultsFile() { close(descriptor_); }
 
-void ResultsFile::append(const Record& run) {
-  write(line_of(run));
-  recorded_.insert_or_assign(run.key, without_details(run));
-}
+std::optional<Record> ResultsFile::recorded(const RunKey& run) const { return recorded_->find(run); }
 
-void ResultsFile::append_times(const Record& run) {
-  write(line_of(LaterTimes{run.key, run.timing}));
-  recorded_.insert_or_assign(run.key, without_details(run));
-}
+void ResultsFile::append(const Record& run) { write(line_of(run)); }
+
+void ResultsFile::append_times(const Record& run) { write(line_of(LaterTimes{run.key, run.timing})); }
 
 void ResultsFile::append(const SceneDescription& scene) {
-  described_.insert(scene.scene);  // also if it is unreadable, so that it is not computed again
+  recorded_->add(scene, 0, true);  // also if it is unreadable, so that it is not computed again
   write(line_of(scene));
 }
 
 void ResultsFile::write(const std::string& line) {
+  ResultsLine read;
   try {
     if (line.size() > most_line_bytes + 1) throw std::invalid_argument("too long");
-    parse_line(line);
+    read = parse_line(line);
   } catch (const std::exception& reason) {
     throw UnreadableLine(
         fmt::format("{}: not written, for no command could read it: {}", path_.string(), reason.what()));
   }
   write_bytes(session_written_ ? line : line_of(session_) + line);
   session_written_ = true;
+  recorded_->add(read, static_cast<std::uint64_t>(lseek(descriptor_, 0, SEEK_END)) - line.size(), true);
 }
 
 void ResultsFile::write_bytes(const std::string& text) {

@@ -27,6 +27,11 @@ class ResultsReader {
   // The text of the current line, without the line end.
   [[nodiscard]] const std::string& text() const { return line_.text(); }
 
+  // The offset in bytes of the first byte of the current line.
+  [[nodiscard]] std::uint64_t begin() const {
+    return line_.end() - line_.text().size() - (line_.has_end() ? 1 : 0);
+  }
+
   // The offset in bytes of the byte after the last line with a line end.
   [[nodiscard]] std::uint64_t complete() const { return complete_; }
 

@@ -29,9 +29,9 @@ void run_into(ResultsFile& file, std::span<const Sweep> sweeps, const SweepListe
 
 // The same for a request and the path of a results file, which is made where it is missing. Returns the runs
 // of the request, those of a scene side by side, the scenes of a sweep in the order of the request. A run
-// that the file has is returned without courses and errors of single columns, and without measures that it
-// lacks. Several threads examine runs: they call the caller's schemes and measures at the same time. Throws
-// Refusal as sweeps_of() does, and std::invalid_argument naming a file that is no results file.
+// that the file has is returned without measures that it lacks. Several threads examine runs: they call the
+// caller's schemes and measures at the same time. Throws Refusal as sweeps_of() does, and
+// std::invalid_argument naming a file that is no results file.
 std::vector<Record> sweep(const SweepRequest& request, const std::filesystem::path& results,
                           const SweepListener& listener = {});
 

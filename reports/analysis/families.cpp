@@ -2,7 +2,6 @@
 #include "fdebench/reports/analysis/families.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -53,11 +52,14 @@ Runs take_families(Runs& runs) {
     for (const auto& [scene, numbers] : scenes) wanted.insert(scene);
   }
   Runs taken;
+  if (wanted.empty()) return taken;
   const auto take = [&](std::vector<Record>& from, std::vector<Record>& to) {
-    const auto kept = std::stable_partition(
-        from.begin(), from.end(), [&](const Record& run) { return !wanted.contains(run.key.scene); });
-    to.assign(std::make_move_iterator(kept), std::make_move_iterator(from.end()));
-    from.erase(kept, from.end());
+    to = std::exchange(from, {});
+    std::erase_if(to, [&](Record& run) {
+      if (wanted.contains(run.key.scene)) return false;
+      from.push_back(std::move(run));
+      return true;
+    });
   };
   take(runs.finished, taken.finished);
   take(runs.failed, taken.failed);

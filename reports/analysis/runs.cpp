@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <iterator>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -30,13 +32,49 @@ std::tuple<int, double, double> fineness(const RunSettings& settings) {
   return {0, -relative, -absolute};
 }
 
+// A record with the places of its scene and its scheme in the lists of this build.
+struct Placed {
+  std::ptrdiff_t scene = 0, scheme = 0;
+  std::size_t index = 0;
+};
+
 // Sort key of runs. The runs of a line are contiguous.
-auto order_of(const RunKey& key) {
+auto order_of(const RunKey& key, const Placed& at) {
   RunSettings line = key.settings;
   line.resolution = std::holds_alternative<int>(line.resolution) ? StepsOrTolerance(0) : Tolerance{};
-  return std::tuple(position(scene_ids(), key.scene.id), key.scene,
-                    position(schemes(), key.scheme, &Scheme::id), key.scheme, line, fineness(key.settings));
+  return std::tuple<std::ptrdiff_t, const SceneSettings&, std::ptrdiff_t, const std::string&, RunSettings,
+                    std::tuple<int, double, double>>(at.scene, key.scene, at.scheme, key.scheme, line,
+                                                     fineness(key.settings));
 }
+
+// Of each run the last record, in the order of runs.
+std::vector<Placed> latest_in_order(const std::vector<Record>& records) {
+  std::vector<Placed> places;
+  places.reserve(records.size());
+  for (const Record& run : records) {
+    places.push_back({position(scene_ids(), run.key.scene.id),
+                      position(schemes(), run.key.scheme, &Scheme::id), places.size()});
+  }
+  const auto order = [&](const Placed& at) { return order_of(records[at.index].key, at); };
+  std::ranges::sort(places, [&](const Placed& a, const Placed& b) {
+    const auto of_a = order(a), of_b = order(b);
+    return of_a < of_b || (of_a == of_b && a.index > b.index);
+  });
+  const auto same = [&](const Placed& a, const Placed& b) { return order(a) == order(b); };
+  places.erase(std::unique(places.begin(), places.end(), same), places.end());
+  return places;
+}
+
+// Leaves these records, in this order. They are many: there is no copy.
+void rearrange(std::vector<Record>& records, const std::vector<Placed>& order) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    auto from = order[i].index;
+    while (from < i) from = order[from].index;  // it has been exchanged with that one
+    std::swap(records[i], records[from]);
+  }
+  records.erase(records.begin() + std::ssize(order), records.end());
+}
+
 template <typename Same>
 std::vector<RunSpan> chunks(RunSpan runs, Same same) {
   std::vector<RunSpan> found;
@@ -74,15 +112,21 @@ const SceneDescription* Runs::describe(const SceneSettings& scene) const {
 }
 
 Runs runs_of(Results results) {
-  std::map<decltype(order_of({})), Record> all;
-  for (Record& run : results.records) {
-    auto order = order_of(run.key);
-    all.insert_or_assign(std::move(order), std::move(run));
-  }
+  auto order = latest_in_order(results.records);
+  const auto is_finished = [&](const Placed& at) {
+    return results.records[at.index].ending.kind == SolveStatus::finished;
+  };
+  const auto first_failed = std::stable_partition(order.begin(), order.end(), is_finished) - order.begin();
+  rearrange(results.records, order);
   Runs runs;
-  for (auto& [order, run] : all)
-    (run.ending.kind == SolveStatus::finished ? runs.finished : runs.failed).push_back(std::move(run));
-  for (SceneDescription& scene : results.scenes) runs.scenes.insert_or_assign(scene.scene, scene);
+  runs.failed.assign(std::make_move_iterator(results.records.begin() + first_failed),
+                     std::make_move_iterator(results.records.end()));
+  results.records.erase(results.records.begin() + first_failed, results.records.end());
+  runs.finished = std::move(results.records);
+  for (SceneDescription& scene : results.scenes) {
+    auto& described = runs.scenes[scene.scene];
+    described = std::move(scene);
+  }
   compare_over_common_columns(runs);
   return runs;
 }
@@ -104,7 +148,7 @@ ReadRuns read_runs(Results results) {
 }
 
 ReadRuns read_runs(const std::filesystem::path& file) {
-  Results results = read_results(file);
+  Results results = read_results(file, Examinations::latest);
   if (results.records.empty()) {
     throw std::invalid_argument(results.warning.empty() ? fmt::format("{}: holds no run", file.string())
                                                         : fmt::format("{}: no run is left", results.warning));

@@ -24,12 +24,11 @@ std::unique_ptr<TableWriter> writer_to(const std::string& format, const NewPath&
 }
 
 void export_flat(const std::string& file, const NewPath& out, const Streams& streams) {
+  std::ofstream stream(out.unfinished(), std::ios::binary);
   const auto table = [&] {
     const ProgressLine line(streams, "reads " + file);
-    return flat_table(file);
+    return write_flat_table(file, stream);
   }();
-  std::ofstream stream(out.unfinished(), std::ios::binary);
-  stream << table.csv;
   stream.close();
   if (!stream) cannot_write(out.path(), {errno, std::generic_category()});
   out.commit();

@@ -91,10 +91,10 @@ void run_and_show(const std::vector<Sweep>& sweeps, const Streams& streams, Resu
 // Prints the remaining runs with their expected seconds, and the total.
 void list_runs(const std::vector<Sweep>& sweeps, const std::optional<std::string>& out,
                const Streams& streams) {
-  const auto recorded = out ? read_recorded(*out) : ReadRecorded();
-  warn(streams, recorded.warning);
+  const auto recorded = out ? read_recorded(*out) : std::nullopt;
+  if (recorded) warn(streams, recorded->warning());
   const auto expected =
-      forecast_of(sweeps, [&](const RunKey& key) { return recorded_of(recorded.runs, key); });
+      forecast_of(sweeps, [&](const RunKey& key) { return recorded ? recorded->find(key) : std::nullopt; });
   std::size_t refused = 0;
   for (const auto& [run, seconds] : expected) {
     refused += seconds.refusal.empty() ? 0 : 1;

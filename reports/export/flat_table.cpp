@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/benchmarks/records/results_index.hpp"
 #include "fdebench/reports/export/csv_cell.hpp"
 
 namespace fde::bench {
@@ -30,25 +30,22 @@ class Names {
   std::vector<std::string> names_{};
 };
 
+// Reads the latest runs twice: for the names of the columns, then for the rows.
 class FlatRows {
  public:
-  FlatRows(const std::vector<const Record*>& runs, const std::vector<SceneDescription>& scenes) {
-    for (const SceneDescription& scene : scenes)
-      for (const auto& parameter : scene.parameters) defaults_[scene.scene][parameter.name] = parameter.value;
-    for (const Record* run : runs) {
-      for (const auto& [name, value] : run->key.scene.values) parameters_.add(name);
-      for (const auto* values : {&run->values, &run->timing.values})
-        for (const auto& [quantity, value] : *values) quantities_.add(quantity);
-    }
-    add_cells("scene");
-    for (const auto& name : parameters_) add_cells(std::string_view(column_of(name)));
-    for (const std::string_view name : settings) add_cells(name);
-    for (const auto& name : quantities_) add_cells(std::string_view(name));
-    end_row();
-    for (const Record* run : runs) add(*run);
-  }
+  FlatRows(const std::filesystem::path& file, std::ostream& out)
+      : index_(index_results(file)), lines_(file), out_(out) {}
 
-  [[nodiscard]] std::string csv() && { return std::move(csv_); }
+  FlatCounts write() && {
+    FlatCounts counts{.warning = index_.warning};
+    for_each_latest([&](const Record& run) { add_names(run); });
+    write_header();
+    for_each_latest([&](const Record& run) {
+      add(run);
+      ++counts.rows;
+    });
+    return counts;
+  }
 
  private:
   static constexpr std::array<std::string_view, 8> settings{"until",    "scheme",  "steps",   "h",
@@ -61,29 +58,61 @@ class FlatRows {
     return (is_taken ? "parameter_" : "") + parameter;
   }
 
+  template <typename Function>
+  void for_each_latest(const Function& function) const {
+    for (const IndexedRun& run : index_.runs)
+      if (run.is_latest) function(read_record(lines_, run));
+  }
+
+  void add_names(const Record& run) {
+    for (const auto& [name, value] : run.key.scene.values) parameters_.add(name);
+    for (const auto* values : {&run.values, &run.timing.values})
+      for (const auto& [quantity, value] : *values) quantities_.add(quantity);
+  }
+
+  void write_header() {
+    add_cells("scene");
+    for (const auto& name : parameters_) add_cells(std::string_view(column_of(name)));
+    for (const std::string_view name : settings) add_cells(name);
+    for (const auto& name : quantities_) add_cells(std::string_view(name));
+    end_row();
+  }
+
+  // The defaults of the scene's parameters; empty without a description. The runs of a scene mostly follow
+  // each other, so that only the defaults of the last one are kept.
+  const std::map<std::string, std::string>& defaults_of(const SceneSettings& scene) {
+    if (last_scene_ == scene) return defaults_;
+    last_scene_ = scene;
+    defaults_.clear();
+    for (const auto description : index_.scenes.at(scene))
+      for (const auto& parameter : read_scene(lines_, description).parameters)
+        defaults_[parameter.name] = parameter.value;
+    return defaults_;
+  }
+
   // The value that the scene has, set or by default; empty: the scene has no such parameter, or is not
   // described.
-  [[nodiscard]] std::string value_of(const SceneSettings& scene, const std::string& parameter) const {
+  [[nodiscard]] std::string value_of(const SceneSettings& scene, const std::string& parameter) {
     const auto set = scene.values.find(parameter);
     if (set != scene.values.end()) return to_text(set->second);
-    const auto described = defaults_.find(scene);
-    if (described == defaults_.end()) return "";
-    const auto known = described->second.find(parameter);
-    return known == described->second.end() ? "" : known->second;
+    const auto& defaults = defaults_of(scene);
+    const auto known = defaults.find(parameter);
+    return known == defaults.end() ? "" : known->second;
   }
 
   template <typename... Cells>
   void add_cells(const Cells&... cells) {
     const auto add_one = [&](const Cell& cell) {
-      if (is_begun_) csv_ += ',';
-      append_csv(csv_, cell);
+      if (is_begun_) row_ += ',';
+      append_csv(row_, cell);
       is_begun_ = true;
     };
     (add_one(Cell(cells)), ...);
   }
 
   void end_row() {
-    csv_ += csv_line_end;
+    out_ << row_ << csv_line_end;
+    row_.clear();
     is_begun_ = false;
   }
 
@@ -100,22 +129,20 @@ class FlatRows {
     end_row();
   }
 
-  std::map<SceneSettings, std::map<std::string, std::string>> defaults_{};
+  ResultsIndex index_;
+  LinesByOffset lines_;
+  std::ostream& out_;
+  std::optional<SceneSettings> last_scene_{};
+  std::map<std::string, std::string> defaults_{};  // of that scene
   Names parameters_{}, quantities_{};
-  std::string csv_{};
+  std::string row_{};
   bool is_begun_ = false;  // the present row has a cell
 };
 
 }  // namespace
 
-FlatTable flat_table(const std::filesystem::path& file) {
-  const Results read = read_results(file);
-  std::map<RunKey, const Record*> latest;
-  for (const Record& run : read.records) latest[run.key] = &run;
-  std::vector<const Record*> runs;
-  for (const Record& run : read.records)
-    if (latest.at(run.key) == &run) runs.push_back(&run);
-  return {FlatRows(runs, read.scenes).csv(), runs.size(), read.warning};
+FlatCounts write_flat_table(const std::filesystem::path& file, std::ostream& out) {
+  return FlatRows(file, out).write();
 }
 
 }  // namespace fde::bench

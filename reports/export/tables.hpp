@@ -72,7 +72,7 @@ struct ExportCounts {
   std::string warning{};  // of lines that are left out
 };
 
-// Writes the contents of a results file as rows of the tables. Throws as read_results and the writer do.
+// Writes the contents of a results file as rows of the tables. Throws as index_results and the writer do.
 ExportCounts write_tables(const std::filesystem::path& file, TableWriter& writer);
 
 }  // namespace fde::bench

@@ -10,7 +10,7 @@
 
 #include "fdebench/benchmarks/records/record_text.hpp"
 #include "fdebench/benchmarks/records/record_validation.hpp"
-#include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/benchmarks/records/results_index.hpp"
 #include "fdebench/reports/export/tables.hpp"
 
 namespace fde::bench {
@@ -21,42 +21,43 @@ Cell flag(bool value) { return std::int64_t{value ? 1 : 0}; }
 Cell or_null(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 Cell or_null(std::string_view text) { return text.empty() ? Cell() : Cell(text); }
 
-// The contents of a results file as rows of the tables.
+// The contents of a results file as rows of the tables. Descriptions and runs are read when they are written.
 class TablesOfResults {
  public:
-  TablesOfResults(const Results& of, TableWriter& writer) : results_(of), writer_(writer) {
-    for (const auto& scene : of.scenes) described_[scene.scene] = &scene;
-    for (const auto& run : of.records) described_.try_emplace(run.key.scene, nullptr);
-    for (const auto& [scene, description] : described_) scenes_.emplace(scene, scenes_.size());
-    for (std::size_t id = 0; id < of.records.size(); ++id) latest_[of.records[id].key] = id;
+  TablesOfResults(const std::filesystem::path& file, TableWriter& writer)
+      : index_(index_results(file)), lines_(file), writer_(writer) {
+    for (const auto& [scene, descriptions] : index_.scenes) scenes_.emplace(scene, scenes_.size());
   }
 
   ExportCounts write() && {
-    for (std::size_t id = 0; id < results_.sessions.size(); ++id) write(results_.sessions[id], id);
+    for (std::size_t id = 0; id < index_.sessions.size(); ++id) write(index_.sessions[id], id);
     for (const auto& [scene, id] : scenes_) write(scene, id);
-    for (std::size_t id = 0; id < results_.records.size(); ++id) write(results_.records[id], id);
+    for (std::size_t id = 0; id < index_.runs.size(); ++id) write(read_record(lines_, index_.runs[id]), id);
     writer_.finish();
-    return {results_.sessions.size(), scenes_.size(), results_.records.size(), written_, results_.warning};
+    return {index_.sessions.size(), scenes_.size(), index_.runs.size(), written_, index_.warning};
   }
 
  private:
   void put(TableId table, std::initializer_list<Cell> row) { writer_.add(table, row); }
 
   void write(const Session& session, std::size_t id) {
-    const auto first = std::ranges::find_if(results_.sessions,
+    const auto first = std::ranges::find_if(index_.sessions,
                                             [&](const Session& other) { return same_build(other, session); });
     put(TableId::sessions,
         {number(id), session.date, session.machine, number(session.cores), session.system, session.compiler,
          session.flags, session.commit, session.version, or_null(session.node),
-         number(static_cast<std::size_t>(first - results_.sessions.begin()))});
+         number(static_cast<std::size_t>(first - index_.sessions.begin()))});
   }
 
   void write(const SceneSettings& scene, std::size_t id) {
-    static const SceneDescription nothing;
-    const auto* found = described_.at(scene);
-    const auto& described = found == nullptr ? nothing : *found;
-    std::string line = found == nullptr ? "" : line_of(described);
-    if (!line.empty()) line.pop_back();
+    const auto& descriptions = index_.scenes.at(scene);
+    SceneDescription described;
+    std::string line;
+    if (!descriptions.empty()) {
+      described = read_scene(lines_, descriptions.back());
+      line = line_of(described);
+      line.pop_back();
+    }
     put(TableId::scenes, {number(id), scene.id, or_null(scene.checksum), or_null(scene.until),
                           or_null(described.title), or_null(described.source), or_null(described.evidence),
                           or_null(described.reference_seconds), or_null(line)});
@@ -103,7 +104,7 @@ class TablesOfResults {
                         name(run.ending.kind),
                         or_null(run.ending.detail),
                         run.ended_at,
-                        flag(latest_.at(run.key) == id)});
+                        flag(index_.runs[id].is_latest)});
     write(run, id, run.values, run.session);
     write(run, id, run.timing.values, run.timing.session);
   }
@@ -120,19 +121,17 @@ class TablesOfResults {
     }
   }
 
-  const Results& results_;
+  ResultsIndex index_;
+  LinesByOffset lines_;
   TableWriter& writer_;
-  std::map<SceneSettings, const SceneDescription*> described_{};  // all scenes; nullptr: not described
   std::map<SceneSettings, std::size_t> scenes_{};
-  std::map<RunKey, std::size_t> latest_{};
   std::size_t written_ = 0;  // rows of the table of results
 };
 
 }  // namespace
 
 ExportCounts write_tables(const std::filesystem::path& file, TableWriter& writer) {
-  const Results read = read_results(file);
-  return TablesOfResults(read, writer).write();
+  return TablesOfResults(file, writer).write();
 }
 
 }  // namespace fde::bench

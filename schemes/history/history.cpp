@@ -54,7 +54,8 @@ HistoryKind resolved_kind(HistoryKind kind, const WeightTables& tables, const St
   if (kind != HistoryKind::automatic) return kind;
   if (first_without(tables, has_exponential_sum) != nullptr) return HistoryKind::direct;
   const auto costs = history_costs(tables, steps, achievable(tolerance));
-  return costs.direct <= costs.exponentials ? HistoryKind::direct : HistoryKind::exponentials;
+  return costs.direct.time_and_memory() <= costs.exponentials.time_and_memory() ? HistoryKind::direct
+                                                                                : HistoryKind::exponentials;
 }
 
 std::string_view name(HistoryKind kind) {

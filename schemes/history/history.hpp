@@ -68,8 +68,9 @@ struct StepPlan {
 };
 StepPlan step_plan(const Grid& grid);
 
-// The kind that a run uses: for `automatic` the one that history_costs estimates to be faster, `direct` for
-// families without a sum of exponentials; otherwise `kind`.
+// The kind that a run uses: for `automatic` the one whose time and memory history_costs estimates to be
+// smaller (HistoryCost::time_and_memory), `direct` for families without a sum of exponentials; otherwise
+// `kind`.
 HistoryKind resolved_kind(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
                           double tolerance);
 

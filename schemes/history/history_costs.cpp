@@ -64,6 +64,15 @@ double first_touch(double doubles) {
   return bytes > largest_kept ? bytes * touched_byte : 0.0;
 }
 
+// An array of so many doubles: its memory, and the time of its first touch.
+HistoryCost array_cost(double doubles) { return {first_touch(doubles), sizeof(double) * doubles}; }
+
+HistoryCost& operator+=(HistoryCost& sum, const HistoryCost& more) {
+  sum.time += more.time;
+  sum.bytes += more.bytes;
+  return sum;
+}
+
 double weight_cost(const WeightTable& table) {
   return table.family->first_weights != nullptr ? weight_by_recurrence : weight_by_formula;
 }
@@ -76,15 +85,17 @@ double start_cost(const WeightTable& table) {
 }
 
 // A WideFilteredMemory of a table used so often.
-double wide_filter_cost(const WeightTable& table, double uses, double steps, double tolerance) {
+HistoryCost wide_filter_cost(const WeightTable& table, double uses, double steps, double tolerance) {
   const double longest = steps + 2.0;
   const auto lags = static_cast<double>(WideFilteredMemory::exact_lags(*table.family->multistep, longest));
   const double nodes = lags < longest ? exponential_count(longest / lags, tolerance) : 0.0;
   const double blocks = std::floor(steps / block), multiply_adds = lags + 2.0 * nodes + recent + block / 2;
-  return first_touch(uses * (lags + block)) + 2.0 * first_touch(uses * nodes) +
-         (lags + block) * (weight_by_recurrence + 10.0) + nodes * node_of_sum +
-         (nodes > 0.0 ? sum_of_exponentials : 0.0) + steps * 60.0 +
-         uses * (blocks * block * multiply_adds / 60.0 + steps);
+  HistoryCost cost = array_cost(uses * (lags + block));
+  for (int array = 0; array < 2; ++array) cost += array_cost(uses * nodes);  // states and carries
+  cost.time += (lags + block) * (weight_by_recurrence + 10.0) + nodes * node_of_sum +
+               (nodes > 0.0 ? sum_of_exponentials : 0.0) + steps * 60.0 +
+               uses * (blocks * block * multiply_adds / 60.0 + steps);
+  return cost;
 }
 
 // The weights and starts of an ExponentialMemory; those of two parts follow from recurrences.
@@ -105,51 +116,57 @@ double multiply_add_cost(double bytes) {
 }
 
 // Every step is a dot product with all samples before it.
-double direct_cost(const WeightTables& tables, double steps) {
+HistoryCost direct_cost(const WeightTables& tables, double steps) {
   const auto components = static_cast<double>(tables.front().size());
   const double each = multiply_add_cost(sizeof(double) * components * steps);
-  double cost = 800.0 + 10.0 * components + steps * (8.0 + components) + first_touch(steps * components);
+  HistoryCost cost = array_cost(steps * components);
+  cost.time += 800.0 + 10.0 * components + steps * (8.0 + components);
+  cost.bytes += 3 * sizeof(double) * components;  // running sums and x_0
   for (const auto& [table, uses] : counted(tables, has_constant_weight)) {
     const bool own_start = table.family->first_sample_coefficient != nullptr;
-    cost += steps * (weight_cost(table) + (own_start ? start_cost(table) : 0.0));
-    cost += uses * steps * (6.0 + each * steps / 2);
+    cost.time += steps * (weight_cost(table) + (own_start ? start_cost(table) : 0.0));
+    cost.time += uses * steps * (6.0 + each * steps / 2);
+    cost.bytes += 2 * sizeof(double) * steps;
   }
   return cost;
 }
 
 // The multiply-adds of docs/history.md, section 3.
-double exponentials_cost(const WeightTables& tables, double steps, double tolerance) {
+HistoryCost exponentials_cost(const WeightTables& tables, double steps, double tolerance) {
   const auto components = static_cast<double>(tables.front().size());
   const bool wide = components >= ExponentialMemory::fewest_wide;
   const bool needs_exponentials = ExponentialMemory::needs_exponentials(static_cast<Eigen::Index>(steps));
   const double nodes = needs_exponentials ? exponential_count(steps / recent, tolerance) : 0.0;
   const double blocks = std::floor((steps - 1.0) / block);
-  double cost = 1250.0 + 25.0 * components;
+  HistoryCost cost{1250.0 + 25.0 * components, sizeof(double) * components};
   std::vector<std::tuple<long double, bool, bool>> kernels;
   for (const auto& [whole, uses] : counted(tables, has_constant_weight)) {
-    if (whole.family->smooth_part != nullptr) cost += uses * (25.0 + steps * (components < 5e3 ? 3.0 : 20.0));
+    if (whole.family->smooth_part != nullptr)
+      cost.time += uses * (25.0 + steps * (components < 5e3 ? 3.0 : 20.0));
     if (whole.family->filter != nullptr && wide) {
       cost += wide_filter_cost(whole, uses, steps, tolerance);
       continue;
     }
     if (whole.family->filter != nullptr) {
       const auto length = static_cast<double>(whole.family->filter(whole.order).size());
-      cost += length * filter_coefficient + uses * steps * (10.0 + 0.05 * length);
+      cost.time += length * filter_coefficient + uses * steps * (10.0 + 0.05 * length);
     }
     for (const auto& table : parts_of(whole)) {
-      cost += exact_weights_cost(whole, table, steps);
+      cost.time += exact_weights_cost(whole, table, steps);
       const std::tuple kernel{kernel_exponent(table), acts_on_running_sums(table),
                               table.family == whole.family->alternating_part};
       double multiply_adds = nodes + recent + block / 2;
-      cost += first_touch(uses * block);
+      cost += array_cost(uses * block);
       if (std::ranges::find(kernels, kernel) == kernels.end()) {
         kernels.push_back(kernel);
-        if (needs_exponentials) cost += sum_of_exponentials + nodes * node_of_sum;
-        cost += first_touch(components * (recent + block)) + 2.0 * first_touch(components * nodes);
+        if (needs_exponentials) cost.time += sum_of_exponentials + nodes * node_of_sum;
+        cost += array_cost(components * (recent + block));
+        for (int array = 0; array < 2; ++array) cost += array_cost(components * nodes);
+        cost.bytes += 2 * sizeof(double) * components;  // x_0 and the present sums
         multiply_adds += nodes;
       }
-      cost += uses * (blocks * block * multiply_adds / 60.0 + steps * (wide ? 0.9 : 2.0)) +
-              steps * (wide ? 60.0 : 12.0);
+      cost.time += uses * (blocks * block * multiply_adds / 60.0 + steps * (wide ? 0.9 : 2.0)) +
+                   steps * (wide ? 60.0 : 12.0);
     }
   }
   return cost;
@@ -160,7 +177,9 @@ HistoryCosts variable_step_costs(const WeightTables& tables, const StepPlan& pla
   const double steps = plan.max_steps(), pairs_of_steps = steps * steps / 2;
   const double most_nodes = exponential_count(2.0 * plan.end / plan.min_step, tolerance);
   const auto has_no_memory = [](const WeightTable& table) { return integral_order(table) == 0.0; };
-  HistoryCosts costs{500.0, 500.0};
+  const auto components = static_cast<double>(tables.front().size());
+  HistoryCost direct{500.0, sizeof(double) * steps * components},
+      exponentials{500.0, sizeof(double) * components};
   std::vector<double> orders;
   std::vector<long double> exponents;
   for (const auto& [table, uses] : counted(tables, has_no_memory)) {
@@ -168,20 +187,27 @@ HistoryCosts variable_step_costs(const WeightTables& tables, const StepPlan& pla
     if (std::ranges::find(orders, integral_order(table)) == orders.end()) {
       orders.push_back(integral_order(table));
       const double powers = acts_on_running_sums(table) ? 1.6 : 1.0;  // running integrals have further powers
-      costs.direct += powers * pairs_of_steps * interval_weight + steps * 130.0;
+      direct.time += powers * pairs_of_steps * interval_weight + steps * 130.0;
+      direct.bytes += 2 * sizeof(double) * steps;
     }
-    costs.direct += step_factor_of_table * steps + uses * (steps * 2.0 + pairs_of_steps * 2.1);
+    direct.time += step_factor_of_table * steps + uses * (steps * 2.0 + pairs_of_steps * 2.1);
     if (std::ranges::find(exponents, kernel_exponent(table)) == exponents.end()) {
       exponents.push_back(kernel_exponent(table));
-      costs.exponentials +=
+      exponentials.time +=
           (nodes > 1.0 ? sum_of_exponentials : 0.0) + nodes * 100.0 + steps * nodes * node_of_step;
+      exponentials.bytes += sizeof(double) * components * (2.0 * nodes + 3.0);  // and a polynomial
     }
-    costs.exponentials += uses * (150.0 + steps * nodes * 0.4);
+    exponentials.time += uses * (150.0 + steps * nodes * 0.4);
   }
-  return costs;
+  return {direct, exponentials};
 }
 
 }  // namespace
+
+double HistoryCost::time_and_memory() const {
+  constexpr double small = 0x1p28;
+  return time * std::max(bytes, small);
+}
 
 HistoryCosts history_costs(const WeightTables& tables, const StepPlan& steps, double tolerance) {
   if (!steps.uniform) return variable_step_costs(tables, steps, tolerance);

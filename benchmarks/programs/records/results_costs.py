@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 """results_costs.py FDEBENCH [RUNS | FILE]...: what reading large results files costs, as a table for docs/results.md.
 
-For each number of runs (by default 5000 and 50000) a file is made by many_runs.py. `merge`, `compare` with itself,
-`export` and `report` are run once; the seconds are those of the processor, the memory is the largest resident set.
+For each number of runs (by default 10000 and 100000) a file is made by many_runs.py. What reads a file is run once: `report`,
+`compare` with itself, `choose`, `run` (what it does before the first solve of a file that it continues), `merge` and `export`. The
+seconds are those of the processor, the memory is the largest resident set.
 """
 
 import os
@@ -12,7 +13,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from many_runs import measured, write_copies
+from many_runs import SCENES, measured, write_copies
 
 
 def cost(*words):
@@ -38,15 +39,20 @@ def main(program, sizes):
             with file.open() as lines:
                 runs = sum('"ending":' in line for line in lines)
             out = Path(folder) / f"out-{size.replace('/', '-')}"
-            for command in (["merge", file, "--out", f"{out}.merged"], ["compare", file, file],
-                            ["export", file, "--to", "sqlite", "--out", f"{out}.sqlite"], ["export", file, "--to", "csv", "--out", f"{out}.csv"],
-                            ["report", file, "--out", f"{out}.report"]):  # fmt: skip
-                seconds, memory = cost(program, *command)
-                name = " ".join(command[0:1] + command[2:4] * (command[0] == "export"))
+            one = SCENES[0]
+            commands = {
+                "report": [file, "--out", f"{out}.report"],
+                "compare": [file, file],
+                "choose": [one, "--error", 1e-4, "--results", file],
+                "run": ["--dry-run", "--scene", one, "--scheme", "l1", "--steps", 16, "--out", file],
+                "merge": [file, "--out", f"{out}.merged"],
+            } | {f"export --to {kind}": [file, "--out", f"{out}.{kind}"] for kind in ("csv", "flat", "sqlite")}
+            for name, arguments in commands.items():
+                seconds, memory = cost(program, *name.split(), *arguments)
                 print(f"| {runs} | {file.stat().st_size / 1e6:.0f} MB | `{name}` | {seconds:.1f} s | {memory / 1e6:.0f} MB |", flush=True)
 
 
 if __name__ == "__main__":
     if len(sys.argv) < 2:
         sys.exit(__doc__.splitlines()[0])
-    main(sys.argv[1], sys.argv[2:] or ["5000", "50000"])
+    main(sys.argv[1], sys.argv[2:] or ["10000", "100000"])

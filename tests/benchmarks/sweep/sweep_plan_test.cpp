@@ -5,9 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 
 #include "fdebench/benchmarks/records/default_accuracies.hpp"
-#include "fdebench/benchmarks/records/results_file.hpp"
+#include "fdebench/benchmarks/records/record.hpp"
 #include "fdebench/benchmarks/search/accuracy_target.hpp"
 #include "fdebench/benchmarks/sweep/default_sweep.hpp"
 #include "fdebench/benchmarks/sweep/forecast.hpp"
@@ -52,10 +53,11 @@ class RecordedSweep {
       if (left_-- == 0) throw std::runtime_error("killed");
       runs_[run.key] = run;
     };
-    return {.recorded = [this](const RunKey& key) { return recorded_of(runs_, key); },
-            .append = append,
-            .append_times = append,
-            .on_event = [](const auto&) {}};
+    const auto recorded = [this](const RunKey& key) {
+      const auto found = runs_.find(key);
+      return found == runs_.end() ? std::nullopt : std::optional(found->second);
+    };
+    return {.recorded = recorded, .append = append, .append_times = append, .on_event = [](const auto&) {}};
   }
   // The numbers of steps of the runs, by scheme.
   [[nodiscard]] std::map<std::string, std::vector<int>> steps() const {
@@ -67,7 +69,7 @@ class RecordedSweep {
   }
 
  private:
-  RecordedByKey runs_{};
+  std::map<RunKey, Record> runs_{};
   std::size_t left_;
 };
 

@@ -37,8 +37,8 @@ TEST(HistoryCosts, GrowWithTheSquareOfTheStepsOrWithTheSteps) {
   for (const double grading : {1.0, 2.0}) {
     const auto once = history_costs(l1_of(4), steps_of(many, grading), full);
     const auto twice = history_costs(l1_of(4), steps_of(2 * many, grading), full);
-    EXPECT_NEAR(twice.direct / once.direct, 4.0, 0.2);
-    EXPECT_NEAR(twice.exponentials / once.exponentials, 2.0, 0.2);
+    EXPECT_NEAR(twice.direct.time / once.direct.time, 4.0, 0.2);
+    EXPECT_NEAR(twice.exponentials.time / once.exponentials.time, 2.0, 0.2);
   }
 }
 
@@ -51,12 +51,48 @@ TEST(HistoryCosts, GrowWithStepsComponentsAndSums) {
                                  history_costs(l1_of(components + 100), steps_of(steps, grading), full),
                                  history_costs(tables_of({&families::l1, &families::trapezoid}, components),
                                                steps_of(steps, grading), full)}) {
-          EXPECT_GT(more.direct, costs.direct);
-          EXPECT_GT(more.exponentials, costs.exponentials);
+          EXPECT_GT(more.direct.time, costs.direct.time);
+          EXPECT_GT(more.exponentials.time, costs.exponentials.time);
         }
       }
     }
   }
+}
+
+// The estimated memory is what the history of a run allocates.
+TEST(HistoryCosts, EstimateTheMemoryOfEachKind) {
+  for (const auto& family : {&families::l1, &families::grunwald_letnikov, &families::bdf2}) {
+    for (const double grading : {1.0, 2.0}) {
+      if (grading != 1.0 && family->endpoint_values == nullptr) continue;
+      for (const int steps : {20, 40, 300}) {
+        const auto tables = tables_of({family}, 2000);
+        const auto plan = steps_of(steps, grading);
+        const auto costs = history_costs(tables, plan, full);
+        const auto ratio = [&](HistoryKind kind, const HistoryCost& estimated) {
+          const auto history = make_history(kind, tables, plan, full);
+          for (int step = 0; step < steps; ++step)  // some arrays appear in steps
+            history->push(plan.end * step / steps, Vec::Zero(2000));
+          return estimated.bytes / static_cast<double>(history->bytes());
+        };
+        EXPECT_NEAR(ratio(HistoryKind::direct, costs.direct), 1.0, 0.1)
+            << family->id << grading << ' ' << steps;
+        EXPECT_NEAR(ratio(HistoryKind::exponentials, costs.exponentials), 1.0, 0.2)
+            << family->id << grading << ' ' << steps;
+      }
+    }
+  }
+}
+
+// A million unknowns over 40 steps: exponentials are estimated to be little quicker, and need 1.0 GB for 0.3.
+TEST(AutomaticHistory, SavesMemoryWhereThatTakesLittleTime) {
+  const auto memory_decides = [](std::size_t components, int steps) {
+    const auto costs = history_costs(l1_of(components), steps_of(steps), full);
+    return costs.exponentials.time < costs.direct.time &&
+           chosen(l1_of(components), steps_of(steps)) == HistoryKind::direct;
+  };
+  EXPECT_TRUE(memory_decides(1'000'000, 40));
+  EXPECT_FALSE(memory_decides(20'000, 40)) << "of small runs only the time counts";
+  EXPECT_EQ(chosen(l1_of(1'000'000), steps_of(1000)), HistoryKind::exponentials);
 }
 
 // From the first complete block on, a choice of exponentials is final: direct sums grow faster with the
