@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "fdebench/reference/special_functions/mittag_leffler/quick_contours.hpp"
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/adjugate.hpp"
 
 namespace fde::reference {
 namespace {
@@ -21,9 +22,6 @@ template <class T>
 using Small = boost::container::static_vector<T, std::size_t{max_quick_rows} * std::size_t{max_quick_rows}>;
 template <class T>
 using PerRow = boost::container::static_vector<T, max_quick_rows>;
-
-// Upper bound of the error of an operation in double-double, relative to the sizes of its operands.
-constexpr double double_double_unit = 0x1p-98;
 
 // Error relative to |a| + |b|, not to the sum.
 DoubleDouble quick_sum(const DoubleDouble& a, const DoubleDouble& b) {
@@ -41,9 +39,6 @@ DoubleDouble divided(const DoubleDouble& a, double by) {
   return exact_sum(quotient, (((a.hi - product.hi) - product.lo) + a.lo) / by);
 }
 
-ComplexDoubleDouble operator+(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
-  return {a.re + b.re, a.im + b.im};
-}
 ComplexDoubleDouble quick_sum(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
   return {quick_sum(a.re, b.re), quick_sum(a.im, b.im)};
 }
@@ -80,64 +75,33 @@ Number number_of(const std::complex<double>& x) {
   }
 }
 
-// The N_j and the coefficients of p(x) = det(x - A), by ascending powers without the leading 1, with their
-// errors.
-template <class Number>
-struct Adjugate {
-  std::size_t rows;
-  std::array<Small<Number>, max_quick_rows> parts{};
-  std::array<Small<double>, max_quick_rows> part_errors{};
-  PerRow<ComplexDoubleDouble> coefficients{};
-  PerRow<double> errors{};
-};
+// Numbers of the adjugate, real or complex.
+template <class RealOrComplex>
+struct QuickArithmetic {
+  using Number = RealOrComplex;
+  using Size = double;
+  template <class T>
+  using Entries = Small<T>;
+  template <class T>
+  using Rows = PerRow<T>;
 
-// N_{n-1} = I,  p_j = -tr(A N_j) / (n - j),  N_{j-1} = A N_j + p_j.
+  static double unit() { return 0x1p-98; }
+  static Number number(double x) { return number_of<Number>(x); }
+  static double size(const Number& x) { return magnitude(x); }
+  static Number sum(const Number& a, const Number& b) { return quick_sum(a, b); }
+  static Number product(const Number& a, const Number& b) { return a * b; }
+  static Number quotient(const Number& a, double by) { return divided(a, by); }
+  static Number negative(const Number& a) { return -a; }
+};
 template <class Number>
-Adjugate<Number> adjugate_of(const Eigen::MatrixXcd& matrix) {
-  const auto n = static_cast<std::size_t>(matrix.rows());
-  Small<Number> a, part;
-  Small<double> sizes, error(n * n, 0.0);
-  for (std::size_t i = 0; i < n * n; ++i) {
-    const auto entry = matrix(static_cast<int>(i / n), static_cast<int>(i % n));
-    a.push_back(number_of<Number>(entry));
-    sizes.push_back(magnitude(a.back()));
-    part.push_back(number_of<Number>(i % (n + 1) == 0 ? 1.0 : 0.0));
-  }
-  Adjugate<Number> result{.rows = n};
-  result.coefficients.resize(n);
-  result.errors.resize(n);
-  for (std::size_t j = n; j-- > 0;) {
-    result.parts[j] = part;
-    result.part_errors[j] = error;
-    Small<Number> product(n * n, number_of<Number>(0.0));
-    Small<double> product_error(n * n, 0.0);
-    auto trace = number_of<Number>(0.0);
-    double trace_error = 0.0;
-    const std::size_t stride = j == 0 ? n + 1 : 1;  // the last product is needed on its diagonal only
-    for (std::size_t i = 0; i < n * n; i += stride) {
-      for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t left = i / n * n + k, right = k * n + i % n;
-        if (sizes[left] == 0.0 || (error[right] == 0.0 && magnitude(part[right]) == 0.0)) continue;
-        product[i] = quick_sum(product[i], a[left] * part[right]);
-        product_error[i] += sizes[left] * (error[right] + double_double_unit * magnitude(part[right]));
-      }
-      if (i % (n + 1) != 0) continue;
-      trace = trace + product[i];
-      trace_error += product_error[i] + double_double_unit * magnitude(product[i]);
-    }
-    const auto by = static_cast<double>(n - j);
-    const Number coefficient = -divided(trace, by);
-    const double own = trace_error / by + double_double_unit * magnitude(coefficient);
-    result.coefficients[j] = to_complex(coefficient);
-    result.errors[j] = own;
-    for (std::size_t i = 0; i < n * n; i += n + 1) {
-      product[i] = product[i] + coefficient;
-      product_error[i] += own + double_double_unit * magnitude(product[i]);
-    }
-    part = product;
-    error = product_error;
-  }
-  return result;
+using QuickAdjugate = Adjugate<QuickArithmetic<Number>>;
+
+template <class Number>
+QuickAdjugate<Number> adjugate_of(const Eigen::MatrixXcd& matrix) {
+  Small<Number> entries;
+  for (const auto& row : matrix.rowwise())
+    for (const auto& entry : row) entries.push_back(number_of<Number>(entry));
+  return {static_cast<std::size_t>(matrix.rows()), entries};
 }
 
 // Zeros of x^2 + linear x + constant, the smaller one without cancellation.
@@ -165,10 +129,11 @@ Eigenvalues eigenvalues_by_qr(const Eigen::MatrixXcd& matrix) {
 }
 
 // One Weierstrass (Durand-Kerner) step on p for each eigenvalue.
-void improve(Eigenvalues& eigenvalues, std::span<const ComplexDoubleDouble> p) {
+template <class Number>
+void improve(Eigenvalues& eigenvalues, const PerRow<Number>& p) {
   for (std::size_t i = 0; i < eigenvalues.size(); ++i) {
     Value value = 1.0L, others = 1.0L;
-    for (std::size_t j = p.size(); j-- > 0;) value = value * eigenvalues[i] + to_long(p[j]);
+    for (std::size_t j = p.size(); j-- > 0;) value = value * eigenvalues[i] + to_long(to_complex(p[j]));
     for (std::size_t k = 0; k < eigenvalues.size(); ++k)
       others *= k == i ? 1.0L : eigenvalues[i] - eigenvalues[k];
     const Value moved = eigenvalues[i] - value / others;
@@ -188,7 +153,7 @@ void put_in_order(Eigenvalues& eigenvalues) {
 
 // Bounds of |p_j - q_j| for the polynomial q whose zeros are the approximate eigenvalues.
 template <class Number>
-PerRow<double> distances(const Adjugate<Number>& adjugate, const Eigenvalues& eigenvalues) {
+PerRow<double> distances(const QuickAdjugate<Number>& adjugate, const Eigenvalues& eigenvalues) {
   const std::size_t n = eigenvalues.size();
   std::array<Value, max_quick_rows + 1> known{1.0L};  // by descending powers
   std::array<Long, max_quick_rows + 1> sizes{1.0L};
@@ -202,7 +167,7 @@ PerRow<double> distances(const Adjugate<Number>& adjugate, const Eigenvalues& ei
   }
   PerRow<double> off;
   for (std::size_t j = 0; j < n; ++j) {
-    off.push_back(static_cast<double>(norm1(known[n - j] - to_long(adjugate.coefficients[j])) +
+    off.push_back(static_cast<double>(norm1(known[n - j] - to_long(to_complex(adjugate.coefficients[j]))) +
                                       adjugate.errors[j] + few_ulps * sizes[n - j]));
   }
   return off;
@@ -222,12 +187,12 @@ double relative_distance(const PerRow<double>& distances, const Eigenvalues& zer
 // Approximate eigenvalues by ascending modulus. The eigenvalue solver in double may be too inaccurate for
 // small ones beside large ones.
 template <class Number>
-Eigenvalues eigenvalues_of(const Eigen::MatrixXcd& matrix, const Adjugate<Number>& adjugate) {
+Eigenvalues eigenvalues_of(const Eigen::MatrixXcd& matrix, const QuickAdjugate<Number>& adjugate) {
   constexpr double near = 1e-11;  // below the clearances of the contours
   constexpr int most_steps = 2;
   const auto& p = adjugate.coefficients;
   if (adjugate.rows == 2) {
-    Eigenvalues eigenvalues = zeros_of_square(to_long(p[0]), to_long(p[1]));
+    Eigenvalues eigenvalues = zeros_of_square(to_long(to_complex(p[0])), to_long(to_complex(p[1])));
     put_in_order(eigenvalues);
     return eigenvalues;
   }
@@ -238,7 +203,7 @@ Eigenvalues eigenvalues_of(const Eigen::MatrixXcd& matrix, const Adjugate<Number
   for (int step = 0;
        step < most_steps && relative_distance(distances(adjugate, eigenvalues), eigenvalues, 0.0) > near;
        ++step) {
-    improve(eigenvalues, {p.data(), p.size()});
+    improve(eigenvalues, p);
     put_in_order(eigenvalues);
   }
   return eigenvalues;
@@ -247,8 +212,8 @@ Eigenvalues eigenvalues_of(const Eigen::MatrixXcd& matrix, const Adjugate<Number
 // Bounds for p on a contour, from its approximate zeros.
 class Spectrum {
  public:
-  Spectrum(double alpha, const Eigenvalues& eigenvalues, const PerRow<double>& distances)
-      : alpha_(alpha), eigenvalues_(eigenvalues), distances_(distances) {
+  Spectrum(double alpha, Eigenvalues eigenvalues, PerRow<double> distances)
+      : alpha_(alpha), eigenvalues_(std::move(eigenvalues)), distances_(std::move(distances)) {
     for (const Value& eigenvalue : eigenvalues_)
       roots_.emplace_back(alpha, std::log(std::complex<double>(eigenvalue)), -max_sheet);
     for (const SingularityRoots& root : roots_) factors_.push_back(root.factor(1.0));
@@ -292,9 +257,10 @@ class Spectrum {
 
 // sum_j N_j c_j
 template <class Number>
-std::vector<QuickValue> combined(const Adjugate<Number>& adjugate,
+std::vector<QuickValue> combined(const QuickAdjugate<Number>& adjugate,
                                  const std::array<QuotientSum, max_degree>& sums, Long neglected) {
   const std::size_t n = adjugate.rows;
+  const double unit = QuickArithmetic<Number>::unit();
   std::vector<QuickValue> entries;
   entries.reserve(n * n);
   for (std::size_t i = 0; i < n * n; ++i) {
@@ -305,7 +271,7 @@ std::vector<QuickValue> combined(const Adjugate<Number>& adjugate,
       const double part_size = magnitude(part) + adjugate.part_errors[j][i];
       value = quick_sum(value, part * as<Number>(sums[j].value));
       error += part_size * (sums[j].error + static_cast<double>(neglected)) +
-               (adjugate.part_errors[j][i] + double_double_unit * part_size) * magnitude(sums[j].value);
+               (adjugate.part_errors[j][i] + unit * part_size) * magnitude(sums[j].value);
     }
     entries.push_back({to_long(to_complex(value)), error + few_ulps * magnitude(value)});
   }
@@ -313,7 +279,7 @@ std::vector<QuickValue> combined(const Adjugate<Number>& adjugate,
 }
 
 template <class Number>
-double log_of_largest_part(const Adjugate<Number>& adjugate) {
+double log_of_largest_part(const QuickAdjugate<Number>& adjugate) {
   double largest = 0.0;
   for (const auto& part : adjugate.parts) {
     for (const auto& entry : part) largest = std::max(largest, magnitude(entry));
@@ -353,14 +319,15 @@ std::optional<std::vector<QuickValue>> on_contours(double alpha, double beta,
   const Spectrum spectrum(alpha, eigenvalues, distances(adjugate, eigenvalues));
   const double most_log = max_log_error + spectrum.growth() - log_of_largest_part(adjugate);
   const DoubleDouble exponent = exact_sum(alpha, -beta);
+  PerRow<ComplexDoubleDouble> coefficients;
+  for (const Number& coefficient : adjugate.coefficients) coefficients.push_back(to_complex(coefficient));
   for (const ShiftedContour& contour : shifted_contours()) {
     const auto log_bound = spectrum.log_bound(contour, exponent.hi, most_log - negligible);
     if (!log_bound || *log_bound > most_log) continue;
-    const auto sums =
-        sum_over_nodes(contour.nodes, PolynomialQuotient{alpha,
-                                                         exponent,
-                                                         {adjugate.coefficients.data(), adjugate.rows},
-                                                         {adjugate.errors.data(), adjugate.rows}});
+    const auto sums = sum_over_nodes(
+        contour.nodes,
+        PolynomialQuotient{
+            alpha, exponent, {coefficients.data(), adjugate.rows}, {adjugate.errors.data(), adjugate.rows}});
     auto entries = combined(adjugate, sums, std::exp(static_cast<Long>(*log_bound)));
     if (all_meet_tolerance(entries)) return entries;
   }
