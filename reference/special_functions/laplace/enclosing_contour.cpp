@@ -20,6 +20,8 @@ Long log_of_sum(Long a, Long b) {
   return std::isinf(large) || small == -infinity_long ? large : large + std::log1p(std::exp(small - large));
 }
 
+Long width_of(int digits) { return std::numbers::ln10_v<Long> * static_cast<Long>(digits) + 6.0L; }
+
 }  // namespace
 
 // A parabola for one choice of right_extent and c, and its number of nodes.
@@ -32,14 +34,10 @@ EnclosingContour::EnclosingContour(const std::vector<Point>& singularities, int 
   if (singularities.empty()) throw std::invalid_argument("enclosing contour: there are no singularities");
   sigma_ = -infinity_long;
   for (const auto& s : singularities) sigma_ = std::max(sigma_, s.real());
-  const Long width = std::numbers::ln10_v<Long> * static_cast<Long>(digits) + 6.0L;
-  // For large |s| the error of Re s is the rounding error of |s|.
-  const auto matters = [&](const Point& s) {
-    const Long size = std::abs(s), least = sigma_ - width - 2.0L - hints.growth * std::log1p(size);
-    return s.real() + 8.0L * epsilon<Long>() * size >= least;
-  };
+  const Long width = width_of(digits);
   std::vector<Point> enclosed, others;
-  for (const auto& s : singularities) (matters(s) ? enclosed : others).push_back(s);
+  for (const auto& s : singularities)
+    (is_relevant(s, sigma_, digits, hints) ? enclosed : others).push_back(s);
   for (bool complete = false; !complete;) {
     choose(enclosed, width, hints.order);
     const auto reached = std::partition(others.begin(), others.end(),
@@ -113,7 +111,18 @@ void EnclosingContour::choose(const std::vector<Point>& enclosed, Long width, Lo
   count_ = static_cast<int>(std::ceil(best.nodes));
 }
 
-// Whether an omitted singularity is inside the rectangle or near it.
+long double EnclosingContour::half_width() const {
+  return 2.0L * mu_ * (1.0L + below_) * (static_cast<Long>(count_) + 0.5L) * step_;
+}
+
+// For large |s| the error of Re s is the rounding error of |s|.
+bool EnclosingContour::is_relevant(const Point& singularity, long double sigma, int digits,
+                                   const Hints& hints) {
+  const Long size = std::abs(singularity),
+             least = sigma - width_of(digits) - 2.0L - hints.growth * std::log1p(size);
+  return singularity.real() + 8.0L * epsilon<Long>() * size >= least;
+}
+
 bool EnclosingContour::is_near_rectangle(const Point& singularity) const {
   const Point root = std::sqrt(Point(singularity.real() - sigma_ + c_, singularity.imag() - y_) / mu_);
   return std::abs(root.imag()) <= (static_cast<Long>(count_) + 2.0L) * step_;

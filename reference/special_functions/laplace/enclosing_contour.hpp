@@ -43,6 +43,17 @@ class EnclosingContour {
   [[nodiscard]] long double sigma() const { return sigma_; }
   // |e^s| on the contour is at most e^(sigma + right_extent).
   [[nodiscard]] long double right_extent() const { return mu_ - c_; }
+  // The node number k in [-count, count], in long double.
+  [[nodiscard]] Point node(int k) const { return at(Point(static_cast<long double>(k) * step_, 0.0L)); }
+  // |Im s - height()| is at most half_width() in the rectangle of log_bound().
+  [[nodiscard]] long double height() const { return y_; }
+  [[nodiscard]] long double half_width() const;
+
+  // Whether e^(Re s*) is not negligible against e^sigma.
+  [[nodiscard]] static bool is_relevant(const Point& singularity, long double sigma, int digits,
+                                        const Hints& hints);
+  // Whether a singularity that is not enclosed is inside the rectangle of log_bound() or near it.
+  [[nodiscard]] bool is_near_rectangle(const Point& singularity) const;
 
   struct Disc {
     Point centre;
@@ -64,7 +75,6 @@ class EnclosingContour {
   void choose(const std::vector<Point>& enclosed, long double width, long double order);
   [[nodiscard]] Shape shape(const std::vector<Point>& enclosed, long double width, long double margin,
                             long double right_extent, long double c) const;
-  [[nodiscard]] bool is_near_rectangle(const Point& singularity) const;
   [[nodiscard]] Point at(const Point& theta) const;
   [[nodiscard]] std::vector<Node> nodes_from(int first) const;
 

@@ -152,6 +152,22 @@ double SingularityFreeStrip::log_line(const Line& line, const Product& product) 
   return size + line.log_factor;
 }
 
+template <class Admits>
+SingularityFreeStrip::LineBound SingularityFreeStrip::best_line(const std::vector<Line>& lines,
+                                                                const Product& product,
+                                                                const SingularityPositions& places,
+                                                                const Admits& admits) {
+  const double third = std::log(3.0);  // the whole bound is the sum of three
+  LineBound best{infinity_double, -infinity_double, 0.0};
+  for (const Line& line : lines) {
+    if (best.log_bound <= product.sufficient_log_bound - third) break;
+    if (!admits(line.distance)) continue;
+    const double clearance = places.log_clearance(line.distance), bound = log_line(line, product) - clearance;
+    if (bound < best.log_bound) best = {bound, clearance, line.distance};
+  }
+  return best;
+}
+
 std::optional<SingularityFreeStrip::Result> SingularityFreeStrip::bound_for(const Product& product) const {
   constexpr double most_size = 1e100;  // its square does not overflow
   for (const Factor& factor : product.factors) {
@@ -171,26 +187,13 @@ std::optional<SingularityFreeStrip::Result> SingularityFreeStrip::bound_for(cons
       outermost = std::min(outermost, place);
     }
   });
-  double near = infinity_double, far = infinity_double, near_clearance = -infinity_double,
-         far_clearance = -infinity_double;
-  for (const Line& line : near_lines_) {
-    if (line.distance <= innermost) continue;
-    const double clearance = places.log_clearance(line.distance), bound = log_line(line, product) - clearance;
-    if (!(bound < near)) continue;
-    near = bound;
-    near_clearance = clearance;
-    result.least_size = shape_.mu * (line.distance * line.distance - corner_ * corner_);
-  }
-  for (const Line& line : far_lines_) {
-    if (line.distance >= outermost) continue;
-    const double clearance = places.log_clearance(line.distance), bound = log_line(line, product) - clearance;
-    if (!(bound < far)) continue;
-    far = bound;
-    far_clearance = clearance;
-  }
-  if (std::isinf(near) || std::isinf(far)) return std::nullopt;
-  result.log_clearance = std::min(near_clearance, far_clearance);
-  result.log_bound = log_sum(log_sum(near, far), log_truncation_error(product) - places.log_clearance(1.0));
+  const LineBound near = best_line(near_lines_, product, places, [=](double d) { return d > innermost; });
+  const LineBound far = best_line(far_lines_, product, places, [=](double d) { return d < outermost; });
+  if (std::isinf(near.log_bound) || std::isinf(far.log_bound)) return std::nullopt;
+  result.least_size = shape_.mu * (near.distance * near.distance - corner_ * corner_);
+  result.log_clearance = std::min(near.log_clearance, far.log_clearance);
+  result.log_bound = log_sum(log_sum(near.log_bound, far.log_bound),
+                             log_truncation_error(product) - places.log_clearance(1.0));
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,6 +45,8 @@ class SingularityFreeStrip {
     std::span<const Factor> factors;  // by ascending |z|
     // The bound holds for every exponent in [exponent, exponent + exponent_range].
     double exponent_range = 0.0;
+    // Lines with smaller bounds are not sought.
+    double sufficient_log_bound = -std::numeric_limits<double>::infinity();
   };
   struct Result {
     double log_bound;
@@ -67,6 +70,13 @@ class SingularityFreeStrip {
     LineIntegrals inner, outer;
   };
   class SingularityPositions;
+  struct LineBound {
+    double log_bound, log_clearance, distance;
+  };
+  // The least bound on those of the lines that `admits` takes.
+  template <class Admits>
+  [[nodiscard]] static LineBound best_line(const std::vector<Line>& lines, const Product& product,
+                                           const SingularityPositions& places, const Admits& admits);
   [[nodiscard]] Line line_at(double distance) const;
   [[nodiscard]] static double log_line(const Line& line, const Product& product);
   [[nodiscard]] double log_truncation_error(const Product& product) const;

@@ -33,22 +33,6 @@ DoubleDouble to_double_double(const BigReal& x) {
   return {hi, BigReal(x - hi).convert_to<double>()};
 }
 
-DoubleDouble exact_sum(double a, double b) {
-  const double sum = a + b, added = sum - a;
-  return {sum, (a - (sum - added)) + (b - added)};
-}
-
-DoubleDouble exact_product(double a, double b) {
-  const double product = a * b;
-  return {product, std::fma(a, b, -product)};
-}
-
-DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble high = exact_sum(a.hi, b.hi), low = exact_sum(a.lo, b.lo);
-  const DoubleDouble sum = exact_sum(high.hi, high.lo + low.hi);
-  return exact_sum(sum.hi, sum.lo + low.lo);
-}
-
 const ElementaryTables& ElementaryTables::get() {
   constexpr int digits = 60;
   return lazy_table<digits, make_tables>();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "fdebench/reference/special_functions/numbers/real.hpp"
 
@@ -16,10 +17,20 @@ struct DoubleDouble {
 DoubleDouble to_double_double(const BigReal& x);
 
 // a + b and a b without error.
-DoubleDouble exact_sum(double a, double b);
-DoubleDouble exact_product(double a, double b);
+inline DoubleDouble exact_sum(double a, double b) {
+  const double sum = a + b, added = sum - a;
+  return {sum, (a - (sum - added)) + (b - added)};
+}
+inline DoubleDouble exact_product(double a, double b) {
+  const double product = a * b;
+  return {product, std::fma(a, b, -product)};
+}
 // Rounded to a double-double.
-DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b);
+inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble high = exact_sum(a.hi, b.hi), low = exact_sum(a.lo, b.lo);
+  const DoubleDouble sum = exact_sum(high.hi, high.lo + low.hi);
+  return exact_sum(sum.hi, sum.lo + low.lo);
+}
 
 // Largest number of double-doubles in a vector.
 inline constexpr std::size_t double_double_lanes = 8;

@@ -11,7 +11,7 @@
 #include "fdebench/reference/special_functions/numbers/bounded.hpp"
 #include "fdebench/reference/special_functions/numbers/constants.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/mittag_leffler_matrix_quick.hpp"
-#include "fdebench/reference/special_functions/prabhakar_and_matrix/resolvent.hpp"
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/resolvent_sums.hpp"
 #include "fdebench/reference/special_functions/prabhakar_and_matrix/schur_form.hpp"
 
 namespace fde::reference {
@@ -19,7 +19,6 @@ namespace {
 
 using Long = long double;
 using Point = EnclosingContour::Point;
-using Node = EnclosingContour::Node;
 using Disc = EnclosingContour::Disc;
 
 constexpr int most_rows = 64;
@@ -28,54 +27,10 @@ constexpr const char* function_name = "mittag_leffler of a matrix";
 struct MatrixArguments {
   BigReal alpha, beta;
   BigMatrix matrix;
-
-  [[nodiscard]] bool real() const {
-    return std::ranges::all_of(matrix.entries,
-                               [](const BigComplex& x) { return imag_part<BigReal>(x) == 0; });
-  }
 };
 using Read = std::function<MatrixArguments()>;
 
 Long to_long(const BigReal& x) { return x.convert_to<Long>(); }
-
-// Sizes beside which an entry of X = M^-1 whose terms cancel is small: the entries of |X| |M| |X|, which are
-// 0 where an entry of X is 0 in every term, but at most the norm of X.
-std::vector<Long> sizes_of_summands(const BigMatrix& inverse, const BigMatrix& matrix) {
-  const auto sizes = [](const BigMatrix& of) {
-    Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(of.size, of.size);
-    for (int i = 0; i < of.size; ++i)
-      for (int j = 0; j < of.size; ++j) result(i, j) = to_long(norm1(of(i, j)));
-    return result;
-  };
-  const auto x = sizes(inverse);
-  const Long norm = x.rowwise().sum().maxCoeff();
-  const decltype(sizes(inverse)) product = (x * sizes(matrix) * x).cwiseMin(norm);
-  return {product.data(), product.data() + product.size()};
-}
-
-// Adds weight s^(alpha-beta) (s^alpha - A)^-1 at a node.
-void add_node(const MatrixArguments& x, const Node& node, std::vector<BoundedSum<BigReal>>& sums) {
-  sums.resize(x.matrix.entries.size());
-  const BigComplex s_alpha = exp(BigComplex(x.alpha * node.log_s));
-  const BigComplex weight = node.weight * exp(BigComplex((x.alpha - x.beta) * node.log_s));
-  BigMatrix shifted = x.matrix;
-  for (auto& entry : shifted.entries) entry = -entry;
-  for (int i = 0; i < shifted.size; ++i) shifted(i, i) += s_alpha;
-  const BoundedInverse resolvent = bounded_inverse(shifted);
-  const BigReal unit = epsilon<BigReal>(),
-                ulps = 8 + 4 * norm1(node.s) + (4 * x.alpha + 4 * abs(x.beta)) * (1 + norm1(node.log_s));
-  // a bound of the error of s^alpha
-  const BigReal shift = (4 + 4 * x.alpha * (1 + norm1(node.log_s))) * unit * norm1(s_alpha);
-  const BigReal size = norm1(weight),
-                off = size * (resolvent.bound + 2 * shift * resolvent.norm * resolvent.norm);
-  const auto summands = sizes_of_summands(resolvent.value, shifted);
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    const BigComplex term = weight * resolvent.value.entries[i];
-    sums[i].add(term, norm1(term), BigReal(ulps * unit), BigReal(0));
-    sums[i].error += off;
-    sums[i].scale += size * summands[i];
-  }
-}
 
 // Majorant of |s^(alpha-beta)| |(s^alpha - A)^-1| on a disc.
 EnclosingContour::Majorant majorant_of(const SchurForm& schur, Long alpha, Long power) {
@@ -94,6 +49,34 @@ EnclosingContour::Majorant majorant_of(const SchurForm& schur, Long alpha, Long 
   };
 }
 
+// A bound of the logarithm to base 10 of
+//   (|x| + |A|)^n / |p(x)|,  p(x) = product of x - eigenvalue,
+// at the nodes, x = s^alpha, with a few digits for each row: by so much the terms of the adjugate and of p
+// may exceed their sums.
+int digits_lost_on(const EnclosingContour& contour, Long alpha, Long norm,
+                   const std::vector<Point>& log_eigenvalues) {
+  constexpr Long digits_of_row = 0.7L, least = 1e-300L;
+  Long most = 0.0L;
+  for (int k = -contour.count(); k <= contour.count(); ++k) {
+    const Point x = std::exp(alpha * std::log(contour.node(k)));
+    Long sum = 0.0L;
+    for (const Point& logarithm : log_eigenvalues)
+      sum += std::log10((std::abs(x) + norm) / std::max(least, std::abs(x - std::exp(logarithm))));
+    most = std::max(most, sum);
+  }
+  return static_cast<int>(most + digits_of_row * static_cast<Long>(log_eigenvalues.size())) + 3;
+}
+
+Long row_norm(const BigMatrix& matrix) {
+  Long largest = 0.0L;
+  for (int i = 0; i < matrix.size; ++i) {
+    Long row = 0.0L;
+    for (int j = 0; j < matrix.size; ++j) row += to_long(norm1(matrix(i, j)));
+    largest = std::max(largest, row);
+  }
+  return largest;
+}
+
 // Working digits for the eigenvalues, whose error is of the size of the last digit of the largest entry: at
 // least 60 correct digits for eigenvalues of size 1.
 int digits_of_eigenvalues(const Read& read) {
@@ -110,16 +93,21 @@ EnclosedTransform transform_of(const Read& read) {
   EnclosedTransform transform{.singularities = {},
                               .hints = {.order = static_cast<Long>(std::min(x.matrix.size, 4)),
                                         .growth = 1.0L + alpha + std::abs(power)},
-                              .real = x.real()};
+                              .real = x.matrix.real()};
   if (!(is_integer(x.alpha) && is_integer(x.beta) && power >= 0.0L))
     transform.singularities.emplace_back(0.0L);
   const SchurForm schur(x.matrix);
   for (const auto& logarithm : schur.log_eigenvalues()) {
     for (const auto& root : roots_on_sheet(alpha, logarithm)) transform.singularities.push_back(root.value);
   }
+  keep_right_of_saddle_point(transform, alpha - power);
   transform.prepare = [read] {
-    return
-        [x = read()](const Node& node, std::vector<BoundedSum<BigReal>>& sums) { add_node(x, node, sums); };
+    const MatrixArguments now = read();
+    return resolvent_sums(now.alpha, now.beta, now.matrix);
+  };
+  transform.lost_digits = [alpha, norm = row_norm(x.matrix),
+                           eigenvalues = schur.log_eigenvalues()](const EnclosingContour& contour) {
+    return digits_lost_on(contour, alpha, norm, eigenvalues);
   };
   transform.majorants = {majorant_of(schur, alpha, power)};
   return transform;
@@ -215,7 +203,7 @@ std::vector<DecimalComplex> mittag_leffler(const std::string& alpha, const std::
   require_parameter(function_name, "beta", x.beta);
   std::vector<DecimalComplex> texts;
   for (const auto& value : evaluate(read, digits))
-    texts.push_back(to_decimal_complex(value, x.real(), digits));
+    texts.push_back(to_decimal_complex(value, x.matrix.real(), digits));
   return texts;
 }
 

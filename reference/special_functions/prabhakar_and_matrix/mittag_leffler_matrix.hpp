@@ -24,8 +24,8 @@ struct MatrixValue {
 // bounds follow from norms of the resolvent and need no diagonalisation, with two exceptions: that the
 // contour encloses all eigenvalues relies on eigenvalues computed to 60 digits or more, and the part beyond
 // the last node is estimated. Throws std::invalid_argument naming an argument outside its range;
-// std::runtime_error if an entry overflows, the digits do not suffice, or the contour takes too many nodes
-// because of large eigenvalues.
+// std::runtime_error if an entry overflows, the digits do not suffice, or |Im lambda^(1/alpha)| is above 1e8
+// for an eigenvalue.
 MatrixValue mittag_leffler(double alpha, double beta, const Eigen::MatrixXcd& matrix);
 MatrixValue mittag_leffler(double alpha, double beta, const Eigen::MatrixXd& matrix);
 

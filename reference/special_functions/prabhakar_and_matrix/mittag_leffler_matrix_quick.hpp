@@ -9,13 +9,11 @@
 
 namespace fde::reference {
 
-// E_{alpha,beta}(A) of a small matrix in double-double, row by row:
-//   (x - A)^-1 = sum_j x^j N_j / p(x),  p(x) = det(x - A),  x = s^alpha
-// gives one sum over the nodes of a contour for each j. The N_j are constant (Faddeev and Le Verrier;
-// Gantmacher, The Theory of Matrices, chapter 4). All s* of the eigenvalues are left of the contour. Errors
-// are bounded in every step; bounds of p on the contour come from approximate eigenvalues and from the
-// distance of p to the polynomial with these zeros. nullopt where an error is above quick_tolerance of its
-// entry.
+// E_{alpha,beta}(A) of a small matrix in double-double, row by row: the adjugate (adjugate.hpp) of
+// s^alpha - A gives one sum over the nodes of a contour for each power of s^alpha. All s* of the eigenvalues
+// are left of the contour. Errors are bounded in every step; bounds of p on the contour come from approximate
+// eigenvalues and from the distance of p to the polynomial with these zeros. nullopt where an error is above
+// quick_tolerance of its entry.
 inline constexpr int max_quick_rows = 4;
 std::optional<std::vector<QuickValue>> mittag_leffler_matrix_quick(double alpha, double beta,
                                                                    const Eigen::MatrixXcd& matrix);

@@ -153,14 +153,13 @@ EnclosedTransform prabhakar_transform(const ReadPrabhakar& read) {
                 .growth = std::abs(shape.beta) + std::abs(shape.gamma) * (1.0L + shape.alpha)},
       .real = x.real()};
   if (!shape.has_no_cut()) transform.singularities.emplace_back(0.0L);
-  // On the real axis e^s s^-beta is smallest at s = beta: far left of it the terms would exceed their sum by
-  // far.
-  constexpr Long large = 30.0L;
-  if (shape.beta > large) transform.singularities.emplace_back(shape.beta / 2.0L);
+  keep_right_of_saddle_point(transform, shape.beta);
   transform.zero_digits += static_cast<int>(2.0L * std::abs(shape.beta));
   transform.prepare = [read, shape] {
-    return [evaluation = Evaluation(read(), shape)](
-               const Node& node, std::vector<BoundedSum<BigReal>>& sums) { evaluation.add(node, sums); };
+    return EnclosedTransform::Evaluation{
+        .add = [evaluation = Evaluation(read(), shape)](const Node& node, EnclosedTransform::Sums& sums) {
+          evaluation.add(node, sums);
+        }};
   };
   transform.majorants = {[shape](const EnclosingContour::Disc& disc) { return shape.log_majorant(disc); }};
   return transform;

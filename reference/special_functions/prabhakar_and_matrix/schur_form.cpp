@@ -15,10 +15,6 @@ namespace {
 using Long = long double;
 using WideMatrix = Eigen::Matrix<BigReal, Eigen::Dynamic, Eigen::Dynamic>;
 
-bool is_real(const BigMatrix& matrix) {
-  return std::ranges::all_of(matrix.entries, [](const BigComplex& x) { return imag_part<BigReal>(x) == 0; });
-}
-
 // The rows and columns reordered so that a matrix which is block triangular in some order is block upper
 // triangular: those that row i reaches through nonzero entries, without being reached by them, come after it.
 // Then the eigenvalues of a triangular matrix are its diagonal, however often they are repeated.
@@ -45,7 +41,7 @@ WideMatrix in_block_order(const WideMatrix& matrix) {
 
 // A + iB as the real matrix [A -B; B A], or A if B = 0.
 WideMatrix as_real(const BigMatrix& matrix) {
-  const int n = matrix.size, size = is_real(matrix) ? n : 2 * n;
+  const int n = matrix.size, size = matrix.real() ? n : 2 * n;
   WideMatrix real(size, size);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
@@ -132,23 +128,31 @@ std::optional<Eigen::Matrix<Long, 2, 2>> SchurForm::block_resolvent(const Block&
   return bound / least;
 }
 
+// With B the inverse of the bounds in blocks, nonnegative: row sums B 1 from below, column sums 1 B from
+// above.
 long double SchurForm::resolvent_norm(const Point& z, long double radius) const {
   const auto size = sizes_.rows();
-  LongMatrix inverse = LongMatrix::Zero(size, size);
-  for (std::size_t k = blocks_.size(); k-- > 0;) {
-    const Block& block = blocks_[k];
+  LongVector row_sums = LongVector::Zero(size), column_sums = row_sums;
+  std::vector<Eigen::Matrix<Long, 2, 2>> diagonals;
+  for (const Block& block : blocks_) {
     const auto diagonal = block_resolvent(block, z, radius);
     if (!diagonal) return infinity_long;
-    const auto rows = block.rows, first = block.first, after = first + rows;
-    const LongMatrix own = diagonal->topLeftCorner(rows, rows);
-    inverse.block(first, first, rows, rows) = own;
-    const auto rest = size - after;
-    if (rest == 0) continue;
-    inverse.block(first, after, rows, rest) =
-        own * (sizes_.block(first, after, rows, rest) * inverse.block(after, after, rest, rest));
+    diagonals.push_back(*diagonal);
+    const auto rows = block.rows, first = block.first;
+    const LongVector above =
+        sizes_.topRows(first).middleCols(first, rows).transpose() * column_sums.head(first) +
+        LongVector::Ones(rows);
+    column_sums.segment(first, rows) = diagonal->topLeftCorner(rows, rows).transpose() * above;
+  }
+  for (std::size_t k = blocks_.size(); k-- > 0;) {
+    const auto rows = blocks_[k].rows, first = blocks_[k].first;
+    const auto rest = size - first - rows;
+    const LongVector right =
+        sizes_.block(first, first + rows, rows, rest) * row_sums.tail(rest) + LongVector::Ones(rows);
+    row_sums.segment(first, rows) = diagonals[k].topLeftCorner(rows, rows) * right;
   }
   constexpr Long rounding = 1.0L + 1e-12L;
-  return inverse.norm() * rounding;
+  return std::sqrt(row_sums.maxCoeff() * column_sums.maxCoeff()) * rounding;
 }
 
 }  // namespace fde::reference

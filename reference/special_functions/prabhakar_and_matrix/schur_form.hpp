@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "fdebench/reference/special_functions/prabhakar_and_matrix/resolvent.hpp"
+#include "fdebench/reference/special_functions/prabhakar_and_matrix/big_matrix.hpp"
 
 namespace fde::reference {
 
@@ -22,12 +22,14 @@ class SchurForm {
   [[nodiscard]] const std::vector<Point>& log_eigenvalues() const { return log_eigenvalues_; }
 
   // An upper bound of the Euclidean norm of (z' - A)^-1 for |z' - z| <= radius; infinity where there is none.
-  // With lower bounds of |z' - t_ii|, a triangular solve on moduli bounds every entry of (z' - T)^-1, and U
-  // changes no norm. Valid for defective and stiff matrices as well.
+  // With lower bounds of |z' - t_ii|, triangular solves on moduli bound the row and the column sums of
+  // (z' - T)^-1; the norm is at most the root of the product of their maxima, and U does not change it. Valid
+  // for defective and stiff matrices as well.
   [[nodiscard]] long double resolvent_norm(const Point& z, long double radius) const;
 
  private:
   using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+  using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
   struct Block {  // on the diagonal of T, of one row or two
     int first, rows;
     std::array<Point, 2> eigenvalues, diagonal;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "fdebench/reference/special_functions/laplace/enclosed_transform.hpp"
+#include "fdebench/reference/special_functions/laplace/separate_contours.hpp"
 #include "support/message_of.hpp"
 
 namespace fde::reference {
@@ -125,15 +126,41 @@ TEST(EnclosingContour, RefusesWhatIsTooFarApart) {
   EXPECT_THROW(EnclosingContour({}, 16), std::invalid_argument);
 }
 
+TEST(SeparateContours, CostNoMoreForGroupsFartherApart) {
+  const auto nodes = [](long double height) {
+    const auto contours =
+        separate_contours({0.0L, ContourPoint(-1.0L, height), ContourPoint(-1.0L, height + 2.0L)}, 50, {});
+    EXPECT_EQ(contours.size(), 2U);
+    EXPECT_LE(contours[0].half_width() + contours[1].half_width(),
+              contours[1].height() - contours[0].height());
+    return contours[0].count() + contours[1].count();
+  };
+  EXPECT_EQ(nodes(1e4L), nodes(1e7L));
+  EXPECT_EQ(separate_contours({0.0L, ContourPoint(-1.0L, 20.0L)}, 50, {}).size(), 1U);
+}
+
+// A singularity far to the left does not count, unless it is near the contour of another one.
+TEST(SeparateContours, LeaveOutWhatIsNegligible) {
+  EXPECT_EQ(separate_contours({0.0L, ContourPoint(-1e6L, 1e6L)}, 20, {}).size(), 1U);
+  // it would be at height 0 without the second one
+  EXPECT_EQ(separate_contours({0.0L, ContourPoint(-55.0L, 1.0L)}, 20, {}).front().height(), 0.5L);
+}
+
+TEST(SeparateContours, RefuseWhatLongDoubleDoesNotResolve) {
+  bench::expect_message<std::runtime_error>([] { separate_contours({ContourPoint(0.0L, 1e12L)}, 16, {}); },
+                                            "0 +1e+12 i is too far from the real axis");
+}
+
 // A majorant that overflows or is NaN also at the centres of the discs gives no bound.
 TEST(EnclosedTransform, SaysWhereThereIsNoBound) {
   for (const long double off : {std::numeric_limits<long double>::max(), std::nanl("")}) {
     EnclosedTransform transform{.singularities = {0.0L}, .real = true};
     transform.prepare = [] {
-      return [](const EnclosingContour::Node& node, std::vector<BoundedSum<BigReal>>& sums) {
-        sums.resize(1);
-        sums.front().add(BigComplex(node.weight / node.s), epsilon<BigReal>());
-      };
+      return EnclosedTransform::Evaluation{
+          .add = [](const EnclosingContour::Node& node, EnclosedTransform::Sums& sums) {
+            sums.resize(1);
+            sums.front().add(BigComplex(node.weight / node.s), epsilon<BigReal>());
+          }};
     };
     transform.majorants = {[=](const EnclosingContour::Disc&) { return off; }};
     const Precision precision(20);

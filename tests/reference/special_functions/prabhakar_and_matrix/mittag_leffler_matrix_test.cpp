@@ -99,6 +99,70 @@ TEST(MittagLefflerOfAMatrix, RefusesEigenvaluesTooFarUp) {
   EXPECT_THROW(mittag_leffler(2.0, 1.0, MatrixXd(1e100 * a)), std::runtime_error);
 }
 
+// A = L diag(-a^2) L^-1 and E_2(A) = L diag(cos a) L^-1, L with ones below the diagonal and L^-1 with the
+// differences of rows. The contours round i a take as long as those near the real axis.
+TEST(MittagLefflerOfAMatrix, OfOrderTwoMayHaveEigenvaluesFarUp) {
+  const Precision precision(60);
+  const std::vector<long> roots{1, 1000, 1000000, 3, 70};
+  const auto similar = [&](const auto& diagonal, int i, int j) {
+    BigReal entry(j <= i ? diagonal(roots[static_cast<std::size_t>(j)]) : BigReal(0));
+    if (j + 1 <= i) entry -= diagonal(roots[static_cast<std::size_t>(j) + 1]);
+    return entry;
+  };
+  std::vector<DecimalComplex> matrix;
+  std::vector<BigReal> known;
+  for (int i = 0; i < 5; ++i) {
+    for (int j = 0; j < 5; ++j) {
+      const BigReal entry = similar([](long a) { return BigReal(-BigReal(a) * a); }, i, j);
+      matrix.push_back({to_text(entry, 40), "0", "0"});
+      known.push_back(similar([](long a) { return BigReal(cos(BigReal(a))); }, i, j));
+    }
+  }
+  const auto values = mittag_leffler("2", "1", matrix, 30);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    EXPECT_LE(abs(BigReal(BigReal(values[i].re) - known[i])), BigReal(values[i].bound)) << i;
+    EXPECT_LE(BigReal(values[i].bound), 1e-29 * abs(known[i]) + 1e-32) << i;
+  }
+}
+
+// Twelve rows, nearly defective: A = L (J + diag(0, d, 2d, ...)) L^-1 for a Jordan block J of the eigenvalue
+// -2. E_1 = exp has the divided differences e^-2 (e^d - 1)^k / (k! d^k) for points d apart.
+TEST(MittagLefflerOfAMatrix, MayBeNearlyDefective) {
+  constexpr int rows = 12, digits = 25;
+  const Precision precision(80);
+  const BigReal apart("1e-8");
+  // columns of L^-1 M: those of M; M L^-1: column j less column j + 1; L M: sums of rows
+  const auto similar = [](std::vector<BigReal> m) {
+    const auto at = [](int i, int j) {
+      return static_cast<std::size_t>(i) * rows + static_cast<std::size_t>(j);
+    };
+    for (int i = 1; i < rows; ++i)
+      for (int j = 0; j < rows; ++j) m[at(i, j)] += m[at(i - 1, j)];
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j + 1 < rows; ++j) m[at(i, j)] -= m[at(i, j + 1)];
+    return m;
+  };
+  std::vector<BigReal> block, exponential;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      const int k = j - i;
+      block.emplace_back(k == 0 ? BigReal(-2 + i * apart) : BigReal(k == 1 ? 1 : 0));
+      const BigReal first = exp(BigReal(-2 + i * apart));
+      exponential.emplace_back(
+          k < 0 ? BigReal(0)
+                : BigReal(first * pow(BigReal(expm1(apart) / apart), k) / gamma(BigReal(k + 1))));
+    }
+  }
+  std::vector<DecimalComplex> matrix;
+  for (const BigReal& entry : similar(block)) matrix.push_back({to_text(entry, 60), "0", "0"});
+  const auto values = mittag_leffler("1", "1", matrix, digits);
+  const auto known = similar(exponential);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    EXPECT_LE(abs(BigReal(BigReal(values[i].re) - known[i])), BigReal(values[i].bound)) << i;
+    EXPECT_LE(BigReal(values[i].bound), 1e-24 * abs(known[i]) + 1e-50) << i;
+  }
+}
+
 // V f(D) V^-1 with a V of small integers whose inverse is exact.
 TEST(MittagLefflerOfAMatrix, ActsOnEigenvalues) {
   MatrixXd v(3, 3);
