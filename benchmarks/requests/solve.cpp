@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <thread>
 #include <utility>
 
 #include "fdebench/benchmarks/measures/run_outcome.hpp"
@@ -149,9 +150,12 @@ SolvedTable solve(const Scene& scene, const SolveRequest& request, const SolveLi
 
   std::optional<ProgressScope> listening;
   if (listener.progress) listening.emplace(shown_steps(scene, run, listener.progress));
+  std::jthread beside;
+  if (listener.quicker) beside = quicker_scheme_search(scene, run, listener.long_run, listener.quicker);
   const auto start = std::chrono::steady_clock::now();
   Trajectory path = finished(scene, run, checkpoints ? &*checkpoints : nullptr);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  beside = {};
   listening.reset();
   if (listener.progress) listener.progress({.current_run = "checks the result"});
   solve_beside_its_times(scene, run, path);

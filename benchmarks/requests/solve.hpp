@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/requests/failure.hpp"
+#include "fdebench/benchmarks/requests/quicker_scheme.hpp"
 #include "fdebench/benchmarks/requests/run_progress.hpp"
 #include "fdebench/benchmarks/requests/solve_cost.hpp"
 #include "fdebench/benchmarks/requests/solve_request.hpp"
@@ -45,11 +47,14 @@ struct RunFailure : NumericalFailure {
   std::optional<double> time;  // of that step
 };
 
-// What is told of a run while it lasts: its progress, and once that its checkpoint cannot be written, which
-// does not end it.
+// What is told of a run while it lasts: its progress; once that its checkpoint cannot be written, which does
+// not end it; and once, in another thread, that another scheme is quicker, which is looked for
+// (quicker_scheme.hpp) where the run takes longer than `long_run`.
 struct SolveListener {
   std::function<void(const Progress&)> progress{};
   std::function<void(const std::string&)> complain{};
+  std::function<void(const QuickerScheme&)> quicker{};
+  std::chrono::duration<double> long_run{5.0};
 };
 
 // Solves a scene as the request says. Throws Refusal naming a field, std::invalid_argument for a scheme that

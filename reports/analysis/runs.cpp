@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -67,10 +68,14 @@ std::vector<Placed> latest_in_order(const std::vector<Record>& records) {
 
 // Leaves these records, in this order. They are many: there is no copy.
 void rearrange(std::vector<Record>& records, const std::vector<Placed>& order) {
+  std::vector<std::size_t> place(records.size()), held(records.size());  // of a record; the record at a place
+  std::iota(place.begin(), place.end(), std::size_t{0});
+  std::iota(held.begin(), held.end(), std::size_t{0});
   for (std::size_t i = 0; i < order.size(); ++i) {
-    auto from = order[i].index;
-    while (from < i) from = order[from].index;  // it has been exchanged with that one
+    const auto from = place[order[i].index];
     std::swap(records[i], records[from]);
+    held[from] = std::exchange(held[i], order[i].index);
+    place[held[from]] = from;
   }
   records.erase(records.begin() + std::ssize(order), records.end());
 }

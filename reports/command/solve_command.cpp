@@ -13,6 +13,7 @@
 #include "fdebench/benchmarks/files/atomic_file.hpp"
 #include "fdebench/benchmarks/requests/answers_json.hpp"
 #include "fdebench/benchmarks/requests/solve.hpp"
+#include "fdebench/benchmarks/text/output_text.hpp"
 #include "fdebench/benchmarks/text/printable.hpp"
 #include "fdebench/reports/command/command.hpp"
 #include "fdebench/reports/command/progress_display.hpp"
@@ -78,6 +79,12 @@ SolveRequest request_of(const Given& given) {
   return request;
 }
 
+std::string quicker_text(const std::string& scheme, const QuickerScheme& found) {
+  return fmt::format("{} has taken {} so far; {} --accuracy {:g} solves this in {}", scheme,
+                     duration_text(found.seconds_of_run.count()), found.scheme, found.accuracy,
+                     time_text(found.seconds.count()));
+}
+
 SolvedTable shown_while_solved(const Scene& scene, const Given& given, const Streams& streams) {
   ProgressLine line(streams, given.text("--scheme"));
   SolveListener listener;
@@ -86,6 +93,12 @@ SolvedTable shown_while_solved(const Scene& scene, const Given& given, const Str
   };
   if (streams.columns > 0 && !streams.quiet)
     listener.progress = [&](const Progress& progress) { line.set(progress); };
+  listener.quicker = [&](const QuickerScheme& found) {
+    line.interrupt([&] { say(streams, Message::note, quicker_text(given.text("--scheme"), found)); });
+  };
+  // As progress lines: without a terminal a command says nothing beside its answer in its first minute.
+  constexpr std::chrono::minutes without_terminal{1};
+  if (streams.columns == 0) listener.long_run = without_terminal;
   try {
     return solve(scene, request_of(given), listener);
   } catch (const Refusal& refusal) {
