@@ -30,11 +30,12 @@ struct RunError {
 // One run of a refinement, measured or forecast.
 struct RefinementRun {
   StepsOrTolerance resolution = 1;
-  int steps = 0;                    // taken
-  std::optional<double> seconds{};  // of one solve; nullopt: not timed
-  double setup_seconds = 0.0;       // by which the first solve of a process takes longer, if known
-  bool first_run = false;           // `seconds` is of the first solve of a process, otherwise of a later one
-  bool is_whole_process = false;    // `seconds` is the time of a whole process
+  int steps = 0;  // taken
+  // Of one solve, of all its steps where it grew beyond all numbers before; nullopt: not timed.
+  std::optional<double> seconds{};
+  double setup_seconds = 0.0;     // by which the first solve of a process takes longer, if known
+  bool first_run = false;         // `seconds` is of the first solve of a process, otherwise of a later one
+  bool is_whole_process = false;  // `seconds` is the time of a whole process
   bool fails_with_more_steps = false;  // more steps fail alike: refused, no reference, a singularity, ...
   RunOutcome ending{};
   std::vector<RunError> errors{};  // one entry for each kind of error of the search
