@@ -164,8 +164,7 @@ def sweep(
     without both the cheapest runs within the errors 1e-2, ..., 1e-12 are searched. ``repeat``: how often each run is timed.
     ``measures``: as in ``choose``; their values stand beside ours, under ``values``. ``results``: a results file that the runs are added
     to; one that it has is not made again, and gets no new measure. ``fdebench report`` makes a page of the file. Returns a dictionary for
-    each run, as its line of a results file: scene, scheme, steps, ending, values, time; those that the file had without courses and errors
-    of single columns. Functions of one's own may be called from several threads.
+    each run, as its line of a results file: scene, scheme, steps, ending, values, time. Functions of one's own may be called from several threads.
 
     >>> runs = sweep(["relaxation"], schemes=["l1", "bdf2"], steps=[64, 128], measures={"last": lambda times, values, reference: values[-1, 0]})
     >>> [(run["scheme"], run["steps"], run["values"]["error_end"] < 1e-2, round(run["values"]["last"], 2)) for run in runs[:2]]

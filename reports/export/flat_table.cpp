@@ -84,9 +84,10 @@ class FlatRows {
     if (last_scene_ == scene) return defaults_;
     last_scene_ = scene;
     defaults_.clear();
-    for (const auto description : index_.scenes.at(scene))
+    for (const auto description : index_.scenes.at(scene)) {
       for (const auto& parameter : read_scene(lines_, description).parameters)
         defaults_[parameter.name] = parameter.value;
+    }
     return defaults_;
   }
 
