@@ -29,13 +29,17 @@ Tolerance accuracy_beside(const RequestedRun& run) {
   return tolerance != nullptr ? *tolerance : Tolerance{usual, usual};
 }
 
-// Whether the scheme solves the problem within `budget` seconds.
-bool is_solved(const Scheme& scheme, const Problem& problem, const Tolerance& accuracy, double budget) {
+// The time in which the scheme solves the problem; nullopt: not within the budget.
+std::optional<Seconds> time_within(Seconds budget, const Scheme& scheme, const Problem& problem,
+                                   const Tolerance& accuracy) {
+  const auto start = Clock::now();
   try {
-    const auto path = scheme.solve(problem, accuracy, {.budget = budget, .output_times = {problem.end}});
-    return path.status == SolveStatus::finished;
+    const auto path =
+        scheme.solve(problem, accuracy, {.budget = budget.count(), .output_times = {problem.end}});
+    const Seconds taken = Clock::now() - start;  // its last step may have taken it beyond the budget
+    return path.status == SolveStatus::finished && taken < budget ? std::optional(taken) : std::nullopt;
   } catch (const std::exception&) {  // cancelled, or without memory: it is no quicker one
-    return false;
+    return std::nullopt;
   }
 }
 
@@ -44,9 +48,8 @@ std::optional<QuickerScheme> quicker_scheme(const Problem& problem, const Reques
   for (const Scheme& scheme : schemes()) {
     if (!scheme.capabilities.is_adaptive() || &scheme == &run.scheme) continue;
     if (unsupported_reason(scheme, problem, accuracy)) continue;
-    const auto start = Clock::now();
-    if (is_solved(scheme, problem, accuracy, part * of_run.count()))
-      return QuickerScheme{scheme.id, accuracy.rtol, Clock::now() - start, of_run};
+    if (const auto taken = time_within(part * of_run, scheme, problem, accuracy))
+      return QuickerScheme{scheme.id, accuracy.rtol, *taken, of_run};
   }
   return std::nullopt;
 }

@@ -47,9 +47,9 @@ struct RunFailure : NumericalFailure {
   std::optional<double> time;  // of that step
 };
 
-// What is told of a run while it lasts: its progress; once that its checkpoint cannot be written, which does
-// not end it; and once, in another thread, that another scheme is quicker, which is looked for
-// (quicker_scheme.hpp) where the run takes longer than `long_run`.
+// What a solve reports while it lasts: its progress; once that its checkpoint cannot be written, which does
+// not end it; and once, in another thread, that another scheme is quicker: the search for one
+// (quicker_scheme.hpp) begins when the run has taken `long_run`.
 struct SolveListener {
   std::function<void(const Progress&)> progress{};
   std::function<void(const std::string&)> complain{};

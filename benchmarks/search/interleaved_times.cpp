@@ -49,11 +49,10 @@ class Race {
 
   // Leaves the solves whose intervals are above that of the quickest.
   void leave_slower() {
-    double least = std::numeric_limits<double>::infinity();
-    MedianInterval quickest;
+    MedianInterval quickest{.median = std::numeric_limits<double>::infinity()};
     for (const std::size_t i : left_) {
       const auto time = spread_of(measured_[i]);
-      if (time.median < least) least = time.median, quickest = time;
+      if (time.median < quickest.median) quickest = time;
     }
     std::erase_if(left_, [&](std::size_t i) { return spread_of(measured_[i]).low > quickest.high; });
   }

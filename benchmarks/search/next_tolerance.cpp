@@ -57,7 +57,7 @@ int decades_to_next(const SearchGoal& goal, const RunsByTolerance& runs, const E
   const double power = error_power(*std::next(runs.begin())->second, finest, target.kind);
   if (power == 0.0) return 1;
   const double needed = std::log10(error_of(finest, target.kind).value / target.error) / power;
-  int decades = std::clamp(static_cast<int>(std::clamp(needed, 0.0, 1.0 * most)), 1, most);
+  auto decades = static_cast<int>(std::clamp(needed, 1.0, 1.0 * most));
   while (decades > 1 && seconds_of_next(runs, decades) > goal.most_seconds) --decades;
   return decades;
 }

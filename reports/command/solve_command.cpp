@@ -93,9 +93,10 @@ SolvedTable shown_while_solved(const Scene& scene, const Given& given, const Str
   };
   if (streams.columns > 0 && !streams.quiet)
     listener.progress = [&](const Progress& progress) { line.set(progress); };
-  listener.quicker = [&](const QuickerScheme& found) {
+  const auto say_quicker = [&](const QuickerScheme& found) {
     line.interrupt([&] { say(streams, Message::note, quicker_text(given.text("--scheme"), found)); });
   };
+  if (!streams.quiet) listener.quicker = say_quicker;
   // As progress lines: without a terminal a command says nothing beside its answer in its first minute.
   constexpr std::chrono::minutes without_terminal{1};
   if (streams.columns == 0) listener.long_run = without_terminal;

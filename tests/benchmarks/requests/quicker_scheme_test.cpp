@@ -58,14 +58,15 @@ TEST(QuickerScheme, IsNotSaidOfQuickOrLargeRuns) {
 }
 
 // The run lasts until the search has found one.
-TEST(QuickerScheme, IsToldOnceByASolve) {
-  int told = 0;
+TEST(QuickerScheme, IsReportedOnceByASolve) {
+  int reports = 0;
   SolveRequest request{.scheme = "grunwald_letnikov"};
   request.settings.resolution = 1 << 17;
   request.settings.history = HistoryKind::direct;
-  solve(scene_of("relaxation"), request,
-        {.quicker = [&](const QuickerScheme&) { ++told; }, .long_run = std::chrono::duration<double>(0.05)});
-  EXPECT_EQ(told, 1);
+  solve(
+      scene_of("relaxation"), request,
+      {.quicker = [&](const QuickerScheme&) { ++reports; }, .long_run = std::chrono::duration<double>(0.05)});
+  EXPECT_EQ(reports, 1);
 }
 
 }  // namespace

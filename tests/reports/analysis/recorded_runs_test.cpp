@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "fdebench/benchmarks/records/results_file.hpp"
 #include "fdebench/reports/analysis/runs.hpp"
@@ -172,4 +175,25 @@ TEST_F(RecordedRuns, ALaterExaminationReplacesTheEarlierWithItsTimes) {
 }
 
 }  // namespace
+TEST(RunsOfResults, AreInOrderFromAnyOrder) {
+  constexpr int count = 7;
+  for (int first = 0; first < count; ++first) {
+    Results results{.sessions = {{}}};
+    for (int k = 0; k < count; ++k) {
+      const int steps = 1 + (first + k) % count;
+      Record run{.key = {.scene = {"relaxation", {}}, .scheme = "l1", .settings = {steps}}, .steps = steps};
+      if (steps % 3 == 0) run.ending = {SolveStatus::non_finite};
+      results.records.push_back(std::move(run));
+    }
+    const Runs runs = runs_of(std::move(results));
+    const auto steps_of = [](const std::vector<Record>& of) {
+      std::vector<int> steps;
+      for (const Record& run : of) steps.push_back(run.steps);
+      return steps;
+    };
+    EXPECT_THAT(steps_of(runs.finished), testing::ElementsAre(1, 2, 4, 5, 7)) << first;
+    EXPECT_THAT(steps_of(runs.failed), testing::ElementsAre(3, 6)) << first;
+  }
+}
+
 }  // namespace fde::bench
