@@ -24,7 +24,8 @@ Scheme spectral_collocation() {
             return integrate(PanelCollocation(problem, accuracy, options));
           },
       .unsupported_problem_reason = [](const Problem& problem) -> std::optional<std::string> {
-        if (has_sparse_jacobian(problem)) return "takes dense Jacobians only";
+        if (has_sparse_jacobian(problem) && !IntegratedRows(problem).have_one_order())
+          return "takes sparse Jacobians only where all rows have one order";
         if (!has_right_rows(problem)) return std::nullopt;
         if (!problem.switching_functions.empty()) return "locates switches in steps from the left only";
         return unsupported_multipliers_reason(problem);

@@ -8,11 +8,15 @@
 
 namespace fde {
 
-bool SylvesterFactors::factorise(const SparseMatrix& a, const Matrix& k) {
-  const Eigen::RealSchur<Matrix> schur(k.transpose());
+bool SylvesterFactors::factorise(const SparseMatrix& a, const Matrix& k, double scale) {
   a_ = &a;
-  q_ = schur.matrixU();
-  t_ = schur.matrixT();
+  if (k_.rows() != k.rows() || k_ != k) {
+    const Eigen::RealSchur<Matrix> schur(k.transpose());
+    k_ = k;
+    q_ = schur.matrixU();
+    schur_ = schur.matrixT();
+  }
+  t_ = scale * schur_;
   blocks_.clear();
   for (Eigen::Index c = 0; c < t_.cols(); ++c) {
     const bool pair = c + 1 < t_.cols() && t_(c + 1, c) != 0.0;
@@ -28,9 +32,9 @@ bool SylvesterFactors::add_real(double eigenvalue) {
   matrix -= eigenvalue * *a_;
   matrix.makeCompressed();
   auto factors = sparse_factors(matrix);
-  const bool solvable = factors != nullptr;
+  if (factors == nullptr) return false;
   blocks_.emplace_back(std::move(factors));
-  return solvable;
+  return true;
 }
 
 // For the eigenvalue l = m + i w of ((a, b), (c, d)) above the real axis q = (b, l - a), and the first row of
@@ -41,9 +45,9 @@ bool SylvesterFactors::add_pair(const Eigen::Matrix2d& block) {
   const std::complex<double> l{block(0, 0) - half, w}, scale{0.0, -2.0 * b * w};
   const Eigen::Vector2cd q{b, l - block(0, 0)};
   Pair pair{complex_factors(*a_, l), q, Eigen::RowVector2cd{std::conj(q[1]) / scale, -b / scale}};
-  const bool solvable = pair.factors != nullptr;
+  if (pair.factors == nullptr) return false;
   blocks_.emplace_back(std::move(pair));
-  return solvable;
+  return true;
 }
 
 int SylvesterFactors::determinant_sign() const {

@@ -19,8 +19,9 @@ namespace fde {
 // (1979).
 class SylvesterFactors {
  public:
+  // For scale K in place of K; the Schur form is computed anew where K is not that of the call before.
   // Returns false where a system is singular. The matrix A must outlive the factors.
-  bool factorise(const SparseMatrix& a, const Matrix& k);
+  bool factorise(const SparseMatrix& a, const Matrix& k, double scale = 1.0);
 
   // The sign of the determinant of 1 - K x A (Kronecker product).
   [[nodiscard]] int determinant_sign() const;
@@ -44,7 +45,7 @@ class SylvesterFactors {
   bool add_pair(const Eigen::Matrix2d& block);
 
   const SparseMatrix* a_ = nullptr;
-  Matrix q_, t_;
+  Matrix k_, q_, schur_, t_;   // t_ = scale schur_
   std::vector<Block> blocks_;  // of the diagonal of T
 };
 

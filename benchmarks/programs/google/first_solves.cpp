@@ -3,6 +3,9 @@
 //   first/PROBLEM/ACCURACY   the first solve by spectral_collocation, with its tables, page faults and cold
 //                            caches, each in a process of its own
 //   later/PROBLEM/ACCURACY   the fastest of many solves after the first
+//   rows/FORM/N              spectral_collocation for N rows of stiff diffusion, to 1e-11, with a sparse or
+//   dense
+//                            Jacobian
 //   panel_rule/POINTS        the tables of the panels, which a process retains
 //   start/COMMAND            a whole process, in the folder of this program
 
@@ -18,6 +21,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <variant>
 
 #include "fdebench/benchmarks/equation_files/equation_scene.hpp"
 #include "fdebench/benchmarks/scenes/registry.hpp"
@@ -68,6 +72,26 @@ void solve(benchmark::State& state, const std::string& program, const std::strin
     state.SetIterationTime(first ? of_first : of_later);
   }
 }
+
+void solve_rows(benchmark::State& state, bool dense) {
+  Problem problem =
+      make_scene(parse_variant(fmt::format("fractional_diffusion:components={}", state.range(0)))).problem;
+  if (dense) problem.derivatives = DenseLinearPart{std::get<SparseLinearPart>(problem.derivatives).matrix};
+  for (auto _ : state) benchmark::DoNotOptimize(seconds_of_solve(problem, 1e-11));
+}
+BENCHMARK_CAPTURE(solve_rows, sparse, false)
+    ->Name("rows/sparse")
+    ->Arg(11)
+    ->Arg(24)
+    ->Arg(96)
+    ->Arg(384)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_rows, dense, true)
+    ->Name("rows/dense")
+    ->Arg(11)
+    ->Arg(24)
+    ->Arg(96)
+    ->Unit(benchmark::kMillisecond);
 
 void make_panel_rule(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(PanelRule(state.range(0)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/mode_count.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -12,6 +13,9 @@
 
 namespace fde {
 namespace {
+
+// The largest |arg s| of a mode that counts as growing: undamped oscillations, on the imaginary axis, do not.
+constexpr double widest_angle = 0.5 * std::numbers::pi - 1e-3;
 
 // log det(1 - diag(s^-orders) jacobian), without the 1 in algebraic rows; s = e^log_s. For large |s| the
 // determinant tends to 1, or to a power of s where there are algebraic rows.
@@ -41,13 +45,13 @@ double power_from(const Matrix& jacobian, const Vec& orders, double log_s) {
 // The path is an arc round 0 from the real axis, a ray next to the imaginary axis up to where the identity
 // dominates the other entries of each row, or the determinant is a power of s, and an arc back to the real
 // axis: at both ends the determinant is real. With its mirror image the path encloses the modes. Each of them
-// adds a full turn to the argument of the determinant, half of it on this path. Undamped oscillations, on the
-// imaginary axis, are outside. A step turns the powers of s of all rows by less than half a turn together.
+// adds a full turn to the argument of the determinant, half of it on this path. A step turns the powers of s
+// of all rows by less than half a turn together.
 bool block_grows_faster(const Matrix& jacobian, const Vec& orders, double rate) {
   using namespace std::complex_literals;
   // In a step, in radians: what a row turns, what all rows turn; times the other entries of a row.
   constexpr double turn = 0.3, turn_of_all = 2.5, clear = 1.01;
-  constexpr double most_steps = 1e4, beside_axis = 1e-3;
+  constexpr double most_steps = 1e4;
   const double first = std::log(rate), largest = orders.maxCoeff();
   double last = first;
   for (Eigen::Index i = 0; i < orders.size(); ++i) {
@@ -69,7 +73,7 @@ bool block_grows_faster(const Matrix& jacobian, const Vec& orders, double rate) 
       before = now;
     }
   };
-  const auto ray = 1i * (0.5 * std::numbers::pi - beside_axis);
+  const auto ray = 1i * widest_angle;
   go(first, first + ray);
   go(first + ray, last + ray);
   go(last + ray, last);
@@ -99,11 +103,56 @@ std::vector<std::vector<Eigen::Index>> irreducible_blocks(const Matrix& jacobian
   return blocks;
 }
 
+// The largest sums of a row or column, and of one less its diagonal with the sign of that.
+struct Sums {
+  double of_moduli, logarithmic;
+};
+Sums largest_sums(const SparseMatrix& matrix) {
+  Vec off_diagonal = Vec::Zero(matrix.rows()), of_column = Vec::Zero(matrix.cols());
+  Vec diagonal = Vec::Zero(matrix.rows());
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
+      if (entry.row() == column) {
+        diagonal[column] += entry.value();
+      } else {
+        off_diagonal[entry.row()] += std::abs(entry.value());
+        of_column[column] += std::abs(entry.value());
+      }
+    }
+  }
+  const auto least = [&](const Vec& of_diagonal) {
+    return std::min((off_diagonal + of_diagonal).maxCoeff(), (of_column + of_diagonal).maxCoeff());
+  };
+  return {least(diagonal.cwiseAbs()), least(diagonal)};
+}
+
+// An upper bound of the |s| of the zeros in the right half-plane.
+double growth_rate_bound(const SparseMatrix& jacobian, double order) {
+  const auto [norm, logarithmic_norm] = largest_sums(jacobian);
+  const bool symmetric = jacobian.isApprox(SparseMatrix(jacobian.transpose()), 0.0);
+  if (order > 1.0 && !symmetric) return std::pow(norm, 1.0 / order);
+  if (logarithmic_norm <= 0.0) return 0.0;
+  const double aside = symmetric ? 1.0 : std::cos(widest_angle * order);
+  return std::pow(std::min(norm, logarithmic_norm / aside), 1.0 / order);
+}
+
 }  // namespace
 
 bool grows_faster(const Matrix& jacobian, const Vec& orders, double rate) {
   return std::ranges::any_of(irreducible_blocks(jacobian), [&](const auto& block) {
     return block_grows_faster(jacobian(block, block), orders(block), rate);
+  });
+}
+
+bool grows_faster(const SparseMatrix& jacobian, double order, double rate) {
+  constexpr Eigen::Index most_rows = 300;
+  if (growth_rate_bound(jacobian, order) <= rate) return false;
+  if (jacobian.rows() > most_rows) return true;
+  const Matrix dense = jacobian;
+  const auto eigenvalues = dense.eigenvalues();
+  return std::ranges::any_of(eigenvalues, [&](ComplexValue lambda) {
+    return std::abs(std::arg(lambda)) < widest_angle * order &&
+           std::pow(std::abs(lambda), 1.0 / order) > rate;
   });
 }
 

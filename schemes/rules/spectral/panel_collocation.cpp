@@ -81,6 +81,7 @@ void PanelCollocation::accept(double /*t*/) {
 void PanelCollocation::finish(Trajectory& path) {
   close_open_blocks();
   path.cost.history_bytes = solution_->bytes();
+  path.cost.linear_solver = solver_.linear_solver();
   if (!solution_->panels.empty())
     path.dense_output = [solution = solution_](double t) { return solution->at(t); };
 }

@@ -204,6 +204,16 @@ IntegratedRows::IntegratedRows(const Problem& problem)
   for (auto& row : rows) std::erase_if(row.taylor_terms, [](const auto& term) { return term.power == 0.0; });
 }
 
+bool IntegratedRows::have_one_order() const {
+  for (Eigen::Index i = 0; i < row_count(); ++i) {
+    const auto& row = rows[static_cast<std::size_t>(i)];
+    if (row.is_algebraic() || row.order != rows.front().order || row.unknown != i ||
+        rhs_indices[static_cast<std::size_t>(i)] != i)
+      return false;
+  }
+  return true;
+}
+
 Vec IntegratedRows::taylor_part(double t) const {
   Vec value = Vec::Zero(row_count());
   for (Eigen::Index i = 0; i < row_count(); ++i) {

@@ -67,6 +67,9 @@ struct IntegratedRows {
   [[nodiscard]] Eigen::Index row_count() const { return std::ssize(rows); }
   [[nodiscard]] Eigen::Index unknown_count() const { return std::ssize(rhs_indices); }
 
+  // Whether all rows are integrals of one order, row i that of x_i = f_i.
+  [[nodiscard]] bool have_one_order() const;
+
   // The rows at t without the integrals and the origin: their Taylor parts.
   [[nodiscard]] Vec taylor_part(double t) const;
 };

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "fdebench/schemes/rules/spectral/panel_solver.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "fdebench/schemes/rules/implicit/algebraic_slopes.hpp"
-#include "fdebench/schemes/rules/implicit/difference_jacobian.hpp"
-#include "fdebench/schemes/rules/spectral/mode_count.hpp"
 
 namespace fde {
 namespace {
@@ -28,8 +25,8 @@ PanelSolver::PanelSolver(const Problem& problem, const IntegratedRows& integrate
       rhs_error_(problem.size()),
       mass_(Vec::Ones(integrated_rows.unknown_count())),
       last_end_values_(taylor_part(problem, 0.0) - integrated_rows.origin),
-      sensitivities_(Matrix::Zero(integrated_rows.unknown_count(), integrated_rows.row_count())),
-      jacobian_(problem.size(), problem.size()),
+      jacobian_(problem, integrated_rows),
+      matrix_(make_panel_matrix(problem, integrated_rows, kernels, jacobian_)),
       y_(problem.size()) {
   for (const auto& row : integrated_rows.rows) {
     if (row.is_algebraic()) mass_[row.unknown] = 0.0;
@@ -43,12 +40,14 @@ double PanelSolver::integral_of_one(const PanelSystem& task, Eigen::Index row) c
 }
 
 Vec PanelSolver::with_multiplier_limits(const PanelSystem& task, Vec limits) const {
+  if (!has_algebraic_rows(problem_)) return limits;
+  const Matrix& sensitivities = *matrix_->sensitivities();
   for (Eigen::Index a = 0; a < limits.size(); ++a) {
     if (!integrated_rows_.rows[static_cast<std::size_t>(a)].is_algebraic()) continue;
     double unfelt = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < limits.size(); ++i) {
       const auto& row = integrated_rows_.rows[static_cast<std::size_t>(i)];
-      const double slope = row.is_algebraic() ? 0.0 : sensitivities_(row.unknown, a);
+      const double slope = row.is_algebraic() ? 0.0 : sensitivities(row.unknown, a);
       if (slope > 0.0) unfelt = std::min(unfelt, limits[i] / (integral_of_one(task, i) * slope));
     }
     unfelt = std::min(unfelt, determined_error(a, limits));
@@ -58,7 +57,8 @@ Vec PanelSolver::with_multiplier_limits(const PanelSystem& task, Vec limits) con
 }
 
 double PanelSolver::determined_error(Eigen::Index algebraic, const Vec& limits) const {
-  const auto slopes = sensitivities_.row(integrated_rows_.rows[static_cast<std::size_t>(algebraic)].unknown);
+  const auto slopes =
+      matrix_->sensitivities()->row(integrated_rows_.rows[static_cast<std::size_t>(algebraic)].unknown);
   return (slopes.dot(limits) / slopes[algebraic]) - limits[algebraic];
 }
 
@@ -147,7 +147,7 @@ bool PanelSolver::solve(Run& run, const PanelSystem& task, PanelValues& values) 
       had_unconverged_sweep_ = true;
       continue;
     }
-    const Matrix increment = factors_.solve(residual_.reshaped()).reshaped(unknowns.rows(), unknowns.cols());
+    const Matrix increment = matrix_->solve(residual_);
     ++*run.cost().newton_iterations;
     apply_increment(task, increment, unknowns, rows);
     if (!rows.allFinite()) return false;
@@ -208,28 +208,18 @@ Vec PanelSolver::unknowns_at_first_point(Run& run, const PanelSystem& task) {
   return unknowns.array().isFinite().select(unknowns, 0.0);
 }
 
-// Computes jacobian_ at y_.
-void PanelSolver::differentiate(Run& run, double t, In sizes) {
-  if (problem_.increments.is_given()) return problem_.increments.jacobian(t, y_, jacobian_);
-  if (evaluate_jacobian(problem_, t, y_, jacobian_)) return;
-  f_ = run.rhs(t, y_);
-  difference_jacobian_of_rhs(run, problem_, t, y_, f_, sizes, jacobian_);
-}
-
 Matrix PanelSolver::algebraic_slopes(Run& run, const PanelSystem& task, const Matrix& rows) {
   if (!has_algebraic_rows(problem_)) return {};
-  y_ = rows.row(0);
-  differentiate(run, task.times[0], task.term_sizes);
-  return fde::algebraic_slopes(problem_, jacobian_);
+  return fde::algebraic_slopes(
+      problem_, jacobian_.dense_at(run, task.times[0], rows.row(0).transpose(), task.term_sizes));
 }
 
 bool PanelSolver::has_growing_mode(Run& run, const PanelSystem& task, const Matrix& rows, double folds) {
   const double rate = folds / (task.times[rows.rows() - 1] - task.times[0]);
   if (rate >= growth_rate_bound_) return false;
   const Eigen::Index middle = rows.rows() / 2;
-  y_ = rows.row(middle);
-  differentiate(run, task.times[middle], task.term_sizes);
-  if (!jacobian_.allFinite() || grows_faster(jacobian_, orders_of(problem_), rate)) return true;
+  if (jacobian_.grows_faster(run, task.times[middle], rows.row(middle).transpose(), task.term_sizes, rate))
+    return true;
   if (is_linear(problem_)) growth_rate_bound_ = rate;
   return false;
 }
@@ -247,43 +237,9 @@ bool PanelSolver::evaluate(Run& run, const PanelSystem& task, const Matrix& rows
   return residual_.allFinite();
 }
 
-// Updates sensitivities_ with jacobian_.
-void PanelSolver::update_sensitivities() {
-  for (Eigen::Index k = 0; k < sensitivities_.rows(); ++k) {
-    const auto slopes = jacobian_.row(integrated_rows_.rhs_indices[static_cast<std::size_t>(k)]).cwiseAbs();
-    sensitivities_.row(k) = sensitivities_.row(k).cwiseMax(slopes);
-  }
-}
-
 bool PanelSolver::linearise(Run& run, const PanelSystem& task, const Matrix& rows) {
-  if (is_linear(problem_) && factored_units_.size() == task.units.size() && factored_units_ == task.units)
-    return true;
-  const Eigen::Index points = rows.rows(), unknowns = integrated_rows_.unknown_count();
-  matrix_.setZero(points * unknowns, points * unknowns);
-  sensitivities_.setZero();
-  for (Eigen::Index k = 0; k < unknowns; ++k)
-    matrix_.diagonal().segment(k * points, points).setConstant(mass_[k]);
-  for (Eigen::Index j = 0; j < points; ++j) {
-    y_ = rows.row(j);
-    differentiate(run, task.times[j], task.term_sizes);
-    update_sensitivities();
-    for (Eigen::Index i = 0; i < integrated_rows_.row_count(); ++i) {
-      const Eigen::Index order = kernels_.order_of(i),
-                         drive = integrated_rows_.rows[static_cast<std::size_t>(i)].unknown;
-      for (Eigen::Index k = 0; k < unknowns; ++k) {
-        const double slope = jacobian_(integrated_rows_.rhs_indices[static_cast<std::size_t>(k)], i);
-        if (slope == 0.0) continue;
-        auto line = matrix_.row(k * points + j).segment(drive * points, points);
-        if (order < 0) {
-          line[j] -= slope;
-        } else {
-          line -= slope * task.units[order] * kernels_.own_integrals(order).row(j);
-        }
-      }
-    }
-  }
-  if (!matrix_.allFinite()) return false;
-  factors_.compute(matrix_);
+  if (factored_units_.size() == task.units.size() && factored_units_ == task.units) return true;
+  if (!matrix_->factorise(run, task, rows)) return false;
   if (is_linear(problem_)) factored_units_ = task.units;
   return true;
 }

@@ -2,24 +2,16 @@
 #pragma once
 
 #include <limits>
+#include <memory>
+#include <string_view>
 
 #include "fdebench/schemes/problem/resolution.hpp"
-#include "fdebench/schemes/rules/spectral/panel_rule.hpp"
-#include "fdebench/schemes/solvers/dense_factors.hpp"
+#include "fdebench/schemes/rules/spectral/panel_matrix.hpp"
 #include "fdebench/schemes/stepping/error_tolerance.hpp"
 #include "fdebench/schemes/stepping/run.hpp"
 
 namespace fde {
 
-// The equations of a panel: at every point x_k = f, or 0 = f for an algebraic row (see IntegratedRows), with
-// the rows
-//   y_i - origin_i = known_i + I^(order_i) x_k,   k the unknown of row i.
-struct PanelSystem {
-  Vec times;       // of the points
-  Vec units;       // PanelKernels::units of its length
-  Matrix known;    // one row a point, one column a row of the problem
-  Vec term_sizes;  // of the largest term in the sum of each row: rounding is relative to it
-};
 struct PanelValues {
   Matrix unknowns, rows;  // one row a point
 };
@@ -90,6 +82,9 @@ class PanelSolver {
   // The rows at the end of the last accepted panel.
   [[nodiscard]] const Vec& last_end_values() const { return last_end_values_; }
 
+  // The method of sparse systems; empty: there were none.
+  [[nodiscard]] std::string_view linear_solver() const { return matrix_->solver(); }
+
   // Records an accepted panel.
   void accept_panel(const PanelValues& solved);
 
@@ -104,8 +99,6 @@ class PanelSolver {
   [[nodiscard]] Vec unresolved(const PanelSystem& task) const;
   [[nodiscard]] Vec newton_limits(const PanelSystem& task, const Matrix& rows) const;
   Vec unknowns_from_rhs(Run& run, double t);  // at y_
-  void update_sensitivities();
-  void differentiate(Run& run, double t, In sizes);
   bool evaluate(Run& run, const PanelSystem& task, const Matrix& rows);
   bool linearise(Run& run, const PanelSystem& task, const Matrix& rows);
   void apply_increment(const PanelSystem& task, const Matrix& increment, Matrix& unknowns, Matrix& rows);
@@ -118,15 +111,15 @@ class PanelSolver {
   const PanelKernels& kernels_;
   ErrorTolerance allowed_;
   RhsError rhs_error_;
-  Vec mass_;              // 1, and 0 for an algebraic row
-  Vec last_end_values_;   // the rows at the end of the last accepted panel
-  Matrix sensitivities_;  // the largest |df_k/dy_i| on the panel, one row an unknown k, one column a row i
-  Eigen::PartialPivLU<Matrix> factors_;
-  Vec factored_units_;  // of a linear problem: those of factors_
+  Vec mass_;             // 1, and 0 for an algebraic row
+  Vec last_end_values_;  // the rows at the end of the last accepted panel
+  PanelJacobian jacobian_;
+  std::unique_ptr<PanelMatrix> matrix_;
+  Vec factored_units_;  // of a linear problem: those of matrix_
   // Of a linear problem: no mode grows faster than e^(growth_rate_bound_ t).
   double growth_rate_bound_ = std::numeric_limits<double>::infinity();
-  Matrix residual_, row_increments_, jacobian_, matrix_;
-  Vec y_, f_;  // y - origin, and f there
+  Matrix residual_, row_increments_;
+  Vec y_;  // y - origin
   bool left_domain_ = false;
 };
 

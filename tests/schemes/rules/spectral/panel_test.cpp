@@ -154,6 +154,9 @@ TEST(GrowingModes, OfAPairAreThoseInTheSector) {
       const Vec orders = Vec::Constant(2, order);
       EXPECT_EQ(grows_faster(pair, orders, 0.5 * rate), part < 1.0) << order << ' ' << part;
       EXPECT_FALSE(grows_faster(pair, orders, 2.0 * rate)) << order << ' ' << part;
+      const SparseMatrix sparse = pair.sparseView();
+      EXPECT_EQ(grows_faster(sparse, order, 0.5 * rate), part < 1.0) << order << ' ' << part;
+      EXPECT_FALSE(grows_faster(sparse, order, 2.0 * rate)) << order << ' ' << part;
     }
   }
 }
@@ -218,6 +221,39 @@ TEST(GrowingModes, AreNotUndampedOscillations) {
     const Matrix unit = Matrix::Identity(copies, copies);
     EXPECT_FALSE(grows_faster(-unit, Vec::Constant(copies, 2.0), 0.01)) << copies;
   }
+}
+
+// Second differences with 0 at both ends have the eigenvalues -4 c sin^2(k pi / (2 (n + 1))), and a shift
+// adds to all. The norms suffice for so many rows.
+TEST(GrowingModes, OfDiffusionAreThoseOfItsReaction) {
+  constexpr Eigen::Index size = 2000;
+  constexpr double coupling = 4e6;
+  for (const double order : {0.4, 1.0, 1.7}) {
+    for (const double reaction : {-1.0, 0.0, 9.0}) {
+      SparseMatrix diffusion(size, size);
+      for (Eigen::Index i = 0; i < size; ++i) {
+        diffusion.insert(i, i) = reaction - 2.0 * coupling;
+        if (i > 0) diffusion.insert(i, i - 1) = diffusion.insert(i - 1, i) = coupling;
+      }
+      const double fastest = reaction > 0.0 ? std::pow(reaction, 1.0 / order) : 0.0;
+      EXPECT_FALSE(grows_faster(diffusion, order, 1.01 * fastest + 0.01)) << order << ' ' << reaction;
+    }
+  }
+}
+
+// A ring in which each row drives the next: the eigenvalues are -2 + r, r^200 = 1, and no sum of a row tells
+// that none is near the sector.
+TEST(GrowingModes, OfARingAreThoseOfItsEigenvalues) {
+  constexpr Eigen::Index size = 200;
+  SparseMatrix ring(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    ring.insert(i, i) = -2.0;
+    ring.insert(i, (i + 1) % size) = 1.0;
+  }
+  EXPECT_FALSE(grows_faster(ring, 1.5, 0.5));
+  for (Eigen::Index i = 0; i < size; ++i) ring.coeffRef(i, i) = 0.5;
+  EXPECT_TRUE(grows_faster(ring, 1.5, 1.0));
+  EXPECT_FALSE(grows_faster(ring, 1.5, 1.01 * std::pow(1.5, 1.0 / 1.5)));
 }
 
 TEST(GrowingModes, OfAnOrderNextToZeroAreNotRuledOut) {
