@@ -73,6 +73,13 @@ bool is_outside_between(const RunsByTolerance& runs, double tolerance, const Err
   return error_of(*run, target.kind).value * std::pow(tolerance / fine, power) > far * target.error;
 }
 
+// Whether the finest run ended for want of time of which there is clearly more now.
+bool may_take_longer(const SearchGoal& goal, const RefinementRun& finest) {
+  constexpr double clearly = 4.0;
+  return finest.ending.kind == SolveStatus::out_of_budget && finest.seconds &&
+         goal.budget_of_tolerance >= clearly * *finest.seconds;
+}
+
 }  // namespace
 
 NextRun next_tolerance(const SearchGoal& goal, const Refinement& of, const ErrorTarget& target,
@@ -81,6 +88,7 @@ NextRun next_tolerance(const SearchGoal& goal, const Refinement& of, const Error
   RunsByTolerance runs;
   for (const RefinementRun& run : of.runs) runs.emplace(std::get<Tolerance>(run.resolution).rtol, &run);
   const auto& [tightest, finest] = *runs.begin();
+  if (!std::isfinite(quickest) && may_take_longer(goal, *finest)) return finest->resolution;
   const RefinementRun* best = quickest_within(of, target);
   const int decades = best == nullptr ? decades_to_next(goal, runs, target) : 1;
   const double seconds = finest->seconds.value_or(0.0), next_seconds = seconds_of_next(runs, decades);

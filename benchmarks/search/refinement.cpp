@@ -33,8 +33,16 @@ bool are_equal(const RefinementRun& a, const RefinementRun& b) {
 }  // namespace
 
 void Refinement::add(RefinementRun run) {
+  if (is_adaptive) {
+    const auto same = std::ranges::find(runs, run.resolution, &RefinementRun::resolution);
+    if (same == runs.end()) {
+      runs.push_back(std::move(run));
+    } else {
+      *same = std::move(run);
+    }
+    return;
+  }
   runs.push_back(std::move(run));
-  if (is_adaptive) return;
   std::vector<RefinementRun*> ended;
   for (RefinementRun& made : runs)
     if (made.seconds && std::ranges::any_of(made.errors, is_finite)) ended.push_back(&made);

@@ -53,8 +53,9 @@ struct Refinement {
   int unit = 1;            // numbers of steps are multiples of it
   std::vector<RefinementRun> runs{};  // in the order in which they were made
 
-  // Appends a run. Fewer steps of one scheme take no longer: a longer time is that of a disturbed run, so a
-  // run over a grid that ended takes at most the time of each such run with more steps.
+  // Appends a run, or replaces one with the same tolerance, which ended for want of time. Fewer steps of one
+  // scheme take no longer: a longer time is that of a disturbed run, so a run over a grid that ended takes at
+  // most the time of each such run with more steps.
   void add(RefinementRun run);
 
   // The run over the grid with the most steps, or with the smallest tolerance; nullptr: no run.

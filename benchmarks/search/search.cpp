@@ -101,6 +101,7 @@ class Search {
   std::vector<std::optional<StepsOrTolerance>> next_runs() {
     constexpr double part_of_scan = 0.1, runs_of_scan = 25.0, long_solve = 0.05;
     goal_.most_seconds = most_of_rest * left();
+    goal_.budget_of_tolerance = budget_of_tolerance();
     goal_.most_seconds_scanned = part_of_scan * left() / runs_of_scan;
     goal_.closeness = quickest() < long_solve ? 1.015 : 1.1;
     return next_resolutions(goal_, refinements_);
@@ -139,12 +140,12 @@ class Search {
               std::min(1.0, elapsed() / seconds_));
     const bool is_adaptive = of.configuration.is_adaptive();
     return evaluator_.evaluate(of.configuration, resolution, compared,
-                               is_adaptive ? adaptive_budget() : std::max(1.0, left()));
+                               is_adaptive ? budget_of_tolerance() : std::max(1.0, left()));
   }
 
   // A run that takes many times as long as the quickest one cannot be the best; before there is one, a run
   // that takes many times as long as all others so far.
-  [[nodiscard]] double adaptive_budget() const {
+  [[nodiscard]] double budget_of_tolerance() const {
     constexpr double shortest = 0.05, part = 0.1, far = 10.0;
     double longest = 0.0;
     for (const Refinement& of : refinements_)

@@ -18,6 +18,9 @@ struct SearchGoal {
   int most_steps = 1 << 29;
   double loosest = 0.1, tightest = 1e-15;  // tolerances of adaptive step size
   double most_seconds = 0.3;               // of a solve; slower runs are not made
+  // Seconds after which a run with a tolerance is ended. One that was ended is made again while no run is
+  // within the target, once it may take clearly longer.
+  double budget_of_tolerance = 0.0;
   // A configuration is left once its runs outside a target take this multiple of the quickest run within it.
   double margin = 1.5;
   // Seconds; longer runs are made only where a forecast expects something of them. Over grids, where errors
