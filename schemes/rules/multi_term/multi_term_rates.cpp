@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "fdebench/schemes/problem/chain.hpp"
@@ -19,8 +20,11 @@ const Powers& powers_of(const Smoothness& smoothness, Eigen::Index row) {
   return smoothness.powers[static_cast<std::size_t>(row)];
 }
 
+// Precondition: the powers increase. There may be as many as terms times powers of a smooth start.
 bool contains(const Powers& powers, double power) {
-  return std::ranges::any_of(powers, [=](double other) { return same_order(power, other); });
+  const auto next = std::ranges::lower_bound(powers, power);
+  return (next != powers.end() && same_order(power, *next)) ||
+         (next != powers.begin() && same_order(power, *std::prev(next)));
 }
 
 bool listed(const std::vector<Eigen::Index>& rows, Eigen::Index row) {
@@ -82,6 +86,7 @@ Powers powers_of_force(const Problem& problem, const Smoothness& smoothness, con
     explained.push_back(-term.order);
     for (const double p : of_unknown) explained.push_back(p - term.order);
   }
+  std::ranges::sort(explained);
   for (const double p : of_unknown) {
     if (p > leading && !contains(explained, p - leading)) powers.push_back(p - leading);
   }
