@@ -4,6 +4,18 @@
 #include <algorithm>
 
 namespace fde {
+namespace {
+
+template <class Factors, class Vector>
+void solve_in_place(const Factors& factors, Vector& b) {
+  Vector ordered = factors.permutationP() * b;
+  factors.matrixL().solveInPlace(ordered);
+  ordered.array() /= factors.vectorD().array().template cast<typename Vector::Scalar>();
+  factors.matrixU().solveInPlace(ordered);
+  b = factors.permutationPinv() * ordered;
+}
+
+}  // namespace
 
 bool CholeskyFactors::is_applicable(const SparseMatrix& matrix) {
   const SparseMatrix other = matrix.transpose();
@@ -22,12 +34,8 @@ bool CholeskyFactors::factorise(const SparseMatrix& matrix) {
          factors_.vectorD().allFinite();
 }
 
-void CholeskyFactors::solve(Vec& b) const {
-  ordered_ = factors_.permutationP() * b;
-  factors_.matrixL().solveInPlace(ordered_);
-  ordered_.array() /= factors_.vectorD().array();
-  factors_.matrixU().solveInPlace(ordered_);
-  b = factors_.permutationPinv() * ordered_;
-}
+void CholeskyFactors::solve(Vec& b) const { solve_in_place(factors_, b); }
+
+void CholeskyFactors::solve(Eigen::VectorXcd& b) const { solve_in_place(factors_, b); }
 
 }  // namespace fde

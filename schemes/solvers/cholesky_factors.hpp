@@ -19,11 +19,11 @@ class CholeskyFactors final : public SparseFactors {
   bool factorise(const SparseMatrix& matrix) override;
   [[nodiscard]] int determinant_sign() override { return 1; }
   void solve(Vec& b) const override;
+  void solve(Eigen::VectorXcd& b) const;
   [[nodiscard]] std::string_view active_method() const override { return id; }
 
  private:
   Eigen::SimplicialLDLT<SparseMatrix> factors_;
-  mutable Vec ordered_;
 };
 
 }  // namespace fde

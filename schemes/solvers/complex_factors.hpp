@@ -10,8 +10,8 @@
 namespace fde {
 
 // 1 - factor A for a real A, factorised by the fastest applicable method, in the same order as
-// sparse_factors: tridiagonal, fast_sine, conjugate_gradients, lu. Cholesky's factors have no complex
-// counterpart here.
+// sparse_factors: tridiagonal, fast_sine, conjugate_gradients, cholesky, lu. Cholesky's factors are those of
+// the real matrix 1 - |factor| A, as a preconditioner of conjugate gradients.
 class ComplexFactors {
  public:
   ComplexFactors() = default;
@@ -29,7 +29,10 @@ class ComplexFactors {
   [[nodiscard]] virtual std::string_view name() const = 0;
 };
 
-// Factors of 1 - factor * matrix; nullptr: no method is applicable.
-std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, std::complex<double> factor);
+// Factors of 1 - factor * matrix, to be used for so many solves; nullptr: no method is applicable. Iterations
+// with real factors take less time than complex factors for a few solves, and more for many.
+enum class Solves { few, many };
+std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, std::complex<double> factor,
+                                                Solves solves = Solves::many);
 
 }  // namespace fde

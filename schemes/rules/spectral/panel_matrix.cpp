@@ -89,7 +89,7 @@ class OneOrderPanelMatrix final : public PanelMatrix {
       if (!jacobians_.back().coeffs().allFinite()) return false;
     }
     middle_ = jacobians_[is_linear_ ? 0 : static_cast<std::size_t>(middle)];
-    return factors_.factorise(middle_, integrals_, unit_);
+    return factors_.factorise(middle_, integrals_, unit_, is_linear_ ? Solves::few : Solves::many);
   }
 
   [[nodiscard]] Matrix solve(const Matrix& residual) const override {

@@ -55,7 +55,8 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
   SparseMatrix buffer;
   const SparseMatrix& middle = sparse_jacobian_at(problem_, time(half), step(y, half), buffer);
   SylvesterFactors factors;
-  if (!factors.factorise(middle, weights_of_steps())) return std::nullopt;
+  if (!factors.factorise(middle, weights_of_steps(), 1.0, is_linear(problem_) ? Solves::few : Solves::many))
+    return std::nullopt;
   double last = std::numeric_limits<double>::infinity();
   int setbacks = 0;
   for (int iteration = 1; iteration <= most_iterations && setbacks < few_setbacks; ++iteration) {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// 1 - factor A with the variable medium of a square: real factors as a preconditioner, and complex ones.
+
+#include "fdebench/schemes/solvers/complex_factors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "fdebench/schemes/problem/problem.hpp"
+#include "support/testing.hpp"
+
+namespace fde::bench {
+namespace {
+
+SparseMatrix matrix_of_medium(double points) {
+  const Scene scene =
+      scene_of("fractional_diffusion_2d", {{"n", points}, {"medium", "wave"}, {"contrast", 1e3}});
+  return std::get<SparseLinearPart>(scene.problem.derivatives).matrix;
+}
+
+ComplexVec scattered(Eigen::Index size) {
+  return ComplexVec::NullaryExpr(size, [](Eigen::Index i) {
+    const auto k = static_cast<double>(i);
+    return std::complex{std::cos(997.0 * k * k), std::sin(991.0 * k * k)};
+  });
+}
+
+// The error of a solution, relative to the largest entries of the terms of the equations.
+double defect(const SparseMatrix& a, std::complex<double> factor, const ComplexVec& x, const ComplexVec& b) {
+  const ComplexVec rest = b - x + factor * (a * x);
+  const double size = 1.0 + std::abs(factor) * 8.0 * a.coeffs().abs().maxCoeff();
+  return rest.lpNorm<Eigen::Infinity>() / (size * x.lpNorm<Eigen::Infinity>());
+}
+
+TEST(ComplexFactors, OfAMediumAreRealOnesForAFewSolves) {
+  const SparseMatrix a = matrix_of_medium(40.0);
+  const ComplexVec b = scattered(a.rows());
+  for (const double size : {1e-6, 1e-3, 1.0}) {
+    for (const double angle : {-1.2, 0.1, 1.0, 1.5}) {
+      const auto factor = std::polar(size, angle);
+      const auto few = complex_factors(a, factor, Solves::few), many = complex_factors(a, factor);
+      ASSERT_TRUE(few && many) << factor;
+      ComplexVec by_few = b, by_many = b;
+      few->solve(by_few);
+      many->solve(by_many);
+      EXPECT_EQ(few->name(), "cholesky") << factor;
+      EXPECT_EQ(many->name(), "lu") << factor;
+      EXPECT_LT(defect(a, factor, by_few, b), 1e-14) << factor;
+      EXPECT_LT((by_few - by_many).norm(), 1e-9 * by_many.norm()) << factor;
+    }
+  }
+}
+
+// A growing mode makes the real matrix indefinite, and another entry makes it unsymmetric.
+TEST(ComplexFactors, AreComplexWhereRealOnesDoNotApply) {
+  SparseMatrix growing = matrix_of_medium(40.0), other = growing;
+  for (Eigen::Index i = 0; i < growing.rows(); ++i) growing.coeffRef(i, i) += 1e3;
+  other.coeffRef(0, 700) = 1.0;
+  other.makeCompressed();
+  for (const SparseMatrix& a : {growing, other}) {
+    const std::complex<double> factor{0.1, 0.2};
+    const auto factors = complex_factors(a, factor, Solves::few);
+    ASSERT_TRUE(factors);
+    EXPECT_EQ(factors->name(), "lu");
+    ComplexVec x = scattered(a.rows());
+    const ComplexVec b = x;
+    factors->solve(x);
+    EXPECT_LT(defect(a, factor, x, b), 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace fde::bench
