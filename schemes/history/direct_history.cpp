@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fdebench/schemes/history/block_kernels.hpp"
+#include "fdebench/schemes/problem/large_pages.hpp"
 
 namespace fde {
 
@@ -19,7 +20,7 @@ DirectHistory::DirectHistory(const WeightTables& tables, int steps)
     const bool remembers = std::ranges::any_of(parts_, [&](const auto& sum) { return sum[i].column >= 0; });
     row_.push_back(remembers ? rows++ : -1);
   }
-  samples_.resize(steps_, rows);
+  allocate(samples_, steps_, rows);
   weights_.resize(steps_, static_cast<Eigen::Index>(distinct.size()));
   starts_.resizeLike(weights_);
   for (Eigen::Index c = 0; c < weights_.cols(); ++c) {

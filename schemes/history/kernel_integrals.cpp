@@ -7,6 +7,7 @@
 
 #include "fdebench/schemes/history/block_kernels.hpp"
 #include "fdebench/schemes/history/weights/exponential_sum.hpp"
+#include "fdebench/schemes/problem/large_pages.hpp"
 
 namespace fde {
 
@@ -37,8 +38,10 @@ KernelIntegrals::KernelIntegrals(ExponentialKernel kernel)
 
 void KernelIntegrals::begin() {
   polynomials_.setZero(3, functions_);
-  states_.setZero(kernel_.nodes.size(), functions_);
-  carries_ = states_;
+  allocate(states_, kernel_.nodes.size(), functions_);
+  allocate(carries_, kernel_.nodes.size(), functions_);
+  states_.setZero();
+  carries_.setZero();
 }
 
 // Steps that are equal up to rounding reactivate no exponentials.

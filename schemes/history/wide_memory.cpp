@@ -5,6 +5,7 @@
 #include <array>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
+#include "fdebench/schemes/problem/large_pages.hpp"
 
 namespace fde {
 
@@ -25,10 +26,11 @@ WideMemory::WideMemory(const MemoryTables& tables, Eigen::Index components)
   const Eigen::Index strips = rounded_up(rows, strip) / strip;
   pitch_ = std::min(rows, strip) + lanes;
   first_.setZero(rows);
-  samples_.setZero(pitch_ * (recent + block), strips);
-  sums_.setZero(pitch_ * tables_ * block, strips);
-  states_.setZero(tile * tables.exponentials, tiles);
-  carries_.setZero(tile * tables.exponentials, tiles);
+  allocate(samples_, pitch_ * (recent + block), strips);
+  allocate(sums_, pitch_ * tables_ * block, strips);
+  allocate(states_, tile * tables.exponentials, tiles);
+  allocate(carries_, tile * tables.exponentials, tiles);
+  for (Matrix* all : {&samples_, &sums_, &states_, &carries_}) all->setZero();
 }
 
 ConstBlock WideMemory::rows_of(const Matrix& all, Eigen::Index column, Eigen::Index first) const {

@@ -8,16 +8,15 @@
 #include <cmath>
 #include <complex>
 
-#include "fdebench/schemes/problem/problem.hpp"
-#include "support/testing.hpp"
+#include "fdebench/benchmarks/programs/large/step_matrix.hpp"
 
 namespace fde::bench {
 namespace {
 
-SparseMatrix matrix_of_medium(double points) {
-  const Scene scene =
-      scene_of("fractional_diffusion_2d", {{"n", points}, {"medium", "wave"}, {"contrast", 1e3}});
-  return std::get<SparseLinearPart>(scene.problem.derivatives).matrix;
+// Diffusion in a medium that varies by three orders of magnitude: its eigenvalues are below 0.
+SparseMatrix matrix_of_medium() {
+  const auto medium = [](double x, double y) { return std::pow(1e3, x * std::sin(3.0 * y)); };
+  return -step_matrix(40, 41, 1e3, medium, [](double, double) { return 0.0; });
 }
 
 ComplexVec scattered(Eigen::Index size) {
@@ -35,7 +34,7 @@ double defect(const SparseMatrix& a, std::complex<double> factor, const ComplexV
 }
 
 TEST(ComplexFactors, OfAMediumAreRealOnesForAFewSolves) {
-  const SparseMatrix a = matrix_of_medium(40.0);
+  const SparseMatrix a = matrix_of_medium();
   const ComplexVec b = scattered(a.rows());
   for (const double size : {1e-6, 1e-3, 1.0}) {
     for (const double angle : {-1.2, 0.1, 1.0, 1.5}) {
@@ -55,8 +54,8 @@ TEST(ComplexFactors, OfAMediumAreRealOnesForAFewSolves) {
 
 // A growing mode makes the real matrix indefinite, and another entry makes it unsymmetric.
 TEST(ComplexFactors, AreComplexWhereRealOnesDoNotApply) {
-  SparseMatrix growing = matrix_of_medium(40.0), other = growing;
-  for (Eigen::Index i = 0; i < growing.rows(); ++i) growing.coeffRef(i, i) += 1e3;
+  SparseMatrix growing = matrix_of_medium(), other = growing;
+  for (Eigen::Index i = 0; i < growing.rows(); ++i) growing.coeffRef(i, i) += 1e8;
   other.coeffRef(0, 700) = 1.0;
   other.makeCompressed();
   for (const SparseMatrix& a : {growing, other}) {
