@@ -103,32 +103,33 @@ std::vector<std::vector<Eigen::Index>> irreducible_blocks(const Matrix& jacobian
   return blocks;
 }
 
-// The largest sums of a row or column, and of one less its diagonal with the sign of that.
-struct Sums {
-  double of_moduli, logarithmic;
+// A norm of a matrix and its logarithmic norm, which bounds the real parts of the eigenvalues: the largest
+// sum of the moduli of a row, or of a column if that is less; in the logarithmic norm the diagonal has its
+// sign.
+struct Norms {
+  double norm, logarithmic;
 };
-Sums largest_sums(const SparseMatrix& matrix) {
-  Vec off_diagonal = Vec::Zero(matrix.rows()), of_column = Vec::Zero(matrix.cols());
-  Vec diagonal = Vec::Zero(matrix.rows());
+Norms norms_of(const SparseMatrix& matrix) {
+  Vec of_row = Vec::Zero(matrix.rows()), of_column = of_row, diagonal = of_row;
   for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
     for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
       if (entry.row() == column) {
         diagonal[column] += entry.value();
       } else {
-        off_diagonal[entry.row()] += std::abs(entry.value());
+        of_row[entry.row()] += std::abs(entry.value());
         of_column[column] += std::abs(entry.value());
       }
     }
   }
   const auto least = [&](const Vec& of_diagonal) {
-    return std::min((off_diagonal + of_diagonal).maxCoeff(), (of_column + of_diagonal).maxCoeff());
+    return std::min((of_row + of_diagonal).maxCoeff(), (of_column + of_diagonal).maxCoeff());
   };
   return {least(diagonal.cwiseAbs()), least(diagonal)};
 }
 
 // An upper bound of the |s| of the zeros in the right half-plane.
 double growth_rate_bound(const SparseMatrix& jacobian, double order) {
-  const auto [norm, logarithmic_norm] = largest_sums(jacobian);
+  const auto [norm, logarithmic_norm] = norms_of(jacobian);
   const bool symmetric = jacobian.isApprox(SparseMatrix(jacobian.transpose()), 0.0);
   if (order > 1.0 && !symmetric) return std::pow(norm, 1.0 / order);
   if (logarithmic_norm <= 0.0) return 0.0;
