@@ -157,7 +157,7 @@ class ComplexCholesky final : public ComplexIterations {
 
  protected:
   [[nodiscard]] std::optional<ComplexVec> iterate(const ComplexVec& b) const override {
-    int left = 60;
+    int left = 60;  // as many take no less time than LU
     const auto precondition = [&](ComplexVec& x) { factors_->solve(x); };
     const auto multiply = [&](const ComplexVec& x) { return ComplexVec(x - factor_ * (matrix_ * x)); };
     return by_conjugate_gradients(b, multiply, precondition, left);

@@ -9,9 +9,12 @@
 
 namespace fde {
 
-// 1 - factor A for a real A, factorised by the fastest applicable method, in the same order as
-// sparse_factors: tridiagonal, fast_sine, conjugate_gradients, cholesky, lu. Cholesky's factors are those of
-// the real matrix 1 - |factor| A, as a preconditioner of conjugate gradients.
+// 1 - factor A for a real A, factorised by the first applicable method of this list, fastest first:
+//   tridiagonal          elimination without pivoting, of diagonally dominant matrices
+//   fast_sine            constant coefficients in a rectangle
+//   cholesky             for a few solves: conjugate gradients preconditioned by L D L^T of 1 - |factor| A
+//   conjugate_gradients  other symmetric matrices of a large rectangle, preconditioned by sines
+//   lu                   L U with pivoting
 class ComplexFactors {
  public:
   ComplexFactors() = default;
@@ -29,9 +32,11 @@ class ComplexFactors {
   [[nodiscard]] virtual std::string_view name() const = 0;
 };
 
-// Factors of 1 - factor * matrix, to be used for so many solves; nullptr: no method is applicable. Iterations
-// with real factors take less time than complex factors for a few solves, and more for many.
+// For how many solves factors are used: iterations with real factors take less time than complex factors for
+// a few, and more for many.
 enum class Solves { few, many };
+
+// Factors of 1 - factor * matrix; nullptr: no method is applicable.
 std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, std::complex<double> factor,
                                                 Solves solves = Solves::many);
 

@@ -3,9 +3,8 @@
 //   first/PROBLEM/ACCURACY   the first solve by spectral_collocation, with its tables, page faults and cold
 //                            caches, each in a process of its own
 //   later/PROBLEM/ACCURACY   the fastest of many solves after the first
-//   rows/FORM/N              spectral_collocation for N rows of stiff diffusion, to 1e-11, with a sparse or
-//   dense
-//                            Jacobian
+//   rows/FORM/N              spectral_collocation for N rows of stiff diffusion, to 1e-11; FORM of the
+//                            Jacobian: sparse or dense
 //   panel_rule/POINTS        the tables of the panels, which a process retains
 //   start/COMMAND            a whole process, in the folder of this program
 

@@ -63,7 +63,7 @@ class PanelMatrix {
   // The increments d.
   [[nodiscard]] virtual Matrix solve(const Matrix& residual) const = 0;
 
-  // The largest |df_k/dy_i| on the panel, one row an unknown k, one column a row i; empty: not known.
+  // The largest |df_k/dy_i| on the panel, one row an unknown k, one column a row i; nullptr: not known.
   [[nodiscard]] virtual const Matrix* sensitivities() const { return nullptr; }
 
   // The name of the solver of sparse matrices; empty: it is dense.

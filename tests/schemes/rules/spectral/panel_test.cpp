@@ -237,6 +237,9 @@ TEST(GrowingModes, OfDiffusionAreThoseOfItsReaction) {
       }
       const double fastest = reaction > 0.0 ? std::pow(reaction, 1.0 / order) : 0.0;
       EXPECT_FALSE(grows_faster(diffusion, order, 1.01 * fastest + 0.01)) << order << ' ' << reaction;
+      if (reaction > 0.0) {
+        EXPECT_TRUE(grows_faster(diffusion, order, 0.99 * fastest)) << order;
+      }
     }
   }
 }

@@ -91,9 +91,26 @@ TEST(SpectralMatrix, OfOneOrderGivesTheSolutionOfDenseElimination) {
     const auto of_four = scheme().solve(single, accuracy, {.output_times = {0.01, 0.5, 2.0}});
     const auto of_all = scheme().solve(copies, accuracy, {.output_times = {0.01, 0.5, 2.0}});
     ASSERT_EQ(of_all.status, SolveStatus::finished);
+    ASSERT_NE(of_all.cost.linear_solver, "");
     for (Eigen::Index i = 0; i < copies.size(); ++i)
       EXPECT_LT((of_all.y.row(i) - of_four.y.row(i % 4)).cwiseAbs().maxCoeff(), 1e-10) << i;
   }
+}
+
+// The zeros of events and the values between panels too.
+TEST(SpectralMatrix, OfASparseJacobianGivesTheSolutionOfADenseOne) {
+  Problem problem = scene_of("fractional_diffusion", {{"components", 24.0}, {"medium", "wave"}}).problem;
+  const Options options{.output_times = {0.003, 0.4, 1.0},
+                        .events = {{.value = [](double, In y) { return y[0] - 0.05; }}}};
+  const Tolerance accuracy{1e-10, 1e-10};
+  const auto sparse = scheme().solve(problem, accuracy, options);
+  problem.derivatives = DenseLinearPart{std::get<SparseLinearPart>(problem.derivatives).matrix};
+  const auto dense = scheme().solve(problem, accuracy, options);
+  ASSERT_EQ(sparse.status, SolveStatus::finished);
+  EXPECT_LT((sparse.y - dense.y).cwiseAbs().maxCoeff(), 1e-12);
+  ASSERT_EQ(sparse.events.size(), 1U);
+  ASSERT_EQ(dense.events.size(), 1U);
+  EXPECT_NEAR(sparse.events[0].t, dense.events[0].t, 1e-10);
 }
 
 // Twice the unknowns take twice the memory, and the same number of iterations to 5 %.
