@@ -34,7 +34,7 @@ class EquationStepper final : public NewtonStepper<EquationStepper> {
         chains_(problem),
         powers_(powers_for(family, problem, grid)),
         equations_(problem, family, grid, options, powers_) {
-    record_history(equations_.bytes(), equations_.history_kind());
+    record_history(equations_.bytes(), equations_.history());
     if (!powers_.empty()) run_.cost().starting_weights = static_cast<int>(powers_.size());
   }
 
@@ -91,7 +91,7 @@ class EquationPredictor final : public GridStepper<EquationPredictor> {
         equations_(problem, families::trapezoid, grid, options),
         f_(Vec::Zero(y_.size())),
         f_before_(f_) {
-    record_history(equations_.bytes(), equations_.history_kind());
+    record_history(equations_.bytes(), equations_.history());
   }
 
   SolveStatus step() {

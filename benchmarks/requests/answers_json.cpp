@@ -135,7 +135,10 @@ nlohmann::ordered_json json_of(const SolveCost& cost) {
   add("rhs", of_scheme.rhs_calls);
   add("newton", of_scheme.newton_iterations);
   add_text("grid", cost.grid);
-  add_text("history", of_scheme.history);
+  if (of_scheme.history) {
+    add_text("history", name(of_scheme.history->kind));
+    if (of_scheme.history->for_memory) add_text("history_chosen_for", "memory");
+  }
   add("history_bytes", of_scheme.history_bytes);
   add("states", of_scheme.components);
   add_text("linear_solver", of_scheme.linear_solver);

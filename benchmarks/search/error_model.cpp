@@ -78,6 +78,11 @@ double misfit_of(const Coefficients& with, const Column& u, const Column& v) {
 
 }  // namespace
 
+Prediction steps_beyond(int finest, Prediction steps) {
+  for (double* of : {&steps.value, &steps.low, &steps.high}) *of = std::max(*of, finest + 1.0);
+  return steps;
+}
+
 std::optional<double> observed_rate(std::span<const TrialError> measured) {
   std::vector<ErrorSample> points;
   for (const auto& [steps, error] : measured.last(std::min(measured.size(), most_fitted)))
@@ -86,7 +91,7 @@ std::optional<double> observed_rate(std::span<const TrialError> measured) {
   return fit.points > 0 ? std::optional(fit.slope) : std::nullopt;
 }
 
-double ErrorModel::Curve::at(double n) const { return a * std::pow(n, -p) + b * std::pow(n, -q); }
+double ErrorModel::Curve::at(double x) const { return a * std::exp(-p * x) + b * std::exp(-q * x); }
 
 ErrorModel::ErrorModel(std::span<const TrialError> measured) {
   const auto points = points_of(measured);
@@ -113,10 +118,11 @@ ErrorModel::ErrorModel(std::span<const TrialError> measured) {
 }
 
 Prediction ErrorModel::error(double steps) const {
-  Prediction error{.value = curves_[best_].at(steps / scale_)};
+  const double x = std::log(steps / scale_);
+  Prediction error{.value = curves_[best_].at(x)};
   error.low = error.high = error.value;
   for (const Curve& curve : curves_) {
-    const double other = curve.at(steps / scale_);
+    const double other = curve.at(x);
     error.low = std::min(error.low, other);
     error.high = std::max(error.high, other);
   }
@@ -125,26 +131,26 @@ Prediction ErrorModel::error(double steps) const {
 
 // Newton's method in log N and log e, where a curve is nearly straight, safeguarded by a bracket.
 double ErrorModel::steps_of(const Curve& curve, double error) const {
-  constexpr double most = 1e30, stride = 32.0, close = 1e-6;
+  constexpr double most = 70.0, stride = 3.5, close = 1e-6;
   constexpr int most_steps = 60;
-  double few = 1.0, many = 1.0;  // relative to scale_
-  while (many < most && curve.at(many) > error) few = std::exchange(many, many * stride);
-  while (few > 1.0 / scale_ && curve.at(few) <= error) many = std::exchange(few, few / stride);
-  double n = many;
-  for (int i = 0; i < most_steps && many > few * (1.0 + close); ++i) {
-    const double value = curve.at(n);
-    (value > error ? few : many) = n;
-    const double slope =
-        -(curve.p * curve.a * std::pow(n, -curve.p) + curve.q * curve.b * std::pow(n, -curve.q)) / value;
-    const double next =
-        value > 0.0 && slope < 0.0 ? n * std::pow(error / value, 1.0 / slope) * (1.0 + 0.1 * close) : 0.0;
-    n = next > few && next < many ? next : std::sqrt(few * many);
+  double few = 0.0, many = 0.0;  // logarithms of N / scale_
+  while (many < most && curve.at(many) > error) few = std::exchange(many, many + stride);
+  while (few > -std::log(scale_) && curve.at(few) <= error) many = std::exchange(few, few - stride);
+  double x = many;
+  for (int i = 0; i < most_steps && many > few + close; ++i) {
+    const double first = curve.a * std::exp(-curve.p * x), second = curve.b * std::exp(-curve.q * x);
+    const double value = first + second, slope = -(curve.p * first + curve.q * second) / value;
+    (value > error ? few : many) = x;
+    const double next = x + std::log(error / value) / slope + 0.1 * close;
+    x = slope < 0.0 && next > few && next < many ? next : 0.5 * (few + many);
   }
-  return std::ceil(many * scale_);
+  return std::ceil(std::exp(many) * scale_);
 }
 
+double ErrorModel::likely_steps(double error) const { return steps_of(curves_[best_], error); }
+
 Prediction ErrorModel::steps(double error) const {
-  Prediction steps{.value = steps_of(curves_[best_], error)};
+  Prediction steps{.value = likely_steps(error)};
   steps.low = steps.high = steps.value;
   for (const Curve& curve : curves_) {
     const double other = steps_of(curve, error);

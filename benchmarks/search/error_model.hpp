@@ -18,6 +18,9 @@ struct Prediction {
   double value = 0.0, low = 0.0, high = 0.0;
 };
 
+// The prediction of a number of steps that is known to be larger than `finest`.
+Prediction steps_beyond(int finest, Prediction steps);
+
 // The observed rate: slope of the fit_rate() line through the finest five (or fewer) of these errors. nullopt
 // if too few errors are above rounding.
 std::optional<double> observed_rate(std::span<const TrialError> measured);
@@ -36,13 +39,14 @@ class ErrorModel {
   // Precondition: not empty().
   [[nodiscard]] Prediction error(double steps) const;
   [[nodiscard]] Prediction steps(double error) const;  // the smallest N with e(N) <= error
+  [[nodiscard]] double likely_steps(double error) const;  // steps(error).value
 
  private:
   struct Curve {
     double p = 0.0, q = 0.0, a = 0.0, b = 0.0;  // as a function of N / scale_
     double misfit = 0.0;                        // root mean square of the relative residuals
 
-    [[nodiscard]] double at(double n) const;
+    [[nodiscard]] double at(double x) const;  // x = log(N / scale_)
   };
   [[nodiscard]] double steps_of(const Curve& curve, double error) const;
 

@@ -7,12 +7,6 @@
 namespace fde::bench {
 namespace {
 
-// More steps than the finest run, which is outside the target.
-Prediction steps_beyond(int finest, Prediction steps) {
-  for (double* of : {&steps.value, &steps.low, &steps.high}) *of = std::max(*of, finest + 1.0);
-  return steps;
-}
-
 // Why no run is within the target.
 SearchOutcome outcome_outside(const Refinement& refinement, const ErrorTarget& target, double quickest,
                               bool has_time) {

@@ -165,14 +165,12 @@ std::optional<Shortfall> SceneLines::shortfall(const ErrorKind& kind, double acc
   const auto bound = (*best)[kind.norm == Norm::end ? "reference_bound" : "reference_bound_maximum"];
   found.is_rounding = (*best)["rounding"].value_or(0.0) >= part_of_rounding * error->error;
   if (!found.is_rounding && bound && *bound >= part_of_reference * error->error) found.known_up_to = bound;
-  for (const auto& [finest, line, errors] : forecasts) {
-    Prediction needed = errors.steps(accuracy);
-    needed.value = std::max(needed.value, finest + 1.0);
-    needed.high = std::max(needed.high, needed.value);
-    needed.low = std::max(needed.low, finest + 1.0);
-    if (found.steps_needed && needed.value >= found.steps_needed->value) continue;
-    found.steps_needed = needed;
-    found.line = line;
+  const auto fewest = std::ranges::min_element(forecasts, {}, [&](const ErrorForecast& of) {
+    return std::max(of.errors.likely_steps(accuracy), of.finest + 1.0);
+  });
+  if (fewest != forecasts.end()) {
+    found.steps_needed = steps_beyond(fewest->finest, fewest->errors.steps(accuracy));
+    found.line = fewest->line;
   }
   return found;
 }

@@ -15,7 +15,6 @@ class DirectHistory final : public History {
   }
   void push(double t, In sample) override;
   void convolve(double t, std::size_t sum, Out result) const override;
-  [[nodiscard]] HistoryKind kind() const override { return HistoryKind::direct; }
   [[nodiscard]] std::size_t bytes() const override;
   void state(Archive& archive) override;
 

@@ -49,13 +49,14 @@ StepPlan step_plan(const Grid& grid) {
   return {.end = grid.end, .min_step = grid.step(1), .uniform = grid.uniform(), .step_count = grid.steps};
 }
 
-HistoryKind resolved_kind(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
-                          double tolerance) {
-  if (kind != HistoryKind::automatic) return kind;
-  if (first_without(tables, has_exponential_sum) != nullptr) return HistoryKind::direct;
-  const auto costs = history_costs(tables, steps, achievable(tolerance));
-  return costs.direct.time_and_memory() <= costs.exponentials.time_and_memory() ? HistoryKind::direct
-                                                                                : HistoryKind::exponentials;
+ChosenHistory choose_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
+                             double tolerance) {
+  if (kind != HistoryKind::automatic) return {kind};
+  if (first_without(tables, has_exponential_sum) != nullptr) return {HistoryKind::direct};
+  const auto [direct, exponentials] = history_costs(tables, steps, achievable(tolerance));
+  if (direct.time_and_memory() <= exponentials.time_and_memory())
+    return {HistoryKind::direct, direct.time > exponentials.time};
+  return {HistoryKind::exponentials, exponentials.time > direct.time};
 }
 
 std::string_view name(HistoryKind kind) {
@@ -70,9 +71,11 @@ std::string_view name(HistoryKind kind) {
   std::abort();
 }
 
-std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
-                                      double tolerance) {
-  const bool direct = resolved_kind(kind, tables, steps, tolerance) == HistoryKind::direct;
+namespace {
+
+std::unique_ptr<History> history_of_kind(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
+                                         double tolerance) {
+  const bool direct = kind == HistoryKind::direct;
   if (!direct) refuse(first_without(tables, has_exponential_sum), "sum of exponentials");
   if (steps.uniform) {
     if (direct) return std::make_unique<DirectHistory>(tables, steps.max_steps());
@@ -83,6 +86,16 @@ std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tabl
          "form for steps that differ");
   if (direct) return std::make_unique<VariableStepDirectHistory>(tables, steps);
   return std::make_unique<VariableStepExponentialHistory>(tables, steps, achievable(tolerance));
+}
+
+}  // namespace
+
+std::unique_ptr<History> make_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
+                                      double tolerance) {
+  const ChosenHistory chosen = choose_history(kind, tables, steps, tolerance);
+  auto history = history_of_kind(chosen.kind, tables, steps, tolerance);
+  history->set_chosen(chosen);
+  return history;
 }
 
 }  // namespace fde

@@ -40,8 +40,8 @@ class History {
   // step can be rejected. Not thread-safe: the quantities of the last t are cached.
   virtual void convolve(double t, std::size_t sum, Out result) const = 0;
 
-  // direct or exponentials.
-  [[nodiscard]] virtual HistoryKind kind() const = 0;
+  [[nodiscard]] ChosenHistory chosen() const { return chosen_; }
+  void set_chosen(ChosenHistory chosen) { chosen_ = chosen; }  // by make_history
 
   // Memory for samples and weights, in bytes.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
@@ -51,6 +51,9 @@ class History {
 
  protected:
   History(const History&) = default;
+
+ private:
+  ChosenHistory chosen_{};
 };
 
 // tables[sum][i] is the weight table of component i in that sum.
@@ -71,8 +74,8 @@ StepPlan step_plan(const Grid& grid);
 // The kind that a run uses: for `automatic` the one whose time and memory history_costs estimates to be
 // smaller (HistoryCost::time_and_memory), `direct` for families without a sum of exponentials; otherwise
 // `kind`.
-HistoryKind resolved_kind(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
-                          double tolerance);
+ChosenHistory choose_history(HistoryKind kind, const WeightTables& tables, const StepPlan& steps,
+                             double tolerance);
 
 // Makes an empty history. `tolerance` bounds the relative error of each weight and is clamped to
 // [1e-16, 0.1]; `direct` uses exact weights. Throws std::invalid_argument naming the family where it has no

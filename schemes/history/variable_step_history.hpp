@@ -18,7 +18,6 @@ class VariableStepDirectHistory final : public History {
   }
   void push(double t, In sample) override;
   void convolve(double t, std::size_t sum, Out result) const override;
-  [[nodiscard]] HistoryKind kind() const override { return HistoryKind::direct; }
   [[nodiscard]] std::size_t bytes() const override;
   void state(Archive& archive) override;
 
@@ -60,7 +59,6 @@ class VariableStepExponentialHistory final : public History {
   }
   void push(double t, In sample) override;
   void convolve(double t, std::size_t sum, Out result) const override;
-  [[nodiscard]] HistoryKind kind() const override { return HistoryKind::exponentials; }
   [[nodiscard]] std::size_t bytes() const override;
   void state(Archive& archive) override;
 

@@ -69,26 +69,27 @@ class ComplexLu final : public ComplexFactors {
   Eigen::SparseLU<ComplexSparse> factors_;
 };
 
-template <class Method>
-std::unique_ptr<ComplexFactors> factors_by(const SparseMatrix& matrix, Complex factor) {
-  auto factors = std::make_unique<Method>();
+template <class Method, class... Settings>
+std::unique_ptr<ComplexFactors> factors_by(const SparseMatrix& matrix, Complex factor, Settings... settings) {
+  auto factors = std::make_unique<Method>(settings...);
   return factors->factorise(matrix, factor) ? std::move(factors) : nullptr;
 }
 
+double largest_size(const ComplexVec& x) { return std::sqrt(x.cwiseAbs2().maxCoeff()); }
+
 // Conjugate gradients for a complex symmetric matrix, with products x^T y (van der Vorst & Melissen, IEEE
-// Trans. Magn. 26 (1990)), until the preconditioned residual is below rounding of the solution. nullopt:
+// Trans. Magn. 26 (1990)), until the preconditioned residual is below `accuracy` times the solution. nullopt:
 // `left`, the number of iterations that are left, has become 0.
 template <class Multiply, class Precondition>
 std::optional<ComplexVec> by_conjugate_gradients(const ComplexVec& b, const Multiply& multiply,
-                                                 const Precondition& precondition, int& left) {
-  constexpr double rounding = 0x1p-53;
+                                                 const Precondition& precondition, double accuracy,
+                                                 int& left) {
   ComplexVec x = ComplexVec::Zero(b.size()), residual = b, direction;
   Complex before = 0.0;
   for (bool first = true; left > 0; --left, first = false) {
     ComplexVec preconditioned = residual;
     precondition(preconditioned);
-    const double largest = preconditioned.lpNorm<Eigen::Infinity>();
-    if (!(largest > rounding * x.lpNorm<Eigen::Infinity>())) return x;
+    if (!(largest_size(preconditioned) > accuracy * largest_size(x))) return x;
     const Complex now = (residual.transpose() * preconditioned).value();
     direction = first ? preconditioned : ComplexVec(preconditioned + (now / before) * direction);
     before = now;
@@ -103,6 +104,8 @@ std::optional<ComplexVec> by_conjugate_gradients(const ComplexVec& b, const Mult
 // A method whose iterations may end without the solution: another one solves from then on.
 class ComplexIterations : public ComplexFactors {
  public:
+  explicit ComplexIterations(double accuracy) : accuracy_(accuracy) {}
+
   void solve(ComplexVec& b) const final {
     if (!other_) {
       if (auto x = iterate(b)) {
@@ -127,8 +130,10 @@ class ComplexIterations : public ComplexFactors {
   [[nodiscard]] virtual std::string_view method() const = 0;
 
   void begin() { other_.reset(); }
+  [[nodiscard]] double accuracy() const { return accuracy_; }
 
  private:
+  const double accuracy_;
   mutable std::unique_ptr<ComplexFactors> other_;
 };
 
@@ -137,6 +142,7 @@ class ComplexIterations : public ComplexFactors {
 // iterations suffice.
 class ComplexCholesky final : public ComplexIterations {
  public:
+  using ComplexIterations::ComplexIterations;
   bool factorise(const SparseMatrix& matrix, Complex factor) override {
     // With fewer unknowns or entries LU takes no longer, with more unknowns conjugate gradients with sines.
     constexpr Eigen::Index fewest_unknowns = 1000, most_unknowns = 300'000, entries_of_a_line = 3;
@@ -160,7 +166,7 @@ class ComplexCholesky final : public ComplexIterations {
     int left = 60;  // as many take no less time than LU
     const auto precondition = [&](ComplexVec& x) { factors_->solve(x); };
     const auto multiply = [&](const ComplexVec& x) { return ComplexVec(x - factor_ * (matrix_ * x)); };
-    return by_conjugate_gradients(b, multiply, precondition, left);
+    return by_conjugate_gradients(b, multiply, precondition, accuracy(), left);
   }
   [[nodiscard]] std::unique_ptr<ComplexFactors> instead() const override {
     return factors_by<ComplexLu>(matrix_, factor_);
@@ -174,9 +180,11 @@ class ComplexCholesky final : public ComplexIterations {
 };
 
 // Conjugate gradients preconditioned by FastSineSolver with the mean stencil. When those for one matrix have
-// cost about as much as factors, these solve from then on.
+// cost about as much as factors, these solve from then on: real ones, which take a fifth of the memory of
+// complex ones.
 class ComplexConjugateGradients final : public ComplexIterations {
  public:
+  using ComplexIterations::ComplexIterations;
   bool factorise(const SparseMatrix& matrix, Complex factor) override {
     constexpr Eigen::Index fewest_unknowns = 2000;  // below, factors take no longer
     if (matrix.rows() < fewest_unknowns) return false;
@@ -199,10 +207,12 @@ class ComplexConjugateGradients final : public ComplexIterations {
   [[nodiscard]] std::optional<ComplexVec> iterate(const ComplexVec& b) const override {
     const auto precondition = [&](ComplexVec& x) { sines_->solve(stencil_, x); };
     return by_conjugate_gradients(
-        b, [&](const ComplexVec& x) { return product(x); }, precondition, iterations_left_);
+        b, [&](const ComplexVec& x) { return product(x); }, precondition, accuracy(), iterations_left_);
   }
   [[nodiscard]] std::unique_ptr<ComplexFactors> instead() const override {
-    return factors_by<ComplexLu>(to_sparse(matrix_), factor_);
+    const SparseMatrix matrix = to_sparse(matrix_);
+    if (auto factors = factors_by<ComplexCholesky>(matrix, factor_, accuracy())) return factors;
+    return factors_by<ComplexLu>(matrix, factor_);
   }
   [[nodiscard]] std::string_view method() const override { return "conjugate_gradients"; }
 
@@ -227,12 +237,12 @@ class ComplexConjugateGradients final : public ComplexIterations {
 
 }  // namespace
 
-std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, Complex factor, Solves solves) {
+std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, Complex factor, FactorUse use) {
   if (auto factors = factors_by<ComplexTridiagonal>(matrix, factor)) return factors;
   if (auto factors = factors_by<ComplexFastSine>(matrix, factor)) return factors;
-  if (solves == Solves::few)
-    if (auto factors = factors_by<ComplexCholesky>(matrix, factor)) return factors;
-  if (auto factors = factors_by<ComplexConjugateGradients>(matrix, factor)) return factors;
+  if (use.solves == Solves::few)
+    if (auto factors = factors_by<ComplexCholesky>(matrix, factor, use.accuracy)) return factors;
+  if (auto factors = factors_by<ComplexConjugateGradients>(matrix, factor, use.accuracy)) return factors;
   return factors_by<ComplexLu>(matrix, factor);
 }
 

@@ -32,12 +32,17 @@ class ComplexFactors {
   [[nodiscard]] virtual std::string_view name() const = 0;
 };
 
-// For how many solves factors are used: iterations with real factors take less time than complex factors for
-// a few, and more for many.
+// What factors are used for: iterations with real factors take less time than complex factors for a few
+// solves, and more for many; iterations end where the error of the solution is below `accuracy`, relative to
+// its largest entry.
 enum class Solves { few, many };
+struct FactorUse {
+  Solves solves = Solves::many;
+  double accuracy = 0x1p-53;
+};
 
 // Factors of 1 - factor * matrix; nullptr: no method is applicable.
 std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, std::complex<double> factor,
-                                                Solves solves = Solves::many);
+                                                FactorUse use = {});
 
 }  // namespace fde

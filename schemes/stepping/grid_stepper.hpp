@@ -40,9 +40,9 @@ class GridStepper : public Stepper {
       : Stepper(problem, options, grid.steps), y_(run_.start()), grid_(grid), jumps_(problem, grid) {}
   ~GridStepper() = default;
 
-  void record_history(std::size_t bytes, HistoryKind kind) {
+  void record_history(std::size_t bytes, ChosenHistory history) {
     run_.cost().history_bytes = bytes;
-    run_.cost().history = name(kind);
+    run_.cost().history = history;
   }
 
   [[nodiscard]] const Grid& grid() const { return grid_; }

@@ -64,7 +64,7 @@ class PredictorCorrector final : public GridStepper<PredictorCorrector> {
         predicted_(y_.size()),
         corrected_(y_.size()),
         taylor_(y_.size()) {
-    record_history(history_->bytes(), history_->kind());
+    record_history(history_->bytes(), history_->chosen());
     taylor_part_.at(0.0, taylor_);
   }
 

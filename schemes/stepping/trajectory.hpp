@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fdebench/schemes/history/history_kind.hpp"
 #include "fdebench/schemes/problem/problem.hpp"
 #include "fdebench/schemes/problem/vectors.hpp"
 
@@ -65,7 +66,7 @@ enum class SolveStatus {
 struct Cost {
   std::optional<std::int64_t> rhs_calls{}, newton_iterations{};
   std::optional<std::size_t> history_bytes{};
-  std::string_view history{};  // name() of the kind of a history on a grid; empty: there was none
+  std::optional<ChosenHistory> history{};  // of a run on a grid; nullopt: there was none
   // Number of components that were integrated; more than the problem has where a scheme splits orders.
   std::optional<int> components{};
   std::optional<int> starting_weights{};         // their number in every step: those of f_0, f_1, ...

@@ -60,7 +60,7 @@ void choice(benchmark::State& state, HistoryKind kind, const WeightFamily& famil
             const Grid& grid) {
   const WeightTables tables{std::vector<WeightTable>(static_cast<std::size_t>(count), {&family, order})};
   run_history(state, kind, tables, grid, full);
-  state.SetLabel(std::string(name(resolved_kind(kind, tables, step_plan(grid), full))));
+  state.SetLabel(std::string(name(choose_history(kind, tables, step_plan(grid), full).kind)));
 }
 
 // choice/<family>/<grid>/<components>/<steps>/<kind>: what `auto` takes, beside both kinds.

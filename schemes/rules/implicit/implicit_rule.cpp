@@ -27,7 +27,7 @@ class HistoryOfRows {
   }
 
   [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
-  [[nodiscard]] HistoryKind kind() const { return history_->kind(); }
+  [[nodiscard]] ChosenHistory chosen() const { return history_->chosen(); }
 
   void state(Archive& archive) { archive(history_); }
 
@@ -64,7 +64,7 @@ class ImplicitStepper final : public NewtonStepper<ImplicitStepper> {
         sample_(y_.size()),
         known_(y_.size()),
         convolved_(Vec::Zero(y_.size())) {
-    record_history(history_.bytes(), history_.kind());
+    record_history(history_.bytes(), history_.chosen());
   }
 
   SolveStatus step() {

@@ -21,7 +21,7 @@ class InterpolantStepper final : public NewtonStepper<InterpolantStepper> {
         newest_(y_.size()),
         kappa_(y_.size()),
         known_(y_.size()) {
-    record_history(interpolant_.bytes(), interpolant_.history_kind());
+    record_history(interpolant_.bytes(), interpolant_.history());
   }
 
   void finish(Trajectory& path) {

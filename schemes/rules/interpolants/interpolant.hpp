@@ -29,7 +29,7 @@ class Interpolant {
   virtual void push(int n, In increment) = 0;
 
   [[nodiscard]] virtual std::size_t bytes() const = 0;
-  [[nodiscard]] virtual HistoryKind history_kind() const = 0;
+  [[nodiscard]] virtual ChosenHistory history() const = 0;
 
   // Archives the state that depends on the increments.
   virtual void state(Archive& archive) = 0;
@@ -52,7 +52,7 @@ class SlopeHistory {
   void derivative(double t, Out result);
 
   [[nodiscard]] std::size_t bytes() const { return history_->bytes(); }
-  [[nodiscard]] HistoryKind kind() const { return history_->kind(); }
+  [[nodiscard]] ChosenHistory history() const { return history_->chosen(); }
 
   void state(Archive& archive) { archive(newest_, history_); }
 

@@ -19,7 +19,7 @@ class BackwardParabolas final : public Interpolant {
   void derivative(int n, Out known, Out newest) override;
   void push(int n, In increment) override;
   [[nodiscard]] std::size_t bytes() const override { return lines_.bytes() + second_differences_.bytes(); }
-  [[nodiscard]] HistoryKind history_kind() const override { return lines_.kind(); }
+  [[nodiscard]] ChosenHistory history() const override { return lines_.history(); }
   void state(Archive& archive) override { archive(lines_, second_differences_, increment_); }
 
  private:
@@ -40,7 +40,7 @@ class ForwardParabolas final : public Interpolant {
   void derivative(int n, Out known, Out newest) override;
   void push(int n, In increment) override;
   [[nodiscard]] std::size_t bytes() const override;
-  [[nodiscard]] HistoryKind history_kind() const override { return groups_.front().lines.kind(); }
+  [[nodiscard]] ChosenHistory history() const override { return groups_.front().lines.history(); }
   void state(Archive& archive) override;
 
  private:

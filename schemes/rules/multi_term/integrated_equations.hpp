@@ -47,7 +47,7 @@ class IntegratedEquations {
                       const Options& options, const std::vector<double>& starting_powers = {});
 
   [[nodiscard]] std::size_t bytes() const;
-  [[nodiscard]] HistoryKind history_kind() const { return history_->kind(); }
+  [[nodiscard]] ChosenHistory history() const { return history_->chosen(); }
 
   // The equations of the first steps, one for each starting power beyond the first. nullopt where
   // prepare_step(1) is false.

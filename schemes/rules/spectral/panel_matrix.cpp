@@ -89,11 +89,11 @@ class OneOrderPanelMatrix final : public PanelMatrix {
       if (!jacobians_.back().coeffs().allFinite()) return false;
     }
     middle_ = jacobians_[is_linear_ ? 0 : static_cast<std::size_t>(middle)];
-    return factors_.factorise(middle_, integrals_, unit_, is_linear_ ? Solves::few : Solves::many);
+    return factors_.factorise(middle_, integrals_, unit_,
+                              is_linear_ ? FactorUse{Solves::few} : FactorUse{.accuracy = accuracy / 10.0});
   }
 
   [[nodiscard]] Matrix solve(const Matrix& residual) const override {
-    constexpr double accuracy = 1e-6;
     constexpr Eigen::Index most_vectors = 30;
     Vec increment = residual.transpose().reshaped();
     factors_.solve(increment);
@@ -115,6 +115,8 @@ class OneOrderPanelMatrix final : public PanelMatrix {
   [[nodiscard]] std::string_view solver() const override { return factors_.method(); }
 
  private:
+  static constexpr double accuracy = 1e-6;  // of GMRES
+
   bool is_linear_;
   const Matrix& integrals_;
   double unit_ = 1.0;

@@ -91,7 +91,7 @@ class MultistepStepper final : public NewtonStepper<MultistepStepper> {
   History& history() {
     if (!history_) {
       history_ = make_history(options_.history, {tables_}, step_plan(grid()), options_.newton_tolerance);
-      record_history(history_->bytes() + correction_.bytes(), history_->kind());
+      record_history(history_->bytes() + correction_.bytes(), history_->chosen());
     }
     return *history_;
   }

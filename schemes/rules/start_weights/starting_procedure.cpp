@@ -11,6 +11,12 @@
 #include "fdebench/schemes/solvers/sparse_lu.hpp"
 
 namespace fde {
+namespace {
+
+constexpr double accuracy_of_gmres = 1e-3;
+constexpr double refined_once = 1e-9;  // a second solve with this accuracy leaves an error below rounding
+
+}  // namespace
 
 StartingProcedure::StartingProcedure(const Problem& problem, const Grid& grid, StartingEquations equations,
                                      FirstOrder first_order)
@@ -55,8 +61,9 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
   SparseMatrix buffer;
   const SparseMatrix& middle = sparse_jacobian_at(problem_, time(half), step(y, half), buffer);
   SylvesterFactors factors;
-  if (!factors.factorise(middle, weights_of_steps(), 1.0, is_linear(problem_) ? Solves::few : Solves::many))
-    return std::nullopt;
+  const FactorUse use = is_linear(problem_) ? FactorUse{Solves::few, refined_once}
+                                            : FactorUse{.accuracy = accuracy_of_gmres / 10.0};
+  if (!factors.factorise(middle, weights_of_steps(), 1.0, use)) return std::nullopt;
   double last = std::numeric_limits<double>::infinity();
   int setbacks = 0;
   for (int iteration = 1; iteration <= most_iterations && setbacks < few_setbacks; ++iteration) {
@@ -77,7 +84,6 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
 }
 
 Vec StartingProcedure::with_all_jacobians(const SylvesterFactors& factors, const Vec& y, const Vec& b) const {
-  constexpr double accuracy = 1e-3;
   constexpr Eigen::Index most_values = 1 << 23;  // of all vectors that are stored
   const auto most_vectors = std::clamp<Eigen::Index>(most_values / b.size(), 6, 30);
   const Matrix coupling = weights_of_steps().transpose();
@@ -91,7 +97,7 @@ Vec StartingProcedure::with_all_jacobians(const SylvesterFactors& factors, const
     factors.solve(rest);
     return rest;
   };
-  return gmres(apply, b, accuracy, most_vectors);
+  return gmres(apply, b, accuracy_of_gmres, most_vectors);
 }
 
 bool StartingProcedure::is_near_guess(In y, In guess, In start) const {

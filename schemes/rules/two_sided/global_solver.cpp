@@ -97,8 +97,8 @@ Trajectory solve_globally(const Problem& problem, const Grid& grid, const Option
   const auto found = solve_equations(equations, increments, run, options);
   const auto& end = found.front();
   const auto values = 8 * end.guess.y.size();  // guesses, residuals and increments
-  run.cost().history = equations.left().history_kind_name();
-  if (run.cost().history.empty()) run.cost().history = equations.right().history_kind_name();
+  run.cost().history = equations.left().history();
+  if (!run.cost().history) run.cost().history = equations.right().history();
   run.cost().history_bytes = equations.left().bytes() + equations.right().bytes() + increments.bytes() +
                              sizeof(double) * static_cast<std::size_t>(values);
   if (!end.converged) {

@@ -3,7 +3,7 @@
 
 #include <functional>
 #include <memory>
-#include <string_view>
+#include <optional>
 #include <vector>
 
 #include "fdebench/schemes/problem/problem.hpp"
@@ -52,7 +52,7 @@ class SideRule {
   [[nodiscard]] virtual std::unique_ptr<SideFactors> factors(const Matrix& jacobians) const = 0;
 
   // Of the kind of history; empty: there is none.
-  [[nodiscard]] virtual std::string_view history_kind_name() const { return {}; }
+  [[nodiscard]] virtual std::optional<ChosenHistory> history() const { return {}; }
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 
  protected:

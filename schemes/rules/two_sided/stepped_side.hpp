@@ -19,8 +19,9 @@ class SteppedSide final : public SideRule {
 
   void integrate(const Rows& f, Rows& value) const override;
   [[nodiscard]] std::unique_ptr<SideFactors> factors(const Matrix& jacobians) const override;
-  [[nodiscard]] std::string_view history_kind_name() const override {
-    return history_prototype_ ? name(history_prototype_->kind()) : std::string_view();
+  [[nodiscard]] std::optional<ChosenHistory> history() const override {
+    if (!history_prototype_) return {};
+    return history_prototype_->chosen();
   }
   [[nodiscard]] std::size_t bytes() const override {
     return history_prototype_ ? history_prototype_->bytes() : 0;

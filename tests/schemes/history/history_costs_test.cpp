@@ -28,9 +28,11 @@ WeightTables l1_of(std::size_t components) { return tables_of({&families::l1}, c
 
 StepPlan steps_of(int count, double grading = 1.0) { return step_plan({1.0, count, grading}); }
 
-HistoryKind chosen(const WeightTables& tables, const StepPlan& steps, double tolerance = full) {
-  return resolved_kind(HistoryKind::automatic, tables, steps, tolerance);
+ChosenHistory choice(const WeightTables& tables, const StepPlan& steps, double tolerance = full) {
+  return choose_history(HistoryKind::automatic, tables, steps, tolerance);
 }
+
+HistoryKind chosen(const WeightTables& tables, const StepPlan& steps) { return choice(tables, steps).kind; }
 
 TEST(HistoryCosts, GrowWithTheSquareOfTheStepsOrWithTheSteps) {
   constexpr int many = 1 << 17;
@@ -85,14 +87,14 @@ TEST(HistoryCosts, EstimateTheMemoryOfEachKind) {
 
 // A million unknowns over 40 steps: exponentials are estimated to be little quicker, and need 1.0 GB for 0.3.
 TEST(AutomaticHistory, SavesMemoryWhereThatTakesLittleTime) {
-  const auto memory_decides = [](std::size_t components, int steps) {
-    const auto costs = history_costs(l1_of(components), steps_of(steps), full);
-    return costs.exponentials.time < costs.direct.time &&
-           chosen(l1_of(components), steps_of(steps)) == HistoryKind::direct;
+  const auto choice_for = [](std::size_t components, int steps) {
+    return choice(l1_of(components), steps_of(steps));
   };
-  EXPECT_TRUE(memory_decides(1'000'000, 40));
-  EXPECT_FALSE(memory_decides(20'000, 40)) << "of small runs only the time counts";
-  EXPECT_EQ(chosen(l1_of(1'000'000), steps_of(1000)), HistoryKind::exponentials);
+  EXPECT_EQ(choice_for(1'000'000, 40).kind, HistoryKind::direct);
+  EXPECT_TRUE(choice_for(1'000'000, 40).for_memory);
+  EXPECT_FALSE(choice_for(20'000, 40).for_memory) << "of small runs only the time counts";
+  EXPECT_EQ(choice_for(1'000'000, 1000).kind, HistoryKind::exponentials);
+  EXPECT_FALSE(choice_for(1'000'000, 1000).for_memory) << "exponentials are faster too";
 }
 
 // From the first complete block on, a choice of exponentials is final: direct sums grow faster with the
@@ -151,8 +153,8 @@ TEST(AutomaticHistory, RemembersWholeOrdersInOneExponential) {
 TEST(AutomaticHistory, IsWhatTheHistoryOfARunSays) {
   for (const int steps : {16, 512}) {
     for (const auto kind : {HistoryKind::automatic, HistoryKind::direct, HistoryKind::exponentials}) {
-      EXPECT_EQ(make_history(kind, l1_of(2), steps_of(steps), full)->kind(),
-                resolved_kind(kind, l1_of(2), steps_of(steps), full));
+      EXPECT_EQ(make_history(kind, l1_of(2), steps_of(steps), full)->chosen().kind,
+                choose_history(kind, l1_of(2), steps_of(steps), full).kind);
     }
   }
 }

@@ -39,7 +39,7 @@ TEST(ComplexFactors, OfAMediumAreRealOnesForAFewSolves) {
   for (const double size : {1e-6, 1e-3, 1.0}) {
     for (const double angle : {-1.2, 0.1, 1.0, 1.5}) {
       const auto factor = std::polar(size, angle);
-      const auto few = complex_factors(a, factor, Solves::few), many = complex_factors(a, factor);
+      const auto few = complex_factors(a, factor, {Solves::few}), many = complex_factors(a, factor);
       ASSERT_TRUE(few && many) << factor;
       ComplexVec by_few = b, by_many = b;
       few->solve(by_few);
@@ -60,7 +60,7 @@ TEST(ComplexFactors, AreComplexWhereRealOnesDoNotApply) {
   other.makeCompressed();
   for (const SparseMatrix& a : {growing, other}) {
     const std::complex<double> factor{0.1, 0.2};
-    const auto factors = complex_factors(a, factor, Solves::few);
+    const auto factors = complex_factors(a, factor, {Solves::few});
     ASSERT_TRUE(factors);
     EXPECT_EQ(factors->name(), "lu");
     ComplexVec x = scattered(a.rows());
