@@ -55,6 +55,11 @@ TEST(SearchOverGrids, FindsTheFewestSteps) {
   expect_the_fewest_steps({"damped_oscillator", {Norm::end, Scale::mixed}, 1e-4});
 }
 
+double median(std::vector<double> of) {
+  std::ranges::nth_element(of, of.begin() + std::ssize(of) / 2);
+  return of[of.size() / 2];
+}
+
 // The error model of five runs predicts the error of a run between the last two. A single error may be small
 // by chance, so the median over all schemes is compared.
 TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
@@ -72,21 +77,20 @@ TEST_P(SearchFor, KnowsErrorsBetweenTheRunsItHasMade) {
     if (const ErrorModel model(known); !model.empty()) ratios.push_back(model.error(181).value / error(181));
   }
   ASSERT_GE(ratios.size(), 8U);
-  std::ranges::nth_element(ratios, ratios.begin() + std::ssize(ratios) / 2);
-  EXPECT_NEAR(ratios[ratios.size() / 2], 1.0, 0.1) << testing::PrintToString(ratios);
+  EXPECT_NEAR(median(ratios), 1.0, 0.1) << testing::PrintToString(ratios);
 }
 
-// The error of the best run is predicted by the runs with fewer steps.
+// The errors of the best runs are predicted by the runs with fewer steps. Which schemes come within the
+// accuracy before another is much quicker depends on their times, so the median is compared here, too.
 TEST(SearchOverGrids, PredictsTheErrorsThatItFinds) {
   const SearchCase asked{"distributed_relaxation", {Norm::maximum, Scale::mixed}, 1e-4};
-  int predictions = 0;
+  std::vector<double> ratios;
   for (const auto& configuration : found_for(make_scene(parse_variant(asked.scene)), asked)) {
-    if (configuration.outcome != SearchOutcome::accuracy_reached || !configuration.predicted) continue;
-    EXPECT_NEAR(configuration.predicted->value / configuration.best.error().value, 1.0, 0.3)
-        << configuration.names.front();
-    ++predictions;
+    if (configuration.outcome == SearchOutcome::accuracy_reached && configuration.predicted)
+      ratios.push_back(configuration.predicted->value / configuration.best.error().value);
   }
-  EXPECT_GT(predictions, 0);
+  ASSERT_FALSE(ratios.empty());
+  EXPECT_NEAR(median(ratios), 1.0, 0.2) << testing::PrintToString(ratios);
 }
 
 // Each scheme that is called slower has a run outside the accuracy that takes longer than the best one.
