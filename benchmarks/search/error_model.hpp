@@ -38,7 +38,7 @@ class ErrorModel {
 
   // Precondition: not empty().
   [[nodiscard]] Prediction error(double steps) const;
-  [[nodiscard]] Prediction steps(double error) const;  // the smallest N with e(N) <= error
+  [[nodiscard]] Prediction steps(double error) const;     // the smallest N with e(N) <= error
   [[nodiscard]] double likely_steps(double error) const;  // steps(error).value
 
  private:
