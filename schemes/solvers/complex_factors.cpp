@@ -180,8 +180,7 @@ class ComplexCholesky final : public ComplexIterations {
 };
 
 // Conjugate gradients preconditioned by FastSineSolver with the mean stencil. When those for one matrix have
-// cost about as much as factors, these solve from then on: real ones, which take a fifth of the memory of
-// complex ones.
+// cost about as much as factors, these solve from then on.
 class ComplexConjugateGradients final : public ComplexIterations {
  public:
   using ComplexIterations::ComplexIterations;
@@ -210,9 +209,7 @@ class ComplexConjugateGradients final : public ComplexIterations {
         b, [&](const ComplexVec& x) { return product(x); }, precondition, accuracy(), iterations_left_);
   }
   [[nodiscard]] std::unique_ptr<ComplexFactors> instead() const override {
-    const SparseMatrix matrix = to_sparse(matrix_);
-    if (auto factors = factors_by<ComplexCholesky>(matrix, factor_, accuracy())) return factors;
-    return factors_by<ComplexLu>(matrix, factor_);
+    return factors_by<ComplexLu>(to_sparse(matrix_), factor_);
   }
   [[nodiscard]] std::string_view method() const override { return "conjugate_gradients"; }
 

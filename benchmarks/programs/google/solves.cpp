@@ -67,7 +67,8 @@ void solve_large(benchmark::State& state, const std::string& variant, const Sche
 void register_large() {
   for (const std::string& variant :
        std::vector<std::string>{"fractional_diffusion_2d:n=100", "fractional_diffusion_2d:n=100,medium=wave",
-                                "fractional_diffusion:components=10000", "fractional_allen_cahn:n=10000"}) {
+                                "fractional_diffusion:components=10000", "fractional_allen_cahn:n=10000",
+                                "fractional_allen_cahn:domain=square,n=100"}) {
     for (const auto& scheme : schemes()) {
       const bool has_start_weights = scheme.starting_powers && !scheme.capabilities.discretises_equations;
       if (scheme.id != "l1" && !has_start_weights) continue;

@@ -92,13 +92,15 @@ class SparseStageMatrix final : public StageMatrix {
 
 // The iteration matrix of a step where all components have one order, hence the same weights K, and df/dy = A
 // is sparse: Y - A Y K^T = B, Y and B with one column a stage. For all orders up to 1, K has one real
-// eigenvalue and one complex pair, and their real parts are positive (Hairer & Wanner, section IV.8).
+// eigenvalue and one complex pair, and their real parts are positive (Hairer & Wanner, section IV.8). The
+// next iteration corrects what a solve leaves, so increments need few digits.
 class DecoupledStageMatrix final : public StageMatrix {
  public:
   explicit DecoupledStageMatrix(const Problem& problem) : problem_(problem) {}
 
   void factorise(Run& /*run*/, double t, In y, In /*f*/, const StageWeights& weights) override {
-    solvable_ = factors_.factorise(sparse_jacobian_at(problem_, t, y, jacobian_), weights.front());
+    solvable_ = factors_.factorise(sparse_jacobian_at(problem_, t, y, jacobian_), weights.front(), 1.0,
+                                   {Solves::few, accuracy_of_increments});
   }
   void solve(Vec& b) const override {
     if (solvable_) {
@@ -110,6 +112,8 @@ class DecoupledStageMatrix final : public StageMatrix {
   [[nodiscard]] std::string_view solver() const override { return factors_.method(); }
 
  private:
+  static constexpr double accuracy_of_increments = 1e-6;
+
   const Problem& problem_;
   SparseMatrix jacobian_;
   SylvesterFactors factors_;

@@ -90,7 +90,7 @@ class OneOrderPanelMatrix final : public PanelMatrix {
     }
     middle_ = jacobians_[is_linear_ ? 0 : static_cast<std::size_t>(middle)];
     return factors_.factorise(middle_, integrals_, unit_,
-                              is_linear_ ? FactorUse{Solves::few} : FactorUse{.accuracy = accuracy / 10.0});
+                              is_linear_ ? FactorUse{Solves::few} : FactorUse{Solves::few, accuracy / 10.0});
   }
 
   [[nodiscard]] Matrix solve(const Matrix& residual) const override {

@@ -62,7 +62,7 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
   const SparseMatrix& middle = sparse_jacobian_at(problem_, time(half), step(y, half), buffer);
   SylvesterFactors factors;
   const FactorUse use = is_linear(problem_) ? FactorUse{Solves::few, refined_once}
-                                            : FactorUse{.accuracy = accuracy_of_gmres / 10.0};
+                                            : FactorUse{Solves::few, accuracy_of_gmres / 10.0};
   if (!factors.factorise(middle, weights_of_steps(), 1.0, use)) return std::nullopt;
   double last = std::numeric_limits<double>::infinity();
   int setbacks = 0;

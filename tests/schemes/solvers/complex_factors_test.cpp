@@ -52,6 +52,25 @@ TEST(ComplexFactors, OfAMediumAreRealOnesForAFewSolves) {
   }
 }
 
+TEST(ComplexFactors, SolveAsAccuratelyAsTheirUseNeeds) {
+  const SparseMatrix a = matrix_of_medium();
+  const ComplexVec b = scattered(a.rows());
+  for (const double angle : {1.0, 1.5}) {
+    const auto factor = std::polar(0.01, angle);
+    ComplexVec exact = b;
+    complex_factors(a, factor)->solve(exact);
+    double last = 1.0;
+    for (const double accuracy : {1e-3, 1e-6, 1e-9}) {
+      ComplexVec x = b;
+      complex_factors(a, factor, {Solves::few, accuracy})->solve(x);
+      const double error = (x - exact).lpNorm<Eigen::Infinity>() / exact.lpNorm<Eigen::Infinity>();
+      EXPECT_LT(error, accuracy) << factor;
+      EXPECT_LT(error, 0.1 * last) << factor;
+      last = error;
+    }
+  }
+}
+
 // A growing mode makes the real matrix indefinite, and another entry makes it unsymmetric.
 TEST(ComplexFactors, AreComplexWhereRealOnesDoNotApply) {
   SparseMatrix growing = matrix_of_medium(), other = growing;
