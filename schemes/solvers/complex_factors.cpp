@@ -11,6 +11,7 @@
 #include "fdebench/schemes/solvers/cholesky_factors.hpp"
 #include "fdebench/schemes/solvers/fast_sine_solver.hpp"
 #include "fdebench/schemes/solvers/tridiagonal.hpp"
+#include "fdebench/schemes/solvers/unit_of.hpp"
 
 namespace fde {
 namespace {
@@ -108,8 +109,9 @@ class ComplexIterations : public ComplexFactors {
 
   void solve(ComplexVec& b) const final {
     if (!other_) {
-      if (auto x = iterate(b)) {
-        b = std::move(*x);
+      const double unit = unit_of(b);
+      if (const auto x = iterate(b / unit)) {
+        b = unit * *x;
         return;
       }
       other_ = instead();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "fdebench/schemes/solvers/unit_of.hpp"
+
 namespace fde {
 namespace {
 
@@ -112,14 +114,15 @@ void ConjugateGradients::factorise_by_cholesky() const {
 bool ConjugateGradients::iterate(Vec& b) const {
   constexpr double rounding = 0x1p-53;
   x_ = Vec::Zero(b.size());
-  residual_ = scale_.cwiseProduct(b);
+  const double unit = unit_of(b);
+  residual_ = scale_.cwiseProduct(b / unit);
   double before = 0.0;
   for (; iterations_ < factorisation_cost_; ++iterations_) {
     preconditioned_ = residual_;
     sines_->solve(stencil_, preconditioned_);
     const double largest = scale_.cwiseProduct(preconditioned_).lpNorm<Eigen::Infinity>();
     if (!(largest > rounding * scale_.cwiseProduct(x_).lpNorm<Eigen::Infinity>())) {
-      b = scale_.cwiseProduct(x_);
+      b = unit * scale_.cwiseProduct(x_);
       return true;
     }
     const double now = residual_.dot(preconditioned_);

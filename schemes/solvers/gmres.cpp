@@ -5,6 +5,7 @@
 #include <unsupported/Eigen/IterativeSolvers>
 
 #include "fdebench/schemes/problem/progress/progress.hpp"
+#include "fdebench/schemes/solvers/unit_of.hpp"
 
 namespace fde {
 class LinearOperator;
@@ -62,6 +63,7 @@ namespace fde {
 
 Vec gmres(const std::function<Vec(const Vec&)>& apply, const Vec& b, double tolerance, Eigen::Index most) {
   const LinearOperator matrix(apply, b.size());
+  const double unit = unit_of(b);
   const Eigen::Index applications = std::min(most, b.size());
   // Eigen sets all its vectors to 0 before the first application, which can take longer than the solution:
   // few vectors are tried first.
@@ -71,8 +73,8 @@ Vec gmres(const std::function<Vec(const Vec&)>& apply, const Vec& b, double tole
     solver.set_restart(vectors);
     solver.setMaxIterations(vectors);
     solver.setTolerance(tolerance);
-    Vec x = solver.solve(b);
-    if (vectors == applications || solver.info() == Eigen::Success) return x;
+    const Vec x = solver.solve(b / unit);
+    if (vectors == applications || solver.info() == Eigen::Success) return unit * x;
     vectors = applications;
   }
 }

@@ -71,6 +71,20 @@ TEST(ComplexFactors, SolveAsAccuratelyAsTheirUseNeeds) {
   }
 }
 
+// Squares of such numbers are 0 or infinite.
+TEST(ComplexFactors, SolveForRightHandSidesOfAnySize) {
+  const SparseMatrix a = matrix_of_medium();
+  const ComplexVec b = scattered(a.rows());
+  const auto factors = complex_factors(a, {0.1, 0.2}, {Solves::few});
+  ComplexVec x = b;
+  factors->solve(x);
+  for (const double size : {0x1p-600, 0x1p600}) {
+    ComplexVec scaled = size * b;
+    factors->solve(scaled);
+    EXPECT_EQ(scaled, size * x) << size;
+  }
+}
+
 // A growing mode makes the real matrix indefinite, and another entry makes it unsymmetric.
 TEST(ComplexFactors, AreComplexWhereRealOnesDoNotApply) {
   SparseMatrix growing = matrix_of_medium(), other = growing;

@@ -84,6 +84,21 @@ TEST_P(Coefficients, AreSolvedAsWellAsByFactors) {
   EXPECT_LT(error(x), 2e-12);
 }
 
+// Squares of such numbers are 0 or infinite.
+TEST_P(Coefficients, AreSolvedForRightHandSidesOfAnySize) {
+  const SparseMatrix a = matrix(90, 70);
+  Vec x = load(a.rows());
+  ConjugateGradients solver(a);
+  ASSERT_TRUE(solver.factorise(a));
+  solver.solve(x);
+  for (const double size : {0x1p-600, 0x1p600}) {
+    Vec scaled = size * load(a.rows());
+    ASSERT_TRUE(solver.factorise(a));
+    solver.solve(scaled);
+    EXPECT_EQ(scaled, size * x) << size;
+  }
+}
+
 TEST(ConjugateGradients, GiveWayToFactorsWhenTheseWouldHaveCostLess) {
   const SparseMatrix a = step_matrix(60, 60, 0.03, smooth, none);
   ConjugateGradients solver(a);

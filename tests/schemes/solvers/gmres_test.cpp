@@ -41,6 +41,14 @@ TEST(Gmres, TheIdentityTakesOneApplicationAndZeroNone) {
   EXPECT_EQ(gmres(apply, Vec::Zero(50), 1e-12, 20), Vec::Zero(50));
 }
 
+// Squares of such numbers are 0 or infinite.
+TEST(Gmres, SolvesForRightHandSidesOfAnySize) {
+  const Matrix a = some_matrix(40);
+  const auto apply = [&](const Vec& v) -> Vec { return a * v; };
+  const Vec b = a * Vec::Ones(40), x = gmres(apply, b, 1e-12, 40);
+  for (const double size : {0x1p-600, 0x1p600}) EXPECT_EQ(gmres(apply, size * b, 1e-12, 40), size * x);
+}
+
 TEST(Gmres, StopsAtTheApplicationsAllowed) {
   const Matrix a = some_matrix(40);
   const Vec x = gmres([&](const Vec& v) -> Vec { return a * v; }, a* Vec::Ones(40), 1e-14, 5);
