@@ -25,8 +25,9 @@ StartingCorrection::StartingCorrection(const std::vector<WeightTable>& tables,
   }
   near_ = static_cast<int>(of_orders_.front()->tabulated.rows());
   one_column_a_row_ = tables_.size() > 1 || tables.size() < many;
+  if (tables.size() < many) block_ = 4 * lanes;
   f_.setZero(rounded_up(std::ssize(tables)), std::ssize(powers));
-  sums_.setZero(f_.rows(), block);
+  sums_.setZero(f_.rows(), block_);
 }
 
 Matrix StartingCorrection::first_weights(std::size_t table) const {
@@ -45,7 +46,7 @@ void StartingCorrection::push(In f) {
 }
 
 void StartingCorrection::add(int n, Out sums) {
-  const int first = n - static_cast<int>((n - 1) % block);
+  const int first = n - static_cast<int>((n - 1) % block_);
   if (first != first_) compute_block(first);
   const double* const of_step = sums_.col(n - first).data();
   for_each_component(rows(), [&](Eigen::Index i) { sums[i] += of_step[i]; });
@@ -66,7 +67,7 @@ void StartingCorrection::compute_block(int n) {
     const auto stored = stored_rows(*of_orders_.front(), n);
     if (stored.rows() > 0) weights.topRows(stored.rows()) += stored;
     sums_.setZero();
-    multiply_add(f_.rows(), count(), block, f_, Matrix(weights.transpose()), sums_);
+    multiply_add(f_.rows(), count(), block_, f_, Matrix(weights.transpose()), sums_);
   }
 }
 
@@ -74,26 +75,26 @@ Eigen::Block<const Matrix> StartingCorrection::stored_rows(const StartingWeights
   const bool near = n <= near_;
   const Matrix& all = near ? weights.tabulated : weights.pieces[piece_].decaying;
   const Eigen::Index row = std::min(n - 1 - (near ? 0 : static_cast<Eigen::Index>(begin_)), all.rows());
-  return all.block(row, 0, std::min(all.rows() - row, block), all.cols());
+  return all.block(row, 0, std::min(all.rows() - row, block_), all.cols());
 }
 
 Matrix StartingCorrection::values(int n, Eigen::Index columns) const {
-  Matrix sums = Matrix::Zero(block, columns);
+  Matrix sums = Matrix::Zero(block_, columns);
   if (n <= near_) return sums;
   const Eigen::Index degrees = coefficients_.smooth.rows();
   const Vec x =
-      2.0 * (Vec::LinSpaced(block, n, n + static_cast<double>(block - 1)).array() - begin_) / begin_ - 1.0;
-  Matrix polynomials(block, degrees);
+      2.0 * (Vec::LinSpaced(block_, n, n + static_cast<double>(block_ - 1)).array() - begin_) / begin_ - 1.0;
+  Matrix polynomials(block_, degrees);
   polynomials.col(0).setOnes();
   polynomials.col(1) = x;
   for (Eigen::Index k = 2; k < degrees; ++k)
     polynomials.col(k) = 2.0 * x.cwiseProduct(polynomials.col(k - 1)) - polynomials.col(k - 2);
-  multiply_add(block, degrees, columns, polynomials, coefficients_.smooth, sums);
+  multiply_add(block_, degrees, columns, polynomials, coefficients_.smooth, sums);
   if (coefficients_.alternating.size() > 0) {
-    for (Eigen::Index k = 0; k < block; ++k) {
+    for (Eigen::Index k = 0; k < block_; ++k) {
       if ((n + k) % 2 != 0) polynomials.row(k) *= -1.0;
     }
-    multiply_add(block, degrees, columns, polynomials, coefficients_.alternating, sums);
+    multiply_add(block_, degrees, columns, polynomials, coefficients_.alternating, sums);
   }
   return sums;
 }

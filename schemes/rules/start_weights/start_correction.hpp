@@ -38,7 +38,6 @@ class StartingCorrection {
   void state(Archive& archive);
 
  private:
-  static constexpr Eigen::Index block = lanes;
   using ChebyshevPiece = StartingWeights::ChebyshevPiece;
   void compute_block(int n);
   void load_piece(double n);
@@ -55,6 +54,7 @@ class StartingCorrection {
   std::vector<WeightTable> tables_;                                // each once
   std::vector<std::shared_ptr<const StartingWeights>> of_orders_;  // for each of tables_
   std::vector<std::size_t> row_;                                   // for each row its index in both
+  Eigen::Index block_ = lanes;                                     // steps whose sums are computed at once
   int near_ = 0;                                                   // K: the steps with tabulated weights
   Matrix f_;                                                       // rows, padded to whole vectors, x s
   Eigen::Index pushed_ = 0;                                        // number of columns set
@@ -63,7 +63,7 @@ class StartingCorrection {
   std::size_t piece_ = 0;                                          // its index, from step n = near_ on
   double begin_ = 0.0;                                             // first step of this piece
   int first_ = 0;                                                  // step of the block in sums_; 0: none yet
-  Matrix sums_;                                                    // rows, padded, x block
+  Matrix sums_;                                                    // rows, padded, x block_
 };
 
 }  // namespace fde
