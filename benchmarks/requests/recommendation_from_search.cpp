@@ -76,7 +76,8 @@ std::string reason_of(const SearchCandidate& of) {
 RejectedScheme rejected(const SearchCandidate& of) {
   const bool explains = of.outcome == SearchOutcome::slower || of.outcome == SearchOutcome::failed;
   const auto* run = explains ? of.refinement.finest() : finest(of);
-  RejectedScheme scheme{.finest = run != nullptr ? measured(of, *run) : unmeasured(of),
+  const bool is_solved = run != nullptr && run->seconds;
+  RejectedScheme scheme{.finest = is_solved ? measured(of, *run) : unmeasured(of),
                         .reason = reason_of(of),
                         .refused = of.outcome == SearchOutcome::refused};
   if (run != nullptr && std::isfinite(run->error().value) && !(run->error().value < run->error().baseline))

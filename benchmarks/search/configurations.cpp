@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "fdebench/schemes/stepping/rates.hpp"
 
@@ -19,13 +20,17 @@ int meeting_jumps(const Problem& problem) {
   return 1;
 }
 
-// Why the scheme does not accept the problem on few steps with this grading, or with a usual tolerance.
+// Why the scheme accepts the problem neither on few steps with this grading nor on many, as it does where a
+// delay is short, or not with a usual tolerance.
 std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem, double grading) {
-  constexpr int few_steps = 4;
+  constexpr int few_steps = 4, many_steps = 1 << 17;
   constexpr Tolerance usual{1e-6, 1e-6};
   if (scheme.capabilities.is_adaptive()) return unsupported_reason(scheme, problem, usual);
-  return unsupported_reason(scheme, problem,
-                            Grid{.end = problem.end, .steps = few_steps, .grading = grading});
+  const auto refusal_of = [&](int steps) {
+    return unsupported_reason(scheme, problem, Grid{.end = problem.end, .steps = steps, .grading = grading});
+  };
+  auto reason = refusal_of(few_steps);
+  return reason && refusal_of(many_steps) ? std::move(reason) : std::nullopt;
 }
 
 }  // namespace

@@ -51,12 +51,20 @@ std::vector<double> RunEvaluator::compared_times(const Configuration& configurat
 
 RefinementRun RunEvaluator::evaluate(const Configuration& configuration, const StepsOrTolerance& resolution,
                                      int compared, double budget) {
+  const auto* steps = std::get_if<int>(&resolution);
+  if (steps != nullptr) {  // too few, or too many
+    const Grid grid{.end = scene_.problem.end, .steps = *steps, .grading = configuration.grading};
+    if (auto reason = unsupported_reason(*configuration.scheme, scene_.problem, grid))
+      return {.resolution = resolution,
+              .steps = *steps,
+              .ending = {SolveStatus::refused, std::move(*reason)},
+              .errors = {RunError{.baseline = 0.0}}};
+  }
   const auto times = compared_times(configuration, resolution, compared);
   const SetupTime setup;
   const auto start = std::chrono::steady_clock::now();
   const auto path = solve(configuration, resolution, times, budget);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  const auto* steps = std::get_if<int>(&resolution);
   RefinementRun run{.resolution = resolution,
                     .steps = steps != nullptr ? *steps : static_cast<int>(path.steps),
                     .seconds = seconds_of_all_steps(taken.count(), path, resolution),

@@ -128,7 +128,7 @@ class Search {
     RefinementRun made = evaluated(of, resolution, comparison_times_);
     constexpr double short_run = 0.1;
     // The first solve may compute start weights; it allocates, and stores the compared values.
-    if (made.ending.kind != SolveStatus::out_of_budget &&
+    if (made.ending.kind != SolveStatus::out_of_budget && made.seconds &&
         (*made.seconds < short_run || made.setup_seconds > 0.0))
       evaluator_.time_again(of.configuration, made);
     refinements_[i].add(std::move(made));
@@ -244,7 +244,9 @@ class Search {
     candidates_[i].time = time;
     // What made this run slower or quicker than it was before makes the others of the configuration so too.
     const double factor = time.median / *best->seconds;
-    for (RefinementRun& run : refinements_[i].runs) *run.seconds *= factor;
+    for (RefinementRun& run : refinements_[i].runs) {
+      if (run.seconds) *run.seconds *= factor;
+    }
   }
 
   // Compares the best run with the reference at more times, with adaptive step size at its own steps; returns

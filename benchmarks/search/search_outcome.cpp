@@ -31,7 +31,8 @@ void conclude(SearchCandidate& of, const ErrorTarget& target, double quickest, b
   const bool is_known = of.outcome == SearchOutcome::refused || of.outcome == SearchOutcome::duplicate;
   if (is_known || of.refinement.runs.empty()) return;
   const RefinementRun& finest = *of.refinement.finest();
-  of.seconds_per_step = (*finest.seconds - finest.counted_setup()) / std::max(1, finest.steps);
+  if (finest.seconds)
+    of.seconds_per_step = (*finest.seconds - finest.counted_setup()) / std::max(1, finest.steps);
   const auto errors = doubled_errors(of.refinement, target.kind);
   of.rate = observed_rate(errors);
   if (const auto* best = quickest_within(of.refinement, target)) {

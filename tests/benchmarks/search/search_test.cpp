@@ -55,6 +55,17 @@ TEST(SearchOverGrids, FindsTheFewestSteps) {
   expect_the_fewest_steps({"damped_oscillator", {Norm::end, Scale::mixed}, 1e-4});
 }
 
+// The first grids of a search have steps longer than the delay, which no scheme takes.
+TEST(SearchOverGrids, RefinesUntilSchemesTakeTheDelay) {
+  const SearchCase asked{"delayed_logistic", {Norm::maximum, Scale::mixed}, 1e-2};
+  const Scene scene = make_scene(parse_variant(asked.scene));
+  for (const SearchCandidate& of : found_for(scene, asked)) {
+    const bool takes_delays = !of.configuration.scheme->capabilities.discretises_equations;
+    EXPECT_EQ(of.outcome == SearchOutcome::refused, !takes_delays) << of.names.front();
+  }
+  expect_the_fewest_steps(asked);
+}
+
 double median(std::vector<double> of) {
   std::ranges::nth_element(of, of.begin() + std::ssize(of) / 2);
   return of[of.size() / 2];
