@@ -100,6 +100,32 @@ void tell_rates(const Scene& scene, const Scheme& scheme, const Grid& grid, RunO
   observed.expected_rate_maximum = rate(Norm::maximum);
 }
 
+// The times of some steps of an adaptive run: between times that are the same for all runs an error may be
+// larger. A step next to an event at which y jumps is as far off as y jumps, whatever the error of its time.
+std::vector<double> own_times(const Scene& scene, const Scheme& scheme, const Resolution& resolution,
+                              Options options) {
+  constexpr int most = 256;
+  std::vector<double> taken, some;
+  if (!scene.problem.resets.empty()) return some;
+  options.output_times = {scene.problem.end};
+  options.observer = [&](double t, In) { taken.push_back(t); };
+  scheme.solve(scene.problem, resolution, options);
+  if (taken.empty()) return some;
+  for (const int step : comparison_steps(static_cast<int>(taken.size()) - 1, most))
+    some.push_back(std::min(taken[static_cast<std::size_t>(step)], scene.problem.end));
+  return some;
+}
+
+// The times at which a run is compared with the reference.
+std::vector<double> times_to_compare(const Scene& scene, const Scheme& scheme, const Resolution& resolution,
+                                     const Options& options) {
+  if (const auto* grid = std::get_if<Grid>(&resolution))
+    return comparison_times(*grid, comparison_steps_for(scene.outputs.names.size()));
+  auto times = comparison_times(scene.problem);
+  std::ranges::copy(own_times(scene, scheme, resolution, options), std::back_inserter(times));
+  return increasing(std::move(times));
+}
+
 // The steps of a run and its measures.
 struct Examined {
   std::int64_t steps = 0;
@@ -114,9 +140,7 @@ Examined solve_and_judge(const Scene& scene, MemoizedReference& reference, const
   RunObservations observed{.own = own};
   if (const auto* grid = std::get_if<Grid>(&resolution)) observed.grid = *grid;
   Options options = settings.options();
-  const int compared = comparison_steps_for(scene.outputs.names.size());
-  options.output_times =
-      observed.grid ? comparison_times(*observed.grid, compared) : comparison_times(scene.problem);
+  options.output_times = times_to_compare(scene, scheme, resolution, options);
   Options observing = options;
   Observers observers(scene, observed.grid);
   if (!observers.empty()) observing.observer = [&](double t, In y) { observers.observe(t, y); };

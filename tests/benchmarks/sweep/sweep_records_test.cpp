@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fdebench/benchmarks/records/record_text.hpp"
+#include "fdebench/benchmarks/scenes/variant.hpp"
 #include "fdebench/benchmarks/sweep/described_scene.hpp"
 #include "fdebench/benchmarks/sweep/sweep.hpp"
 #include "support/testing.hpp"
@@ -214,6 +215,18 @@ TEST(Sweeps, RecordAMissingReferenceAndGoOn) {
     EXPECT_TRUE(run["rhs_calls"]);  // needs no reference
     EXPECT_FALSE(run["error_end"]);
   }
+}
+
+// The solution changes near t = 1, far before the first time at which all runs are compared.
+TEST(Sweeps, CompareAdaptiveRunsAtTheirOwnSteps) {
+  const SceneVariant variant = parse_variant("relaxation:until=1e100");
+  const Scene scene = make_scene(variant);
+  MemoizedReference reference(scene);
+  constexpr double tolerance = 1e-6;
+  const Record run = examine(variant.key(), scene, reference, *find_scheme("radau_exponentials"),
+                             {.resolution = Tolerance{tolerance, tolerance}});
+  EXPECT_GT(*run["error_maximum"], 1e-3 * tolerance);
+  EXPECT_LT(*run["error_maximum"], 100.0 * tolerance);
 }
 
 TEST(Sweeps, RecordRefusalsAndFailuresWithTheirReason) {
