@@ -128,16 +128,16 @@ ColumnErrors column_errors(const FinishedRun& run, std::vector<std::string> name
     auto errors = rounded_errors(run.errors.run.col(static_cast<Eigen::Index>(k))),
          baselines = rounded_errors(constant.col(static_cast<Eigen::Index>(k)));
     if (can_matter(baselines, errors))
-      columns.values[std::string(baseline_measure(error_kinds[k]))] = std::move(baselines);
-    columns.values[std::string(error_measure(error_kinds[k]))] = std::move(errors);
+      columns.values.set(baseline_measure(error_kinds[k]), std::move(baselines));
+    columns.values.set(error_measure(error_kinds[k]), std::move(errors));
   }
   for (const Scale scale : error_scales) {
     const Vec& hidden = run.observed.unresolved.at(static_cast<std::size_t>(scale));
     if (hidden.size() != run.values.rows()) continue;
-    const auto& errors = columns.values[std::string(error_measure({Norm::maximum, scale}))];
+    const auto& errors = *columns.values.find(error_measure({Norm::maximum, scale}));
     auto variations = rounded_errors(hidden);
     if (!std::ranges::equal(variations, errors, std::ranges::less_equal{}))
-      columns.values[std::string(unresolved_measure(scale))] = std::move(variations);
+      columns.values.set(unresolved_measure(scale), std::move(variations));
   }
   return columns;
 }
@@ -151,8 +151,8 @@ MeasuresOfColumns measures_of_columns(const ColumnErrors& all, const std::vector
   }
   MeasuresOfColumns measures;
   const auto value = [&](std::string_view id) -> std::optional<double> {
-    const auto found = all.values.find(std::string(id));
-    return found == all.values.end() ? std::nullopt : std::optional(largest_of(found->second, places));
+    const auto* const found = all.values.find(id);
+    return found != nullptr ? std::optional(largest_of(*found, places)) : std::nullopt;
   };
   for (const ErrorKind& kind : error_kinds) {
     const auto error = value(error_measure(kind)), baseline = value(baseline_measure(kind));

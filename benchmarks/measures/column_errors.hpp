@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "fdebench/benchmarks/measures/by_quantity.hpp"
+
 namespace fde::bench {
 
 struct FinishedRun;
@@ -15,9 +17,9 @@ struct Measure;
 // The columns that the errors of a run are over, and the errors of each column alone, so that runs that were
 // judged over different columns can be compared over those that both have.
 struct ColumnErrors {
-  std::vector<std::string> names{};                     // empty: not recorded
-  bool is_part = false;                                 // the scene has other columns, too
-  std::map<std::string, std::vector<double>> values{};  // by measure, an entry a column; may be empty
+  std::vector<std::string> names{};          // empty: not recorded
+  bool is_part = false;                      // the scene has other columns, too
+  ByQuantity<std::vector<double>> values{};  // by measure, an entry a column; may be empty
 
   bool operator==(const ColumnErrors&) const = default;
 };

@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "fdebench/benchmarks/measures/by_quantity.hpp"
 #include "fdebench/benchmarks/measures/column_errors.hpp"
 #include "fdebench/benchmarks/measures/run_outcome.hpp"
 #include "fdebench/benchmarks/observers/course.hpp"
-#include "fdebench/benchmarks/records/quantity_values.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/records/scene_description.hpp"
 #include "fdebench/benchmarks/scenes/parameters.hpp"

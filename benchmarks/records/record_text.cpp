@@ -72,8 +72,8 @@ Json json_of(const ColumnErrors& columns) {
   for (const auto& [name, measures] : column_fields()) {
     std::vector<std::vector<double>> lists;
     for (const auto& measure : measures) {
-      const auto found = columns.values.find(measure);
-      lists.push_back(found == columns.values.end() ? std::vector<double>() : found->second);
+      const auto* const found = columns.values.find(measure);
+      lists.push_back(found != nullptr ? *found : std::vector<double>());
     }
     if (std::ranges::any_of(lists, [](const auto& list) { return !list.empty(); })) json[name] = lists;
   }
@@ -88,8 +88,9 @@ ColumnErrors column_errors_of(const Json& json) {
     if (lists.size() != measures.size())
       throw std::invalid_argument(fmt::format("{}: must be {} lists", name, measures.size()));
     for (std::size_t i = 0; i < lists.size(); ++i)
-      if (!lists[i].empty()) columns.values.emplace(measures[i], lists[i]);
+      if (!lists[i].empty()) columns.values.set(measures[i], lists[i]);
   }
+  columns.values.shrink();
   return columns;
 }
 
@@ -106,6 +107,7 @@ QuantityValues values_of(const Json& json) {
       throw std::invalid_argument(fmt::format("{} = {}: must be a number", quantity, value.dump()));
     values.set(quantity, value.get<double>());
   }
+  values.shrink();
   return values;
 }
 

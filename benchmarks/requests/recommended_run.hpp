@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "fdebench/benchmarks/measures/by_quantity.hpp"
 #include "fdebench/benchmarks/measures/timing_conditions.hpp"
-#include "fdebench/benchmarks/records/quantity_values.hpp"
 #include "fdebench/benchmarks/records/run_settings.hpp"
 #include "fdebench/benchmarks/scenes/parameters.hpp"
 #include "fdebench/benchmarks/search/error_model.hpp"

@@ -86,7 +86,7 @@ class Runs {
       return {.values = {}, .ending = {SolveStatus::refused, "has no theoretical rate"}};
     const Record record = examine(name_, scene_, reference_, scheme, {steps});
     Run run{.values = {{"h", record.h()}}, .ending = record.ending};
-    run.values.insert(record.values.begin(), record.values.end());
+    for (const auto& [quantity, value] : record.values) run.values.emplace(quantity, value);
     return run;
   }
 

@@ -68,7 +68,7 @@ TEST(ColumnErrors, AreRecordedOfEveryRunWithSeveralColumnsAndOfAPart) {
   const std::vector<double> ends{0.0, two.problem.end};
   const auto part = judge_columns(ends, x_only.at(ends), x_only, {}, {{two.outputs.names[0]}, true});
   EXPECT_TRUE(part.columns.is_part);
-  EXPECT_EQ(part.columns.values.at("error_end"), std::vector{0.0});
+  EXPECT_EQ(*part.columns.values.find("error_end"), std::vector{0.0});
 }
 
 }  // namespace

@@ -71,7 +71,8 @@ TEST_F(ResultsFiles, KeepEveryMemberOfARun) {
               .settings = {Tolerance{1e-6, 1e-9}, 2.5, HistoryKind::direct, 1e-8, 60.0}};
   some.ending = RunOutcome{SolveStatus::non_finite, "at step 3, t = 0.5"};
   some.ended_at = 0.5;
-  some.columns = {.names = {"x", "dx"}, .is_part = true, .values = {{"error_end", {0.25, 1e-300}}}};
+  some.columns = {.names = {"x", "dx"}, .is_part = true};
+  some.columns.values.set("error_end", {0.25, 1e-300});
   some.values.set("drift_internal", 1.0 / 3.0);
   some.values.set("expected_rate_end", -0.0);
   some.values.set("rhs_calls", 1e15);

@@ -28,8 +28,8 @@ void add(Results& results, const std::string& scheme, double seconds, const std:
   if (!is_recorded && !is_part) return;
   columns = {.names = is_part ? std::vector<std::string>{"x"} : std::vector<std::string>{"x", "Dx"},
              .is_part = is_part};
-  columns.values["error_end"] = errors;
-  columns.values["baseline_end"] = std::vector<double>(errors.size(), 1.0);
+  columns.values.set("error_end", errors);
+  columns.values.set("baseline_end", std::vector<double>(errors.size(), 1.0));
 }
 
 // Over x ours is within 1e-3 and quicker; over Dx, which the program does not print, it is not.
