@@ -54,11 +54,12 @@ RefinementRun RunEvaluator::evaluate(const Configuration& configuration, const S
   const auto* steps = std::get_if<int>(&resolution);
   if (steps != nullptr) {  // too few, or too many
     const Grid grid{.end = scene_.problem.end, .steps = *steps, .grading = configuration.grading};
-    if (auto reason = unsupported_reason(*configuration.scheme, scene_.problem, grid))
+    if (auto reason = unsupported_reason(*configuration.scheme, scene_.problem, grid)) {
       return {.resolution = resolution,
               .steps = *steps,
               .ending = {SolveStatus::refused, std::move(*reason)},
               .errors = {RunError{.baseline = 0.0}}};
+    }
   }
   const auto times = compared_times(configuration, resolution, compared);
   const SetupTime setup;
