@@ -20,8 +20,8 @@ int meeting_jumps(const Problem& problem) {
   return 1;
 }
 
-// Why the scheme accepts the problem neither on few steps with this grading nor on many, as it does where a
-// delay is short, or not with a usual tolerance.
+}  // namespace
+
 std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem, double grading) {
   constexpr int few_steps = 4, many_steps = 1 << 17;
   constexpr Tolerance usual{1e-6, 1e-6};
@@ -32,8 +32,6 @@ std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem,
   auto reason = refusal_of(few_steps);
   return reason && refusal_of(many_steps) ? std::move(reason) : std::nullopt;
 }
-
-}  // namespace
 
 std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm) {
   std::vector<double> gradings{1.0};

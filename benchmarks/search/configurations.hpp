@@ -17,6 +17,10 @@ namespace fde::bench {
 // scene's problem.
 std::vector<double> gradings_of(const Scheme& scheme, const Scene& scene, Norm norm);
 
+// Why the scheme accepts the problem neither on few steps with this grading nor on many, as it does where a
+// delay is short, or not with a usual tolerance; nullopt: it does.
+std::optional<std::string> refusal(const Scheme& scheme, const Problem& problem, double grading);
+
 // A configuration to try on a scene.
 struct ConfigurationChoice {
   Configuration configuration{};

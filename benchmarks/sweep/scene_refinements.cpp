@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "fdebench/benchmarks/search/configurations.hpp"
 #include "fdebench/schemes/stepping/rates.hpp"
 
 namespace fde::bench {
@@ -35,11 +36,23 @@ std::vector<RunSettings> settings_of(const Sweep& sweep, const Scheme& scheme, c
 
 SceneRefinements::SceneRefinements(const Sweep& sweep, const SceneSettings& scene, const Problem* problem) {
   for (const auto* scheme : sweep.schemes) {
-    for (const RunSettings& settings : settings_of(sweep, *scheme, problem))
-      add({scheme, key_of(*scheme, scene, settings), settings}, scheme->capabilities, sweep.plan);
+    for (const RunSettings& settings : settings_of(sweep, *scheme, problem)) {
+      const bool takes_many = problem != nullptr && !refusal(*scheme, *problem, settings.grading);
+      add({.solver = scheme,
+           .key = key_of(*scheme, scene, settings),
+           .settings = settings,
+           .takes_many_steps = takes_many},
+          scheme->capabilities, sweep.plan);
+    }
   }
   for (const auto& program : sweep.programs)
     add({&program, key_of(program, scene, sweep.settings), sweep.settings}, Capabilities{}, sweep.plan);
+}
+
+void SceneRefinements::add(std::size_t i, RefinementRun run) {
+  if (run.ending.kind == SolveStatus::refused && series[i].takes_many_steps)
+    run.fails_with_more_steps = false;
+  refinements_[i].add(std::move(run));
 }
 
 void SceneRefinements::add(RefinementSeries of, const Capabilities& capabilities, const SweepPlan& plan) {

@@ -20,8 +20,9 @@ struct RefinementSeries {
   RunKey key;              // of the current run
   RunSettings settings{};  // of the current run; a program's key has fewer settings
   std::vector<StepsOrTolerance> listed{};
-  bool ended = false;   // there is no further run
-  bool is_due = false;  // it has a current run
+  bool takes_many_steps = false;  // the scheme accepts the problem, perhaps not on few steps
+  bool ended = false;             // there is no further run
+  bool is_due = false;            // it has a current run
 };
 
 // All series of a scene: which run is the next of each, for a sweep and for its forecast.
@@ -33,7 +34,7 @@ class SceneRefinements {
   bool choose_next(const SweepPlan& plan);
 
   // Adds the current run of a series, measured or forecast.
-  void add(std::size_t i, RefinementRun run) { refinements_[i].add(std::move(run)); }
+  void add(std::size_t i, RefinementRun run);
 
   [[nodiscard]] bool has_runs(std::size_t i) const { return !refinements_[i].runs.empty(); }
 

@@ -95,6 +95,20 @@ TEST(Sweeps, RefineUntilTheirGoalIsReached) {
   EXPECT_THAT(steps.at("adams_pc"), ElementsAre(64, 128, 256, 512, 1024));
 }
 
+// The delay is 1/20 of the interval. The multi-term scheme takes no delay with any number of steps.
+TEST(Sweeps, RefineUntilASchemeTakesTheDelay) {
+  Sweep sweep = sweep_of_power();
+  sweep.scenes = {{&scene_factory("delayed_logistic")}};
+  sweep.schemes = {find_scheme("adams_pc"), find_scheme("multi_term_pc")};
+  sweep.plan.goal->targets = {{error_at_end, 1e-2}};
+  sweep.plan.goal->coarsest_steps = 4;
+  RecordedSweep book;
+  book.run(sweep);
+  const auto steps = book.steps();
+  EXPECT_THAT(steps.at("adams_pc"), ElementsAre(4, 8, 16, 32));
+  EXPECT_THAT(steps.at("multi_term_pc"), ElementsAre(4));
+}
+
 TEST(Sweeps, ContinuedAnywhereTakeTheRunsOfAnUninterruptedOne) {
   RecordedSweep whole;
   whole.run(sweep_of_power());
