@@ -52,14 +52,13 @@ std::vector<double> RunEvaluator::compared_times(const Configuration& configurat
 RefinementRun RunEvaluator::evaluate(const Configuration& configuration, const StepsOrTolerance& resolution,
                                      int compared, double budget) {
   const auto* steps = std::get_if<int>(&resolution);
-  if (steps != nullptr) {  // too few, or too many
-    const Grid grid{.end = scene_.problem.end, .steps = *steps, .grading = configuration.grading};
-    if (auto reason = unsupported_reason(*configuration.scheme, scene_.problem, grid)) {
-      return {.resolution = resolution,
-              .steps = *steps,
-              .ending = {SolveStatus::refused, std::move(*reason)},
-              .errors = {RunError{.baseline = 0.0}}};
-    }
+  const RunSettings settings{.resolution = resolution, .grading = configuration.grading};
+  if (auto reason = unsupported_reason(*configuration.scheme, scene_.problem,
+                                       resolution_of(settings, scene_.problem.end))) {
+    return {.resolution = resolution,
+            .steps = steps != nullptr ? *steps : 0,
+            .ending = {SolveStatus::refused, std::move(*reason)},
+            .errors = {RunError{.baseline = 0.0}}};
   }
   const auto times = compared_times(configuration, resolution, compared);
   const SetupTime setup;

@@ -236,12 +236,11 @@ class ComplexConjugateGradients final : public ComplexIterations {
 
 }  // namespace
 
-std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, Complex factor, FactorUse use) {
+std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, Complex factor, double accuracy) {
   if (auto factors = factors_by<ComplexTridiagonal>(matrix, factor)) return factors;
   if (auto factors = factors_by<ComplexFastSine>(matrix, factor)) return factors;
-  if (use.solves == Solves::few)
-    if (auto factors = factors_by<ComplexCholesky>(matrix, factor, use.accuracy)) return factors;
-  if (auto factors = factors_by<ComplexConjugateGradients>(matrix, factor, use.accuracy)) return factors;
+  if (auto factors = factors_by<ComplexCholesky>(matrix, factor, accuracy)) return factors;
+  if (auto factors = factors_by<ComplexConjugateGradients>(matrix, factor, accuracy)) return factors;
   return factors_by<ComplexLu>(matrix, factor);
 }
 

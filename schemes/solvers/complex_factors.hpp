@@ -12,7 +12,7 @@ namespace fde {
 // 1 - factor A for a real A, factorised by the first applicable method of this list, fastest first:
 //   tridiagonal          elimination without pivoting, of diagonally dominant matrices
 //   fast_sine            constant coefficients in a rectangle
-//   cholesky             for a few solves: conjugate gradients preconditioned by L D L^T of 1 - |factor| A
+//   cholesky             conjugate gradients preconditioned by L D L^T of 1 - |factor| A
 //   conjugate_gradients  other symmetric matrices of a large rectangle, preconditioned by sines
 //   lu                   L U with pivoting
 class ComplexFactors {
@@ -32,17 +32,9 @@ class ComplexFactors {
   [[nodiscard]] virtual std::string_view name() const = 0;
 };
 
-// What factors are used for: iterations with real factors take less time than complex factors for a few
-// solves, and more for many; iterations end where the error of the solution is below `accuracy`, relative to
-// its largest entry.
-enum class Solves { few, many };
-struct FactorUse {
-  Solves solves = Solves::many;
-  double accuracy = 0x1p-53;
-};
-
-// Factors of 1 - factor * matrix; nullptr: no method is applicable.
+// Factors of 1 - factor * matrix; nullptr: no method is applicable. Iterations end where the error of the
+// solution is below `accuracy`, relative to its largest entry: by default below rounding.
 std::unique_ptr<ComplexFactors> complex_factors(const SparseMatrix& matrix, std::complex<double> factor,
-                                                FactorUse use = {});
+                                                double accuracy = 0x1p-53);
 
 }  // namespace fde

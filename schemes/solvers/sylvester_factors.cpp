@@ -8,7 +8,7 @@
 
 namespace fde {
 
-bool SylvesterFactors::factorise(const SparseMatrix& a, const Matrix& k, double scale, FactorUse use) {
+bool SylvesterFactors::factorise(const SparseMatrix& a, const Matrix& k, double scale, double accuracy) {
   a_ = &a;
   if (k_.rows() != k.rows() || k_ != k) {
     const Eigen::RealSchur<Matrix> schur(k.transpose());
@@ -20,7 +20,7 @@ bool SylvesterFactors::factorise(const SparseMatrix& a, const Matrix& k, double 
   blocks_.clear();
   for (Eigen::Index c = 0; c < t_.cols(); ++c) {
     const bool pair = c + 1 < t_.cols() && t_(c + 1, c) != 0.0;
-    if (!(pair ? add_pair(t_.block<2, 2>(c, c), use) : add_real(t_(c, c)))) return false;
+    if (!(pair ? add_pair(t_.block<2, 2>(c, c), accuracy) : add_real(t_(c, c)))) return false;
     if (pair) ++c;
   }
   return true;
@@ -39,12 +39,12 @@ bool SylvesterFactors::add_real(double eigenvalue) {
 
 // For the eigenvalue l = m + i w of ((a, b), (c, d)) above the real axis q = (b, l - a), and the first row of
 // (q, q*)^-1 is (q2*, -b) / (-2 i b w); b c < 0.
-bool SylvesterFactors::add_pair(const Eigen::Matrix2d& block, FactorUse use) {
+bool SylvesterFactors::add_pair(const Eigen::Matrix2d& block, double accuracy) {
   const double b = block(0, 1), half = 0.5 * (block(0, 0) - block(1, 1));
   const double w = std::sqrt(std::abs(half * half + b * block(1, 0)));
   const std::complex<double> l{block(0, 0) - half, w}, scale{0.0, -2.0 * b * w};
   const Eigen::Vector2cd q{b, l - block(0, 0)};
-  Pair pair{complex_factors(*a_, l, use), q, Eigen::RowVector2cd{std::conj(q[1]) / scale, -b / scale}};
+  Pair pair{complex_factors(*a_, l, accuracy), q, Eigen::RowVector2cd{std::conj(q[1]) / scale, -b / scale}};
   if (pair.factors == nullptr) return false;
   blocks_.emplace_back(std::move(pair));
   return true;

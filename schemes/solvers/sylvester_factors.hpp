@@ -21,7 +21,7 @@ class SylvesterFactors {
  public:
   // For scale K in place of K; the Schur form is computed anew where K is not that of the call before.
   // Returns false where a system is singular. The matrix A must outlive the factors.
-  bool factorise(const SparseMatrix& a, const Matrix& k, double scale = 1.0, FactorUse use = {});
+  bool factorise(const SparseMatrix& a, const Matrix& k, double scale = 1.0, double accuracy = 0x1p-53);
 
   // The sign of the determinant of 1 - K x A (Kronecker product).
   [[nodiscard]] int determinant_sign() const;
@@ -42,7 +42,7 @@ class SylvesterFactors {
   };
   using Block = std::variant<std::unique_ptr<SparseFactors>, Pair>;
   bool add_real(double eigenvalue);
-  bool add_pair(const Eigen::Matrix2d& block, FactorUse use);
+  bool add_pair(const Eigen::Matrix2d& block, double accuracy);
 
   const SparseMatrix* a_ = nullptr;
   Matrix k_, q_, schur_, t_;   // t_ = scale schur_

@@ -100,7 +100,7 @@ class DecoupledStageMatrix final : public StageMatrix {
 
   void factorise(Run& /*run*/, double t, In y, In /*f*/, const StageWeights& weights) override {
     solvable_ = factors_.factorise(sparse_jacobian_at(problem_, t, y, jacobian_), weights.front(), 1.0,
-                                   {Solves::few, accuracy_of_increments});
+                                   accuracy_of_increments);
   }
   void solve(Vec& b) const override {
     if (solvable_) {

@@ -89,8 +89,8 @@ class OneOrderPanelMatrix final : public PanelMatrix {
       if (!jacobians_.back().coeffs().allFinite()) return false;
     }
     middle_ = jacobians_[is_linear_ ? 0 : static_cast<std::size_t>(middle)];
-    return factors_.factorise(middle_, integrals_, unit_,
-                              is_linear_ ? FactorUse{Solves::few} : FactorUse{Solves::few, accuracy / 10.0});
+    return is_linear_ ? factors_.factorise(middle_, integrals_, unit_)
+                      : factors_.factorise(middle_, integrals_, unit_, accuracy / 10.0);
   }
 
   [[nodiscard]] Matrix solve(const Matrix& residual) const override {

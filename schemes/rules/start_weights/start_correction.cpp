@@ -8,7 +8,8 @@
 namespace fde {
 namespace {
 
-// From this number of rows with one table on, weights are computed first and then applied to all rows.
+// From this number of rows on, a block of their sums takes memory, and with one table weights are computed
+// first and then applied to all rows.
 constexpr std::size_t many = 64;
 
 }  // namespace

@@ -61,9 +61,8 @@ std::optional<SolveStatus> StartingProcedure::iterate_decoupled(Run& run, double
   SparseMatrix buffer;
   const SparseMatrix& middle = sparse_jacobian_at(problem_, time(half), step(y, half), buffer);
   SylvesterFactors factors;
-  const FactorUse use = is_linear(problem_) ? FactorUse{Solves::few, refined_once}
-                                            : FactorUse{Solves::few, accuracy_of_gmres / 10.0};
-  if (!factors.factorise(middle, weights_of_steps(), 1.0, use)) return std::nullopt;
+  const double accuracy = is_linear(problem_) ? refined_once : accuracy_of_gmres / 10.0;
+  if (!factors.factorise(middle, weights_of_steps(), 1.0, accuracy)) return std::nullopt;
   double last = std::numeric_limits<double>::infinity();
   int setbacks = 0;
   for (int iteration = 1; iteration <= most_iterations && setbacks < few_setbacks; ++iteration) {
