@@ -31,6 +31,9 @@ constexpr double margin = 1.5;
 // The fraction of the time left that one run may take.
 constexpr double most_of_rest = 0.3;
 
+// The part of the accuracy that the bound of the reference may take. Runs must be within the rest.
+constexpr double most_unknown = 0.9;
+
 class Search {
  public:
   Search(const Scene& scene, const AccuracyTarget& target, double seconds, const SearchProgress& progress,
@@ -48,10 +51,10 @@ class Search {
   }
 
   std::vector<SearchCandidate> run() {
-    if (evaluator_.reference_bound() >= accuracy()) {
+    if (evaluator_.reference_bound() >= most_unknown * accuracy()) {
       throw std::runtime_error(
-          fmt::format("the reference is known up to {:.1e} only, which is no less than {:.1e}",
-                      evaluator_.reference_bound(), accuracy()));
+          fmt::format("the reference is known up to {:.1e} only, which is no less than {} times {:.1e}",
+                      evaluator_.reference_bound(), most_unknown, accuracy()));
     }
     set_comparison_times();
     goal_.targets = {{0, accuracy() - evaluator_.reference_bound(), at_end()}};

@@ -99,7 +99,7 @@ Best best_of_all(const Scene& scene, const AccuracyTarget& target, double most_s
 void compare(const Task& task) {
   Scene scene = make_scene(task.scene);
   const AccuracyTarget target{task.kind, task.accuracy, all_columns(scene)};
-  fmt::print("{},{},{:g},", task.scene.label(), error_measure(task.kind), task.accuracy);
+  fmt::print("\"{}\",{},{:g},", task.scene.label(), error_measure(task.kind), task.accuracy);
   std::vector<SearchCandidate> found;
   const auto start = std::chrono::steady_clock::now();
   try {
