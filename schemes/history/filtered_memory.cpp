@@ -6,7 +6,7 @@
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
 #include "fdebench/schemes/history/weights/exponential_sum.hpp"
-#include "fdebench/schemes/problem/large_pages.hpp"
+#include "fdebench/schemes/history/zero_matrix.hpp"
 #include "fdebench/schemes/problem/vectors.hpp"
 
 namespace fde {
@@ -90,10 +90,9 @@ WideFilteredMemory::WideFilteredMemory(const WeightTable& table, Eigen::Index co
     inner_.col(column).head(column) = exact.head(column).reverse();
   if (static_cast<double>(exact_lags_) < steps + 2.0) set_exponentials(table, steps + 2.0, tolerance);
   const Eigen::Index rows = rounded_up(components, tile), tiles = rows / tile;
-  allocate(samples_, tile * (exact_lags_ + block), tiles);
-  allocate(states_, tile * factors_.size(), tiles);
-  allocate(carries_, tile * factors_.size(), tiles);
-  for (Matrix* all : {&samples_, &states_, &carries_}) all->setZero();
+  make_zero(samples_, tile * (exact_lags_ + block), tiles);
+  make_zero(states_, tile * factors_.size(), tiles);
+  make_zero(carries_, tile * factors_.size(), tiles);
   current_.setZero(rows);
   if (table.order > 1.0) totals_.emplace(components);
 }

@@ -7,7 +7,7 @@
 
 #include "fdebench/schemes/history/block_kernels.hpp"
 #include "fdebench/schemes/history/weights/exponential_sum.hpp"
-#include "fdebench/schemes/problem/large_pages.hpp"
+#include "fdebench/schemes/history/zero_matrix.hpp"
 
 namespace fde {
 
@@ -38,10 +38,8 @@ KernelIntegrals::KernelIntegrals(ExponentialKernel kernel)
 
 void KernelIntegrals::begin() {
   polynomials_.setZero(3, functions_);
-  allocate(states_, kernel_.nodes.size(), functions_);
-  allocate(carries_, kernel_.nodes.size(), functions_);
-  states_.setZero();
-  carries_.setZero();
+  make_zero(states_, kernel_.nodes.size(), functions_);
+  make_zero(carries_, kernel_.nodes.size(), functions_);
 }
 
 // Steps that are equal up to rounding reactivate no exponentials.

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "fdebench/schemes/history/parallel_for_rows.hpp"
-#include "fdebench/schemes/problem/large_pages.hpp"
+#include "fdebench/schemes/history/zero_matrix.hpp"
 
 namespace fde {
 
@@ -26,11 +26,10 @@ WideMemory::WideMemory(const MemoryTables& tables, Eigen::Index components)
   const Eigen::Index strips = rounded_up(rows, strip) / strip;
   pitch_ = std::min(rows, strip) + lanes;
   first_.setZero(rows);
-  allocate(samples_, pitch_ * (recent + block), strips);
-  allocate(sums_, pitch_ * tables_ * block, strips);
-  allocate(states_, tile * tables.exponentials, tiles);
-  allocate(carries_, tile * tables.exponentials, tiles);
-  for (Matrix* all : {&samples_, &sums_, &states_, &carries_}) all->setZero();
+  make_zero(samples_, pitch_ * (recent + block), strips);
+  make_zero(sums_, pitch_ * tables_ * block, strips);
+  make_zero(states_, tile * tables.exponentials, tiles);
+  make_zero(carries_, tile * tables.exponentials, tiles);
 }
 
 ConstBlock WideMemory::rows_of(const Matrix& all, Eigen::Index column, Eigen::Index first) const {
