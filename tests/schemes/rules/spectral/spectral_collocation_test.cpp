@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -203,6 +205,18 @@ TEST(SpectralSwitch, EndsWhereTheSolutionSlides) {
                   1e-3);
     }
   }
+}
+
+// x' = 1 and D^0.05 v = floor(x) - v: behind the switch at x = 1 the first panels, in which v changes by a
+// part of its jump, are shorter than the rounding error of t.
+TEST(SpectralSwitch, TimesIncreaseBehindIt) {
+  const Problem problem{.components = {{1.0, {0.3}}, {0.05, {0.0}}},
+                        .rhs = [](double, In y, Out f) { f << 1.0, std::floor(y[0]) - y[1]; },
+                        .end = 1.5,
+                        .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
+  const auto path = run(problem, 1e-4);
+  ASSERT_EQ(path.status, SolveStatus::finished);
+  EXPECT_EQ(std::ranges::adjacent_find(path.times, std::greater_equal<>()), path.times.end());
 }
 
 // D^g y = lambda and y = t: lambda = t^(1-g) / Gamma(2-g), Abel's equation.
