@@ -13,8 +13,9 @@ namespace fde {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double at_once = 1e-5;  // of the time: after a switch
-constexpr double part = 0.5;      // of the tolerance: a margin for errors that grow or add up
+constexpr double at_once = 1e-5;   // of the time: after a switch
+constexpr double located = 1e-13;  // of the time: the accuracy with which switches are located
+constexpr double part = 0.5;       // of the tolerance: a margin for errors that grow or add up
 
 // A function with a singularity at the distance of one panel length has Legendre coefficients like 5.8^-l: so
 // do the x_k on the panels that grow from a start, and the integrals over distant blocks.
@@ -92,9 +93,9 @@ void PanelCollocation::begin_segment() {
   const double first = start > 0.0 ? std::nextafter(start, infinity) : 0.0;
   const bool breaks = end < problem_.end || std::ranges::binary_search(problem_.jump_times, end);
   const double last = breaks ? std::nextafter(end, 0.0) : infinity;
-  solution_->segments.push_back({start, end - start, first, last});
+  solution_->segments.push_back({start, end - start, first, last, end});
   segment_ends_ = false;
-  width_ = 1.0;
+  width_ = extrapolated_length_ > 0.0 ? std::min(extrapolated_length_ / (end - start), 1.0) : 1.0;
   last_rejected_ = {0.0, 1.0, infinity};
   if (start > 0.0 && start == last_switch_time_) sides_ = switch_signs(problem_, start, result_);
   last_unknowns_ = start == 0.0 ? solver_.initial_unknowns(run_) : Vec();
@@ -104,7 +105,14 @@ void PanelCollocation::begin_segment() {
   open_.push_back({{&solution_->segments.back(), 0.0, 1.0}, std::move(nothing), std::move(before)});
 }
 
+// Ends the segment at its end, behind the last panel or before the block that was attempted.
 void PanelCollocation::end_segment_at(double t) {
+  if (!open_.empty()) {
+    Segment& ended = solution_->segments.back();
+    const TimeBlock& last = open_.back().block;
+    ended.end = t;
+    ended.end_place = panel_ ? last.from + last.width : last.from;
+  }
   close_open_blocks();
   next_start_ = std::min(t, interval_ends_.front());
   if (next_start_ == interval_ends_.front()) interval_ends_.erase(interval_ends_.begin());
@@ -160,10 +168,12 @@ std::unique_ptr<MemoryBlock> PanelCollocation::merged(const TimeBlock& block,
 std::unique_ptr<MemoryBlock> PanelCollocation::attempt_panel(const OpenBlock& open) {
   const TimeBlock& block = open.block;
   const PanelSystem task = task_on(open);
+  if (std::exchange(extrapolated_length_, 0.0) > 0.0)
+    return panel_over_switch(block, task, extrapolated_on(task));
   PanelValues solved{guess_on(task), {}};
   if (!solver_.solve(run_, task, solved) || contains_switch(block, task, solved.rows)) {
     auto panel = step_over_switch(block, task);
-    if (!panel && !failure_) {
+    if (!panel && !failure_ && !segment_ends_) {
       solver_.measure_rhs_error(run_, task, solved.rows);
       reject_panel(block, infinity);
     }
@@ -252,30 +262,47 @@ bool PanelCollocation::contains_switch(const TimeBlock& panel, const PanelSystem
   return false;
 }
 
-// Accepts a block as short as the accuracy with which switches are located, with the x_k extrapolated over
-// it; a new segment begins after it. nullptr: the block is longer, or ends on the same side. If the run
-// returns to the switch at once, or repeatedly almost at once, the solution slides along the switch and does
-// not exist beyond: the run ends.
+// Steps over a block as short as the accuracy with which switches are located. nullptr: the block is longer,
+// or ends on the same side, or the run returns at once to the switch with which its segment begins: rounding
+// may decide there on which side it is, so the segment begins again, farther behind the switch. If the run
+// returns every time, or repeatedly almost at once, the solution slides along the switch and does not exist
+// beyond: the run ends.
 std::unique_ptr<MemoryBlock> PanelCollocation::step_over_switch(const TimeBlock& block,
                                                                 const PanelSystem& task) {
-  constexpr double located = 1e-13;  // of the time
-  constexpr int most_returns = 32;
-  const double t = block.time(1.0);
+  constexpr int most_returns = 32, most_restarts = 4;
+  const double t = block.time(1.0), last = last_switch_time_;
   if (problem_.switching_functions.empty() || block.length() > located * t) return nullptr;
-  PanelValues followed{guess_on(task), {}};
-  solver_.integrate(task, followed);
+  const PanelValues followed = extrapolated_on(task);
   if (switch_signs(problem_, t, solver_.values_at(followed.rows, followed.rows.rows() - 1)) == sides_)
     return nullptr;
-  returns_to_switch_ = t - last_switch_time_ <= at_once * t ? returns_to_switch_ + 1 : 0;
-  if ((block.from == 0.0 && last_switch_time_ == block.segment->start) || returns_to_switch_ > most_returns) {
+  const bool returns = t - last <= at_once * t, at_start = t - last <= located * t;
+  returns_to_switch_ = returns ? returns_to_switch_ + 1 : 0;
+  restarts_ = returns ? restarts_ + (at_start ? 1 : 0) : 0;
+  if (returns_to_switch_ > most_returns || restarts_ > most_restarts) {
     failure_ = {t, SolveStatus::sliding};
     return nullptr;
   }
-  auto panel = panel_of(block, task, followed);
-  accept_values(task, followed);
-  last_switch_time_ = t;
+  if (!at_start) return panel_over_switch(block, task, followed);
+  extrapolated_length_ = std::ldexp(located * t, 2 * restarts_ - 2);
   segment_ends_ = true;
-  return panel;
+  return nullptr;
+}
+
+// The x_k extrapolated over a block.
+PanelValues PanelCollocation::extrapolated_on(const PanelSystem& task) {
+  PanelValues followed{guess_on(task), {}};
+  solver_.integrate(task, followed);
+  return followed;
+}
+
+// Accepts a panel behind which a new segment begins.
+std::unique_ptr<MemoryBlock> PanelCollocation::panel_over_switch(const TimeBlock& block,
+                                                                 const PanelSystem& task,
+                                                                 const PanelValues& followed) {
+  accept_values(task, followed);
+  last_switch_time_ = block.time(1.0);
+  segment_ends_ = true;
+  return panel_of(block, task, followed);
 }
 
 PanelSystem PanelCollocation::task_on(const OpenBlock& open) {

@@ -56,6 +56,9 @@ class PanelCollocation final : public Stepper {
   void accept_values(const PanelSystem& task, const PanelValues& solved);
   bool passes_over_switch(const MemoryBlock& panel, const PanelSystem& task, const Matrix& rows);
   std::unique_ptr<MemoryBlock> step_over_switch(const TimeBlock& block, const PanelSystem& task);
+  PanelValues extrapolated_on(const PanelSystem& task);
+  std::unique_ptr<MemoryBlock> panel_over_switch(const TimeBlock& block, const PanelSystem& task,
+                                                 const PanelValues& followed);
   [[nodiscard]] bool contains_switch(const TimeBlock& panel, const PanelSystem& task,
                                      const Matrix& rows) const;
   [[nodiscard]] std::unique_ptr<MemoryBlock> merged(const TimeBlock& block,
@@ -93,6 +96,8 @@ class PanelCollocation final : public Stepper {
   std::vector<bool> sides_{};             // the side of each switch on which the solution is
   double last_switch_time_ = -1.0;        // time of the last switch
   int returns_to_switch_ = 0;             // successive returns to a switch at once
+  int restarts_ = 0;                      // of a segment behind a switch, each farther behind it
+  double extrapolated_length_ = 0.0;      // of the next panel, the first of such a segment
   std::uint64_t samples_left_ = most_samples / 10;
   Vec last_unknowns_;  // at the end of the panel before; empty: not known
 };

@@ -9,12 +9,13 @@ namespace fde {
 
 namespace {
 
-// The position of a source relative to a block, exact within a segment.
+// The position of a source relative to a block, without the rounding error of a time: within a segment, and
+// where the block's segment begins at the end of the source's.
 RelativePosition position_relative_to(const TimeBlock& source, const TimeBlock& block) {
   if (source.segment == block.segment)
     return {source.width / block.width, (block.from - (source.from + source.width)) / block.width};
-  const double gap = (block.segment->start - (source.segment->start + source.segment->length)) +
-                     source.segment->length * (1.0 - (source.from + source.width)) +
+  const double gap = (block.segment->start - source.segment->end) +
+                     source.segment->length * (source.segment->end_place - (source.from + source.width)) +
                      block.segment->length * block.from;
   return {source.length() / block.length(), gap / block.length()};
 }

@@ -10,11 +10,14 @@
 
 namespace fde {
 
-// A time interval between two breaking points of a right-hand side. Its panels grow from its start.
+// A time interval between two breaking points of a right-hand side. Its panels grow from its start, up to its
+// end or a switch.
 struct Segment {
   double start, length;
   double first = 0.0;                                     // first time after the jump at its start
   double last = std::numeric_limits<double>::infinity();  // last time before the jump at its end
+  double end = start + length;                            // of its panels, where the next segment begins
+  double end_place = 1.0;                                 // the same in units of the length
 };
 
 // A part of a segment: a panel, or a block of panels. Its position is in units of the segment's length and a

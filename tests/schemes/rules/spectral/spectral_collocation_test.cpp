@@ -207,16 +207,33 @@ TEST(SpectralSwitch, EndsWhereTheSolutionSlides) {
   }
 }
 
-// x' = 1 and D^0.05 v = floor(x) - v: behind the switch at x = 1 the first panels, in which v changes by a
-// part of its jump, are shorter than the rounding error of t.
+// x' = 1 and D^g v = floor(x) - v, whose switches the solution crosses at t = 0.7, 1.7, ... Behind these,
+// panels are shorter than the rounding error of t.
+Problem staircase(double order, double end) {
+  return {.components = {{1.0, {0.3}}, {order, {0.0}}},
+          .rhs = [](double, In y, Out f) { f << 1.0, std::floor(y[0]) - y[1]; },
+          .end = end,
+          .switching_functions = {[](double, In y) { return std::sin(std::numbers::pi * y[0]); }}};
+}
+
 TEST(SpectralSwitch, TimesIncreaseBehindIt) {
-  const Problem problem{.components = {{1.0, {0.3}}, {0.05, {0.0}}},
-                        .rhs = [](double, In y, Out f) { f << 1.0, std::floor(y[0]) - y[1]; },
-                        .end = 1.5,
-                        .switching_functions = {[](double, In y) { return y[0] - 1.0; }}};
-  const auto path = run(problem, 1e-4);
+  const auto path = run(staircase(0.05, 1.5), 1e-4);
   ASSERT_EQ(path.status, SolveStatus::finished);
   EXPECT_EQ(std::ranges::adjacent_find(path.times, std::greater_equal<>()), path.times.end());
+}
+
+// v = the sum of 1 - E_g(-(t - t_i)^g) over the switches t_i before t.
+TEST(SpectralSwitch, IsCrossedAtSmallOrders) {
+  for (const double order : {0.02, 0.05, 0.1, 0.2}) {
+    double v = 0.0;
+    for (const double crossed : {0.7, 1.7, 2.7})
+      v += 1.0 - reference::mittag_leffler(order, 1.0, -std::pow(3.0 - crossed, order));
+    for (const double accuracy : {1e-4, 1e-6, 1e-9}) {
+      const auto path = run(staircase(order, 3.0), accuracy);
+      ASSERT_EQ(path.status, SolveStatus::finished) << order << ' ' << accuracy;
+      EXPECT_NEAR(path.dense_output(3.0)[1], v, accuracy) << order;
+    }
+  }
 }
 
 // D^g y = lambda and y = t: lambda = t^(1-g) / Gamma(2-g), Abel's equation.
