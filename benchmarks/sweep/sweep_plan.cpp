@@ -5,6 +5,7 @@
 #include <array>
 
 #include "fdebench/benchmarks/measures/error_kind.hpp"
+#include "fdebench/benchmarks/records/counted_error.hpp"
 
 namespace fde::bench {
 namespace {
@@ -15,17 +16,16 @@ constexpr std::array hopeless{
     OutcomeKind(Verdict::overflow),          OutcomeKind(Verdict::passed_singularity),
     OutcomeKind(Verdict::program_failed)};
 
+// With the bound of the reference: a run is within an accuracy with both.
 RunError error_of(const Record& run, Norm norm) {
   const ErrorKind kind{.norm = norm, .scale = Scale::mixed};
   RunError error;
-  error.value = run[error_measure(kind)].value_or(error.value);
-  if (norm == Norm::maximum && run[error_measure(kind)])
-    error.value = std::max(error.value, run[unresolved_measure(kind.scale)].value_or(0.0));
+  const auto counted = counted_error(run, kind);
+  if (!counted) return error;
+  error.value = counted->value + counted->reference_bound;
   error.baseline = run[baseline_measure(kind)].value_or(error.baseline);
-  const bool at_end = norm == Norm::end;
-  const auto absolute = run[at_end ? "error_end" : "error_maximum"],
-             bound = run[at_end ? "reference_bound" : "reference_bound_maximum"];
-  error.is_stagnant = (absolute && *absolute <= bound.value_or(0.0)) || (at_end && run["rounding_from"]);
+  error.is_stagnant =
+      counted->value <= counted->reference_bound || (norm == Norm::end && run["rounding_from"]);
   return error;
 }
 

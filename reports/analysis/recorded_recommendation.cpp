@@ -51,6 +51,10 @@ Recommendation recommend(const Runs& runs, const SceneSettings& scene, const Err
   }
   const auto name = [&](const RecommendedRun& of) { return names.name(of.schemes.front(), of.settings); };
   made.missing.push_back(fmt::format("best: {}: {}", name(missed->best), run_text(missed->best)));
+  if (missed->known_up_to) {
+    made.missing.push_back(
+        fmt::format("the reference is known up to {} only", error_text(*missed->known_up_to)));
+  }
   if (missed->untimed > 0) {
     made.missing.push_back(
         fmt::format("{} runs within it are not timed yet: continue the sweep", missed->untimed));

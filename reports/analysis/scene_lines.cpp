@@ -7,18 +7,12 @@
 #include <cmath>
 #include <tuple>
 
+#include "fdebench/benchmarks/records/counted_error.hpp"
 #include "fdebench/benchmarks/search/refinement.hpp"
 #include "fdebench/benchmarks/text/output_text.hpp"
 
 namespace fde::bench {
 namespace {
-
-// The error of a run; in the maximum norm at least the variation that one of its steps contains.
-std::optional<double> counted_error(const Record& run, const ErrorKind& kind) {
-  const auto error = run[error_measure(kind)];
-  if (!error || kind.norm == Norm::end) return error;
-  return std::max(*error, run[unresolved_measure(kind.scale)].value_or(0.0));
-}
 
 // nullopt if the run has no error of this kind.
 std::optional<RecommendedRun> option_of(const Record& run, const ErrorKind& kind) {
@@ -27,7 +21,7 @@ std::optional<RecommendedRun> option_of(const Record& run, const ErrorKind& kind
   RecommendedRun option{.schemes = {run.key.scheme},
                         .settings = run.key.settings,
                         .steps = run.steps,
-                        .error = *error,
+                        .error = error->value,
                         .session = run.last_session(),
                         .external = run.key.external,
                         .wall_clock = run.timing.wall_clock};
@@ -43,8 +37,12 @@ bool is_quicker(const RecommendedRun& a, const RecommendedRun& b) {
   return std::tie(a.time.median, a.error) < std::tie(b.time.median, b.error);
 }
 
-// Whether the run is better than the baseline: the baseline's error is recorded only if it is not.
-bool counts(const Record& run, const ErrorKind& kind) { return !run[baseline_measure(kind)]; }
+// Whether the run is within the accuracy and better than the baseline, whose error is recorded only if it is
+// not.
+bool is_within(const Record& run, const ErrorKind& kind, double accuracy) {
+  const auto error = counted_error(run, kind);
+  return error && error->is_within(accuracy) && !run[baseline_measure(kind)];
+}
 
 // The errors with fewer than `below` steps; empty with adaptive step size, which has no rate.
 std::vector<TrialError> errors_of(RunSpan line, const ErrorKind& kind, int below) {
@@ -60,8 +58,9 @@ std::vector<TrialError> errors_of(RunSpan line, const ErrorKind& kind, int below
 std::optional<RecommendedRun> quickest_within(RunSpan line, const ErrorKind& kind, double accuracy) {
   std::optional<RecommendedRun> best;
   for (const Record& run : line) {
+    if (!is_within(run, kind, accuracy)) continue;
     const auto option = option_of(run, kind);
-    if (!option || option->error > accuracy || !is_timed(*option) || !counts(run, kind)) continue;
+    if (!is_timed(*option)) continue;
     if (!best || is_quicker(*option, *best)) best = option;
   }
   return best;
@@ -105,8 +104,7 @@ std::vector<NamedLine> named_lines(RunSpan runs) {
 
 std::size_t count_untimed(RunSpan runs, const ErrorKind& kind, double accuracy) {
   return static_cast<std::size_t>(std::ranges::count_if(runs, [&](const Record& run) {
-    const auto option = option_of(run, kind);
-    return option && option->error <= accuracy && counts(run, kind) && !is_timed(*option);
+    return is_within(run, kind, accuracy) && !is_timed(*option_of(run, kind));
   }));
 }
 
@@ -157,14 +155,20 @@ std::vector<ErrorForecast> SceneLines::forecasts(const ErrorKind& kind) const {
 std::optional<Shortfall> SceneLines::shortfall(const ErrorKind& kind, double accuracy,
                                                std::span<const ErrorForecast> forecasts) const {
   constexpr double part_of_rounding = 0.25, part_of_reference = 0.1;
-  const auto best = std::ranges::min_element(
-      runs_, {}, [&](const Record& run) { return counted_error(run, kind).value_or(INFINITY); });
-  const auto error = best == runs_.end() ? std::nullopt : option_of(*best, kind);
-  if (!error) return std::nullopt;
-  Shortfall found{.best = *error, .untimed = count_untimed(runs_, kind, accuracy)};
-  const auto bound = (*best)[kind.norm == Norm::end ? "reference_bound" : "reference_bound_maximum"];
-  found.is_rounding = (*best)["rounding"].value_or(0.0) >= part_of_rounding * error->error;
-  if (!found.is_rounding && bound && *bound >= part_of_reference * error->error) found.known_up_to = bound;
+  const auto error_of = [&](const Record& run) {
+    return counted_error(run, kind).value_or(CountedError{INFINITY, 0.0});
+  };
+  const auto best =
+      std::ranges::min_element(runs_, {}, [&](const Record& run) { return error_of(run).value; });
+  if (best == runs_.end() || !counted_error(*best, kind)) return std::nullopt;
+  const CountedError error = error_of(*best);
+  Shortfall found{.best = *option_of(*best, kind), .untimed = count_untimed(runs_, kind, accuracy)};
+  found.is_no_better = found.untimed == 0 && error.is_within(accuracy);
+  found.is_rounding =
+      error.value > accuracy && (*best)["rounding"].value_or(0.0) >= part_of_rounding * error.value;
+  if (!found.is_rounding && error.reference_bound >= part_of_reference * error.value)
+    found.known_up_to = error.reference_bound;
+  if (error.reference_bound >= accuracy) return found;
   const auto fewest = std::ranges::min_element(forecasts, {}, [&](const ErrorForecast& of) {
     return std::max(of.errors.likely_steps(accuracy), of.finest + 1.0);
   });

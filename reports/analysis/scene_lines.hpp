@@ -24,6 +24,7 @@ struct Shortfall {
   std::optional<Prediction> steps_needed{};  // predicted for `line`, the line that needs the fewest
   RecommendedRun line{};
   std::size_t untimed = 0;              // runs within the accuracy that are not timed yet
+  bool is_no_better = false;            // no better than a constant, within the accuracy
   bool is_rounding = false;             // the smallest error is rounding error
   std::optional<double> known_up_to{};  // otherwise the bound of the reference, where it explains that error
 };

@@ -58,10 +58,10 @@ json winner(const PageInput& page, const SceneSettings& scene, std::span<const R
 }
 
 // The best that there is if no run is within the accuracy, and why that is no better.
-json shortfall(const PageInput& page, const Shortfall& missed, double accuracy) {
+json shortfall(const PageInput& page, const Shortfall& missed) {
   json row{{"best", repeatable(page, missed.best)},
            {"untimed", missed.untimed > 0},
-           {"is_no_better", missed.untimed == 0 && missed.best.error <= accuracy},  // than a constant
+           {"is_no_better", missed.is_no_better},
            {"is_rounding", missed.is_rounding},
            {"known_up_to", fact(missed.known_up_to)}};
   if (const auto& needed = missed.steps_needed) {
@@ -80,7 +80,7 @@ json answer(const PageInput& page, const SceneSettings& scene, const SceneLines&
   if (const auto ranked = lines.within(kind, accuracy); !ranked.empty())
     return winner(page, scene, ranked, kind);
   const auto missed = lines.shortfall(kind, accuracy, forecasts);
-  return missed ? shortfall(page, *missed, accuracy) : json::object();
+  return missed ? shortfall(page, *missed) : json::object();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "fdebench/benchmarks/records/counted_error.hpp"
 #include "fdebench/benchmarks/records/default_accuracies.hpp"
 #include "fdebench/reports/analysis/compared_columns.hpp"
 #include "fdebench/reports/page/facts.hpp"
@@ -57,9 +58,9 @@ class Codes {
 const Record* quickest(const CodeRuns& code, const ErrorKind& kind, double accuracy) {
   const Record* best = nullptr;
   for (const auto* run : code.finished) {
-    const auto error = (*run)[error_measure(kind)];
+    const auto error = counted_error(*run, kind);
     const auto time = time_of(*run);
-    if (!error || *error > accuracy || !time) continue;
+    if (!error || !error->is_within(accuracy) || !time) continue;
     if (best == nullptr || time->median < time_of(*best)->median) best = run;
   }
   return best;

@@ -52,6 +52,25 @@ TEST(Options, PreferTheSmallerErrorAtEqualTimes) {
   EXPECT_EQ(ranked[0].schemes.front(), "l1");
 }
 
+// The record has the bound of the absolute error, 1e-5; the mixed error is half of the absolute error here.
+TEST(Options, AreWithinTheAccuracyWithTheBoundOfTheReference) {
+  Results results = empty_results();
+  const SyntheticRun run{"pendulum", "l1", 64};
+  add_run(results, run, 9e-5, 1.0);
+  add_value(results, run, "error_end_mixed", 4.5e-5);
+  add_value(results, run, "reference_bound", 1e-5);
+  EXPECT_EQ(within(results, 1.01e-4).size(), 1);
+  EXPECT_TRUE(within(results, 0.99e-4).empty());
+  const Runs runs = runs_of(results);
+  const SceneLines lines(runs, {"pendulum"});
+  EXPECT_EQ(lines.within({Norm::end, Scale::mixed}, 5.01e-5).size(), 1);
+  EXPECT_TRUE(lines.within({Norm::end, Scale::mixed}, 4.99e-5).empty());
+  const auto missed = lines.shortfall(at_end, 0.99e-4, {});
+  ASSERT_TRUE(missed);
+  EXPECT_EQ(missed->known_up_to, 1e-5);
+  EXPECT_FALSE(missed->is_no_better);
+}
+
 TEST(Options, CountARunMeasuredAgainWithItsLastSession) {
   Results results = empty_results();
   add_run(results, {"pendulum", "l1", 64}, 1e-3, 1.0);
