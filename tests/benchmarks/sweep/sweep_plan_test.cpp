@@ -22,7 +22,10 @@ namespace {
 TEST(Runs, AreAtTheFloorOfRoundingOrOfTheReference) {
   const auto run = [](const std::map<std::string, double>& values) {
     Record recorded{.key = {.settings = {64}}};
-    for (const auto& [quantity, value] : values) recorded.values.set(quantity, value);
+    for (const auto& [quantity, value] : values) {
+      recorded.values.set(quantity, value);
+      if (quantity.starts_with("error_")) recorded.values.set(quantity + "_mixed", value);
+    }
     return refinement_run(recorded);
   };
   const auto stagnates = [&](std::size_t kind, const std::map<std::string, double>& values) {
@@ -33,6 +36,7 @@ TEST(Runs, AreAtTheFloorOfRoundingOrOfTheReference) {
   EXPECT_TRUE(stagnates(error_at_end, {{"error_end", 1e-9}, {"rounding_from", 3.0}}));
   EXPECT_FALSE(stagnates(error_maximum, {{"error_maximum", 1e-3}, {"reference_bound", 1e-2}}));
   EXPECT_TRUE(stagnates(error_maximum, {{"error_maximum", 1e-3}, {"reference_bound_maximum", 1e-2}}));
+  EXPECT_EQ(run({{"error_end", 1e-9}, {"reference_bound", 1e-9}}).errors[error_at_end].value, 2e-9);
 }
 
 // Stores the records of a sweep in memory, like a results file.
