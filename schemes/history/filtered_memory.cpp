@@ -13,15 +13,14 @@ namespace fde {
 
 namespace {
 
-// phi_L, ..., phi_2, with zeros in front.
-Vec reversed_tail(const std::vector<double>& filter) {
-  const auto count = std::max<std::ptrdiff_t>(std::ssize(filter) - 2, 0);
-  Vec tail = Vec::Zero(rounded_up(count));
-  for (Eigen::Index i = 1; i <= count; ++i) tail[tail.size() - i] = filter[static_cast<std::size_t>(i) + 1];
-  return tail;
+// Column p: phi_(k-p) for k > p, and 0 above and below.
+Matrix filter_of_group(const std::vector<double>& filter) {
+  const auto last = std::ssize(filter) - 1;
+  Matrix columns = Matrix::Zero(lanes + rounded_up(last), lanes);
+  for (Eigen::Index p = 0; p < lanes; ++p)
+    for (Eigen::Index i = 1; i <= last; ++i) columns(p + i, p) = filter[static_cast<std::size_t>(i)];
+  return columns;
 }
-
-double first_coefficient(const std::vector<double>& filter) { return filter.size() > 1 ? filter[1] : 0.0; }
 
 // w(1), w(2), ..., or the differences w(k) - w(k-1) for running sums.
 Vec weights_of_lags(const WeightTable& table, Eigen::Index count) {
@@ -35,11 +34,8 @@ Vec weights_of_lags(const WeightTable& table, Eigen::Index count) {
 
 FilteredMemory::FilteredMemory(const WeightTable& table, Eigen::Index components, int steps, double tolerance)
     : running_sums_(table.order > 1.0),
-      filter_(reversed_tail(table.family->filter(table.order))),
-      first_(first_coefficient(table.family->filter(table.order))),
-      window_(Matrix::Zero(2 * filter_.size() + 1, components)),
-      next_(filter_.size()),
-      tail_(Vec::Zero(components)),
+      filter_(filter_of_group(table.family->filter(table.order))),
+      tails_(Matrix::Zero(filter_.rows(), components)),
       filtered_(components),
       totals_(components) {
   const WeightTable binomial{&families::grunwald_letnikov, table.order};
@@ -48,33 +44,31 @@ FilteredMemory::FilteredMemory(const WeightTable& table, Eigen::Index components
 }
 
 void FilteredMemory::push(In sample) {
-  for_each_component(sample.size(), [&](Eigen::Index i) { filtered_[i] = sample[i] + tail_[i]; });
+  for_each_component(sample.size(), [&](Eigen::Index i) { filtered_[i] = sample[i] + tails_(position_, i); });
   if (!memory_ || running_sums_) totals_.add(filtered_);
   if (running_sums_) {
     for (Eigen::Index i = 0; i < filtered_.size(); ++i) filtered_[i] = totals_[i];
   }
   if (memory_) memory_->push(filtered_);
-  const Eigen::Index length = filter_.size();
-  if (next_ == window_.rows()) {
-    window_.topRows(length) = window_.bottomRows(length);
-    next_ = length;
-  }
+  const Eigen::Index rows = tails_.rows();
+  add_outer_product(rows / lanes, filter_.col(position_).data(), sample.data(), sample.size(), lanes, tails_);
+  if (++position_ < lanes) return;
+  position_ = 0;
   for (Eigen::Index i = 0; i < sample.size(); ++i) {
-    double* const newest = window_.col(i).data() + next_;
-    *newest = sample[i];
-    tail_[i] = dot_product(filter_.data(), newest - length, length) + first_ * sample[i];
+    auto tail = tails_.col(i);
+    std::shift_left(tail.begin(), tail.end(), lanes);
+    tail.tail(lanes).setZero();
   }
-  ++next_;
 }
 
 std::size_t FilteredMemory::bytes() const {
-  const auto doubles = filter_.size() + window_.size() + 4 * tail_.size();
+  const auto doubles = filter_.size() + tails_.size() + 3 * filtered_.size();
   return sizeof(double) * static_cast<std::size_t>(doubles) + (memory_ ? memory_->bytes() : 0);
 }
 
 void FilteredMemory::state(Archive& archive) {
-  archive.count(next_, filter_.size(), window_.rows());
-  archive(window_, tail_, totals_, memory_);
+  archive.count(position_, 0, lanes - 1);
+  archive(tails_, totals_, memory_);
 }
 
 WideFilteredMemory::WideFilteredMemory(const WeightTable& table, Eigen::Index components, int steps,

@@ -13,7 +13,8 @@ namespace fde {
 // The memory term of components that share a table whose weights w are the Grunwald-Letnikov weights b
 // convolved with a filter phi,
 //   sum_{j<n} w(n-j) x_j = sum_{j<n} b(n-j) z_j + sum_{i>=1} phi_i x_(n-i),   z_j = sum_{i>=0} phi_i x_(j-i).
-// The last sum is z_n - x_n. x_0 has no weight of its own.
+// The last sum, the tail, is z_n - x_n: each sample is added to the tails of all later steps when it is
+// pushed. x_0 has no weight of its own.
 class FilteredMemory {
  public:
   // For at most `steps` steps.
@@ -24,7 +25,7 @@ class FilteredMemory {
 
   // The sum after x_0 ... x_(n-1) have been pushed, for one component.
   [[nodiscard]] double convolved(Eigen::Index component) const {
-    return (memory_ ? memory_->convolved(0)[component] : totals_[component]) + tail_[component];
+    return (memory_ ? memory_->convolved(0)[component] : totals_[component]) + tails_(position_, component);
   }
 
   [[nodiscard]] std::size_t bytes() const;
@@ -32,12 +33,12 @@ class FilteredMemory {
 
  private:
   bool running_sums_;
-  Vec filter_;           // phi_L, ..., phi_2, padded with zeros to a whole number of vectors
-  double first_;         // phi_1, separate: a vector load of its just stored sample would stall
-  Matrix window_;        // the newest samples, one column a component, 2 filter_.size() + 1 rows
-  Eigen::Index next_;    // row of the next sample
-  Vec tail_, filtered_;  // sum_{i>=1} phi_i x_(n-i); z_n
-  RunningSums totals_;   // of z_0, z_1, ...
+  Matrix filter_;  // column p: phi_(k-p), k = 0, 1, ..., or 0 where there is none
+  Matrix
+      tails_;  // row k: as far as known, the tail at step k of this group of `lanes` steps; later steps too
+  Eigen::Index position_ = 0;                // of the next sample in its group
+  Vec filtered_;                             // z_n
+  RunningSums totals_;                       // of z_0, z_1, ...
   std::optional<ExponentialMemory> memory_;  // nullopt at order 1
 };
 
