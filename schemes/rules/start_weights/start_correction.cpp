@@ -15,7 +15,8 @@ constexpr std::size_t many = 64;
 }  // namespace
 
 StartingCorrection::StartingCorrection(const std::vector<WeightTable>& tables,
-                                       const std::vector<double>& powers, int steps) {
+                                       const std::vector<double>& powers, int steps)
+    : steps_(steps) {
   for (const auto& table : tables) {
     auto found = std::ranges::find(tables_, table);
     if (found == tables_.end()) {
@@ -121,13 +122,11 @@ void StartingCorrection::load_piece(double n) {
 }
 
 std::size_t StartingCorrection::bytes() const {
-  auto doubles = f_.size() + coefficients_.smooth.size() + coefficients_.alternating.size() + sums_.size();
-  for (const auto& weights : of_orders_) {
-    doubles += weights->tabulated.size();
-    for (const auto& piece : weights->pieces)
-      doubles += piece.smooth.size() + piece.alternating.size() + piece.decaying.size();
-  }
-  return sizeof(double) * static_cast<std::size_t>(doubles);
+  const auto doubles =
+      f_.size() + coefficients_.smooth.size() + coefficients_.alternating.size() + sums_.size();
+  std::size_t bytes = sizeof(double) * static_cast<std::size_t>(doubles);
+  for (const auto& weights : of_orders_) bytes += weights->bytes(steps_);
+  return bytes;
 }
 
 void StartingCorrection::state(Archive& archive) {

@@ -51,6 +51,7 @@ class StartingCorrection {
     return *of_orders_[row_[static_cast<std::size_t>(i)]];
   }
 
+  int steps_;
   std::vector<WeightTable> tables_;                                // each once
   std::vector<std::shared_ptr<const StartingWeights>> of_orders_;  // for each of tables_
   std::vector<std::size_t> row_;                                   // for each row its index in both

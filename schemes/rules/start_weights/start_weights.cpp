@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -74,6 +75,13 @@ std::shared_ptr<const StartingWeights> starting_weights(const WeightTable& table
   count_table(made.get(), made->seconds);
   kept.put(key, made);
   return made;
+}
+
+std::size_t StartingWeights::bytes(int steps) const {
+  auto doubles = tabulated.size();
+  for (const auto& piece : std::span(pieces).first(pieces_for(steps, tabulated.rows())))
+    doubles += piece.smooth.size() + piece.alternating.size() + piece.decaying.size();
+  return sizeof(double) * static_cast<std::size_t>(doubles);
 }
 
 UsablePowers usable_powers(const WeightTable& table, const std::vector<double>& powers) {

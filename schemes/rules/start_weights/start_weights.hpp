@@ -33,6 +33,9 @@ struct StartingWeights {
   std::vector<ChebyshevPiece> pieces;                        // up to the requested number of steps
   std::shared_ptr<const StartingWeightEquations> equations;  // computes further pieces
   double seconds = 0.0;                                      // of a processor, to compute all of this
+
+  // Of what a run with so many steps uses: a longer one may have asked for more.
+  [[nodiscard]] std::size_t bytes(int steps) const;
 };
 
 // The starting weights for these powers of f and n up to `steps`. Preconditions: table.family->multistep is

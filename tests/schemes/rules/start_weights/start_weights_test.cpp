@@ -333,6 +333,15 @@ TEST(StartingProcedure, AreNotAnotherSolution) {
   }
 }
 
+// The starting weights of a longer run with the same orders are kept by the process.
+TEST(MultistepSchemes, ReportTheMemoryOfTheRunWhateverRanBefore) {
+  const Problem problem{.components = {{0.53, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }};
+  const auto bytes = [&](int steps) { return solve("bdf6", problem, steps).cost.history_bytes; };
+  const auto before = bytes(100);
+  EXPECT_GT(bytes(100'000), before);
+  EXPECT_EQ(bytes(100), before);
+}
+
 // E_{1/2}(-1) = e erfc(1); DLMF 7.
 TEST(MultistepSchemes, RelaxationToTwelveDigits) {
   const Problem problem{.components = {{0.5, {1.0}}}, .rhs = [](double, In y, Out f) { f = -y; }};
