@@ -25,6 +25,8 @@ from recorded_runs import runs_in  # noqa: E402
 
 STEPS = [2**k for k in range(4, 17)]
 ERROR = "error_end_relative"
+ACCURACIES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)  # the errors of the tables
+LARGEST_LOAD = 0.3  # tasks that may run on the machine, on average in the last minute, before times are measured
 
 
 def read(name):
@@ -77,31 +79,39 @@ def run_fdebench(arguments):
 
 
 def run(arguments):
-    """Doubles the steps of all settings of a code on each problem.
+    """Doubles the steps of all settings of a code on each problem, then tries some numbers of steps between those.
 
     A setting ends where its code refuses the problem or exceeds the budget, or where its error falls no longer. One that fails goes on:
     Newton's method may need small steps.
     """
+    load = os.getloadavg()[0]
+    if load > LARGEST_LOAD and not arguments.busy:
+        print(f"peers.py: the load of the machine is {load:.2f}, and at most {LARGEST_LOAD} is allowed; --busy runs all the same", file=sys.stderr)
+        sys.exit(2)
     if arguments.code == "fdebench":
         run_fdebench(arguments)
         return
     code = CODES[arguments.code]
     if not is_found(code):
         sys.exit(f"peers.py: {code['name']}: FDEBENCH_PEERS must name a folder with {code['file']}")
-    for problem in PROBLEMS:
-        if arguments.scene not in (None, problem["scene"]):
-            continue
-        going = {line_name(code, setting): command(code, setting) for setting in code["settings"]}
+    commands = {line_name(code, setting): command(code, setting) for setting in code["settings"]}
+    for scene in [arguments.scene] if arguments.scene else [problem["scene"] for problem in PROBLEMS]:
+        going = set(commands)
         for steps in code.get("steps", STEPS):
-            if not going:
-                break
-            externals = [word for name, text in going.items() for word in ("--external", f"{name}={text}")]
-            subprocess.run([arguments.fdebench, "run", "--scene", problem["scene"], "--steps", str(steps), "--repeat", "1", *externals,
-                            "--budget", str(arguments.budget), "--out", arguments.out, "--quiet"],
-                           check=True, cwd=ROOT, stdout=subprocess.DEVNULL)
-            for name in (ended(arguments.out, steps) | settled(arguments.out)) & going.keys():
-                del going[name]
+            if going:
+                measure(arguments, scene, {name: commands[name] for name in commands if name in going}, [steps])
+                going -= ended(arguments.out, steps) | settled(arguments.out)
+        for name, steps in between(arguments.out).items():
+            measure(arguments, scene, {name: commands[name]}, sorted(steps))
     shorten(arguments.out)
+
+
+def measure(arguments, scene, commands, steps):
+    """Adds the runs of these lines to the results file."""
+    externals = [word for name, text in commands.items() for word in ("--external", f"{name}={text}")]
+    subprocess.run([arguments.fdebench, "run", "--scene", scene, "--steps", ",".join(map(str, steps)), "--repeat", "1", *externals,
+                    "--budget", str(arguments.budget), "--out", arguments.out, "--quiet"],
+                   check=True, cwd=ROOT, stdout=subprocess.DEVNULL)  # fmt: skip
 
 
 def ended(file, steps):
@@ -110,13 +120,31 @@ def ended(file, steps):
     return {run["scheme"] for run in runs if run["ending"] in ("refused", "out_of_budget")}
 
 
-def settled(file):
-    """The lines whose errors on the last scene of the file, below 1e-3, have not halved in the last two doublings."""
-    runs, errors = runs_in(file), {}
+def solved_lines(file):
+    """The finished runs on the last scene of the file, by line."""
+    runs, lines = runs_in(file), {}
     for run in runs:
-        if run["scene"] == runs[-1]["scene"] and ERROR in run["values"]:
-            errors.setdefault(run["scheme"], []).append(run["values"][ERROR])
+        if run["scene"] == runs[-1]["scene"] and run["ending"] == "finished" and ERROR in run["values"]:
+            lines.setdefault(run["scheme"], []).append(run)
+    return lines
+
+
+def settled(file):
+    """The lines whose errors, below 1e-3, have not halved in the last two doublings."""
+    errors = {name: [run["values"][ERROR] for run in runs] for name, runs in solved_lines(file).items()}
     return {name for name, values in errors.items() if len(values) > 2 and values[-3] < 1e-3 and values[-1] > values[-3] / 2}
+
+
+def between(file):
+    """By line: three numbers of steps before those of the quickest run within each error, so that no more than 19 % of its steps are too many."""
+    lines, steps = solved_lines(file), {}
+    for accuracy in ACCURACIES:
+        within = [run for runs in lines.values() for run in runs if run["values"][ERROR] <= accuracy and "time_median" in run["time"]]
+        if within:
+            best = min(within, key=lambda run: run["time"]["time_median"])
+            before = max((run["steps"] for run in lines[best["scheme"]] if run["steps"] < best["steps"]), default=best["steps"])
+            steps.setdefault(best["scheme"], set()).update(round(before * (best["steps"] / before) ** (k / 4)) for k in (1, 2, 3))
+    return steps
 
 
 def attempt(arguments):
@@ -136,6 +164,16 @@ def attempt(arguments):
 
 def code_of(run):
     return run.get("program", {}).get("code", run["scheme"]) if "external" in run else "fdebench"
+
+
+def undisturbed(runs):
+    """Without the runs that other work on the machine made longer (docs/results.md), where there is another of the same kind."""
+
+    def kind(run):
+        return json.dumps([run.get(name) for name in ("scene", "settings", "scheme", "steps", "accuracy", "grid")])
+
+    calm = {kind(run) for run in runs if not run["time"].get("disturbed")}
+    return [run for run in runs if not run["time"].get("disturbed") or kind(run) not in calm]
 
 
 def needed(runs):
@@ -158,11 +196,11 @@ def needed(runs):
 def shorten(file):
     """Keeps the first session, from which others differ in their date only, and what the tables and the page's section need: some runs, their errors and
     times, and the scenes of fdebench."""
-    lines, runs = list(map(json.loads, pathlib.Path(file).read_text().splitlines())), runs_in(file)
+    lines, runs = list(map(json.loads, pathlib.Path(file).read_text().splitlines())), undisturbed(runs_in(file))
     kept = lines[:1] + [line for line in lines if isinstance(line.get("scene"), dict) and any("external" not in run for run in runs)]
     for run in runs:
         run["values"] = {name: value for name, value in run["values"].items() if re.match("error_(end|maximum)", name)}
-        run["time"] = {name: value for name, value in run["time"].items() if name.startswith("time_")}
+        run["time"] = {name: value for name, value in run["time"].items() if name.startswith("time_") or (name, value) == ("disturbed", 1)}
         if not run.get("columns", {}).get("part"):
             run.pop("columns", None)
         run.pop("courses", None)
@@ -199,6 +237,7 @@ def main():
     runs.add_argument("--out", required=True)
     runs.add_argument("--budget", type=float, default=10.0, help="seconds for a process")
     runs.add_argument("--scene", help="this problem only")
+    runs.add_argument("--busy", action="store_true", help="also while other programs run")
     runs.set_defaults(do=run)
     arguments = parser.parse_args()
     arguments.do(arguments)

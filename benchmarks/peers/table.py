@@ -9,9 +9,7 @@ that of fdebench it is; without such a run the smallest error; a code that solve
 import math
 import sys
 
-from peers import ERROR, code_of, runs_in
-
-ACCURACIES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
+from peers import ACCURACIES, ERROR, code_of, runs_in, undisturbed
 
 
 def time_text(seconds):
@@ -22,7 +20,7 @@ def time_text(seconds):
 def read_codes(files):
     """By scene and code: the (error, seconds) of its runs, and how the first run without a solution ended."""
     scenes = {}
-    for run in (run for file in files for run in runs_in(file)):
+    for run in undisturbed([run for file in files for run in runs_in(file)]):
         scene = run["scene"] + "".join(f" {name}={value}" for name, value in sorted(run["settings"].items()))
         of = scenes.setdefault(scene, {}).setdefault(code_of(run), {"runs": [], "reason": ""})
         if ERROR in run["values"] and run["ending"] == "finished":

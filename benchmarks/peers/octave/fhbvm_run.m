@@ -1,28 +1,27 @@
 % SPDX-License-Identifier: MIT
-% fhbvm and fhbvm2 (systems of one order) and fhbvm2_2 (of two, the rows of the first order first) of
-% L. Brugnano, G. Gurioli, F. Iavernaro and M. Vikerpuur, on a mesh of their own. Options: n, nu (a graded mesh
-% of nu points in [0, nT/N]).
+% fhbvm and fhbvm2 (systems of one order) and fhbvm2_2 (of two) of L. Brugnano, G. Gurioli, F. Iavernaro and
+% M. Vikerpuur, on a mesh of their own. Other orders up to 1 become chains of rows (chain_orders). Options: n, nu
+% (a graded mesh of nu points in [0, nT/N]).
 function run = fhbvm_run(code, task, options)
-  rows = [task.rows.order];
-  orders = unique(rows, "stable");
   most = 1 + strcmp(code, "fhbvm2_2");
-  if any(orders == 0)
+  if any([task.rows.order] == 0)
     refuse("takes no algebraic equations");
-  elseif numel(orders) > most
-    refuse({"takes systems of one order", "takes systems of two orders"}{most});
-  elseif any(orders == fix(orders))
-    refuse("takes no whole orders");
-  elseif any(diff(rows == orders(1)) > 0)
-    refuse("takes the rows of one order after those of the other");
+  end
+  [orders, counts] = chain_orders([task.rows.order], most);
+  if isempty(orders)
+    refuse({"takes systems of one order", "takes systems of two orders between the same whole numbers"}{most});
   end
   [~, J, shown, run.columns] = system_of(task, "y(:,%d)");
   % All points at once: a row for each point, also where a formula is constant.
   f = handle_of({strcat("(", cellstr(task.system.rhs), ")+0*t")'}, "y(:,%d)");
-  y0 = initial_values(task.rows)';
+  [f, J, heads, first_rows, size] = in_chains(f, J, counts);
+  initial = initial_values(task.rows)';
+  y0 = zeros(rows(initial), size);
+  y0(:, heads) = initial;
   n = option(options, "n", 1);
   nu = max(option(options, "nu", 1), n);
   T = task.end_time;
-  problem = @(varargin) right_hand_side(f, J, orders, sum(rows == orders(1)), varargin{:});
+  problem = @(varargin) right_hand_side(f, J, orders, first_rows, varargin{:});
   run.own_times = true;
   switch code
     case "fhbvm"
@@ -30,7 +29,41 @@ function run = fhbvm_run(code, task, options)
     otherwise
       solver = @(N) feval(code, problem, y0, T, N, n, nu);
   end
-  run.solve = @(N) rows_of(solver, N, shown);
+  run.solve = @(N) columns_of(solver, N, heads(shown));
+end
+
+% The system with counts(i, k) rows of the k-th order for unknown i, those of the first order first: each row of a
+% chain is the right-hand side of the one before. `heads` are the unknowns themselves.
+function [f, J, heads, first_rows, size] = in_chains(f, J, counts)
+  kinds = unknowns = [];
+  for i = 1:rows(counts)
+    kinds = [kinds, repelem(1:columns(counts), counts(i, :))];
+    unknowns = [unknowns, repelem(i, sum(counts(i, :)))];
+  end
+  size = numel(kinds);
+  first_rows = sum(kinds == 1);
+  [~, sorted] = sort(kinds);
+  place(sorted) = 1:size;
+  starts = [true, diff(unknowns) > 0];
+  ends = [starts(2:end), true];
+  heads = place(starts);
+  tails = place(ends);
+  if isequal(heads, tails, 1:size)
+    return;
+  end
+  next = zeros(size);
+  next(sub2ind([size, size], place(! ends), place(! starts))) = 1;
+  f = @(t, y) values_in_chains(f(t, y(:, heads)), y, next, tails);
+  J = @(t, y) jacobian_in_chains(J(t, y(:, heads)), next, tails, heads);
+end
+
+function values = values_in_chains(last, y, next, tails)
+  values = y * next';
+  values(:, tails) = last;
+end
+
+function J = jacobian_in_chains(last, J, tails, heads)
+  J(tails, heads) = last;
 end
 
 % As these codes call the problem: without arguments the orders, with three the Jacobian.
@@ -39,12 +72,13 @@ function [value, first_rows] = right_hand_side(f, J, orders, first_rows, t, y, ~
     value = orders;
   elseif nargin == 7
     value = J(t, y);
+    value(! isfinite(value)) = 0; % of a root at the start
   else
     value = f(t, y);
   end
 end
 
-function [t, y] = rows_of(solver, N, shown)
+function [t, y] = columns_of(solver, N, shown)
   [t, y] = solver(N);
   y = y(:, shown)';
 end

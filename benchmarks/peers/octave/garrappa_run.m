@@ -1,27 +1,20 @@
 % SPDX-License-Identifier: MIT
-% Codes of R. Garrappa: fde12, flmm2 (systems of one order), fde_pi* (one order for each row), mt_fde_pi* (a
-% multi-term equation). Options: mu (predictor-corrector), method (flmm2), tol (Newton's method).
+% Codes of R. Garrappa: fde12, flmm2 (systems of one order), fde_pi* (one order for each row), mt_fde_pi*
+% (multi-term equations). Options: mu (predictor-corrector), method (flmm2), tol (Newton's method).
 function run = garrappa_run(code, task, options)
-  if any(strcmp({task.rows.side}, "right"))
-    refuse("takes initial-value problems only");
-  end
   T = task.end_time;
   mu = option(options, "mu", 1);
   tol = option(options, "tol", 1e-6); % the default of the codes
   run = struct("own_times", false, "columns", {{}}, "solve", []);
   if strncmp(code, "mt_", 3)
-    [equation, run.columns] = multi_term_equation(task);
-    f = handle_of({equation.rhs}, "y(%d)");
-    y0 = equation.initial(:)';
-    orders = equation.orders(:)';
-    factors = equation.coefficients(:)';
+    of = multi_term_equation(task);
+    run.columns = of.columns;
     if strcmp(code, "mt_fde_pi1_ex")
-      run.solve = @(N) mt_fde_pi1_ex(orders, factors, f, 0, T, y0, T / N);
+      run.solve = @(N) mt_fde_pi1_ex(of.orders, of.coefficients, of.f, 0, T, of.y0, T / N);
     elseif strcmp(code, "mt_fde_pi12_pc")
-      run.solve = @(N) mt_fde_pi12_pc(orders, factors, f, 0, T, y0, T / N, [], mu);
+      run.solve = @(N) mt_fde_pi12_pc(of.orders, of.coefficients, of.f, 0, T, of.y0, T / N, [], mu);
     else
-      J = handle_of({equation.derivative}, "y(%d)");
-      run.solve = @(N) feval(code, orders, factors, f, J, 0, T, y0, T / N, [], tol);
+      run.solve = @(N) feval(code, of.orders, of.coefficients, of.f, of.J, 0, T, of.y0, T / N, [], tol);
     end
     return;
   end

@@ -24,6 +24,7 @@ try
     seconds(end + 1) = toc(start);
   end
 catch failure
+  warning("off", "all"); % fhbvm2_2 turns all on, and Octave warns while it ends: the last line is the reason
   fprintf(stderr, "%s\n", strtrim(strsplit(failure.message, "\n"){1}));
   if strcmp(failure.identifier, "peer:refused")
     exit(77);

@@ -8,5 +8,9 @@ function run = peer_named(code, family, task, options)
   if any(strfind(jsonencode(task.system), "mittag_leffler"))
     refuse("the adapter has no Mittag-Leffler function");
   end
+  given = cellfun(@numel, {task.rows.initial});
+  if any(strcmp({task.rows.side}, "right")) || any(given < ceil([task.rows.order]))
+    refuse("takes initial-value problems only");
+  end
   run = feval([family "_run"], code, task, options);
 end

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Solves the equation of a task (docs/external_solvers.md) with a stepper of pycaputo: peer.py STEPPER [OPTION=VALUE]... TASK
 
-pycaputo is found by PYTHONPATH. Options: corrector_iterations, theta, r (the grading of the grid; "auto" chooses it by the order).
+pycaputo is found by PYTHONPATH. Options: corrector_iterations, theta, r (the grading of the grid; "auto" chooses it by the order), chi.
+With chi Jannelli's controller chooses the steps, the only one that works with these steppers. It keeps its measure of the change of the
+solution in a step between chi/(10 N) and chi/N, where N is the number of steps of the task.
 """
 
 import importlib.metadata
@@ -37,6 +39,7 @@ def solver_of(stepper, task, options):
     """A function that solves once and returns the times, and the values with a row for each time."""
     from pycaputo.controller import make_fixed_controller, make_graded_controller
     from pycaputo.derivatives import CaputoDerivative
+    from pycaputo.events import StepAccepted
     from pycaputo.fode import caputo
     from pycaputo.stepping import evolve
 
@@ -56,17 +59,36 @@ def solver_of(stepper, task, options):
             arguments[name] = type(1 if name == "corrector_iterations" else 0.5)(options[name])
 
     def solve():
-        if "r" in options:
+        if "chi" in options:
+            control, first = adaptive_controller(end, float(options["chi"]) / steps), None
+        elif "r" in options:
             grading = {"alpha": rows[0]["order"]} if options["r"] == "auto" else {"r": float(options["r"])}
             control = make_graded_controller(tstart=0.0, tfinal=end, nsteps=steps, **grading)
-            events = list(evolve(getattr(caputo, stepper)(control=control, **arguments), dtinit=control.timesteps[0]))
+            first = control.timesteps[0]
         else:
             # Without dtinit the first step is estimated, and as many steps end before `end`.
-            control = make_fixed_controller(end / steps, tstart=0.0, tfinal=end, nsteps=steps)
-            events = list(evolve(getattr(caputo, stepper)(control=control, **arguments), dtinit=end / steps))
+            control, first = make_fixed_controller(end / steps, tstart=0.0, tfinal=end, nsteps=steps), end / steps
+        events = [event for event in evolve(getattr(caputo, stepper)(control=control, **arguments), dtinit=first) if isinstance(event, StepAccepted)]
         return [event.t for event in events], [np.ravel(event.y) for event in events]
 
     return solve
+
+
+def adaptive_controller(end, largest):
+    """Jannelli's controller with the defaults of make_jannelli_controller. That one bounds each step by the time left before the last, and ends
+    beyond the end."""
+    from pycaputo.controller import JannelliIntegralController, evaluate_timestep_accept
+
+    class EndsThere(JannelliIntegralController):
+        pass
+
+    @evaluate_timestep_accept.register(EndsThere)
+    def _(controller, method, factor, step, state):
+        chosen = evaluate_timestep_accept.dispatch(JannelliIntegralController)(controller, method, factor, step, state)
+        return min(chosen, end - state["t"] - step + 1e-15 * end)
+
+    defaults = {"nsteps": None, "dtmin": 1e-6, "qmin": 0.5, "qmax": 1.5, "abstol": 1e-8, "reltol": 1.0}
+    return EndsThere(tstart=0.0, tfinal=end, chimin=largest / 10, chimax=largest, **defaults)
 
 
 def main(stepper, *words):
