@@ -34,8 +34,7 @@ class FilteredMemory {
  private:
   bool running_sums_;
   Matrix filter_;  // column p: phi_(k-p), k = 0, 1, ..., or 0 where there is none
-  Matrix
-      tails_;  // row k: as far as known, the tail at step k of this group of `lanes` steps; later steps too
+  Matrix tails_;   // row k: the tail at step k of this group of `lanes` steps, as far as known; more rows
   Eigen::Index position_ = 0;                // of the next sample in its group
   Vec filtered_;                             // z_n
   RunningSums totals_;                       // of z_0, z_1, ...

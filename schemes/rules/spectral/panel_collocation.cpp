@@ -107,14 +107,13 @@ void PanelCollocation::begin_segment() {
 
 // Ends the segment at its end, behind the last panel or before the block that was attempted.
 void PanelCollocation::end_segment_at(double t) {
+  next_start_ = std::min(t, interval_ends_.front());
   if (!open_.empty()) {
-    Segment& ended = solution_->segments.back();
     const TimeBlock& last = open_.back().block;
-    ended.end = t;
-    ended.end_place = panel_ ? last.from + last.width : last.from;
+    solution_->segments.back().end = next_start_;
+    solution_->segments.back().end_place = panel_ ? last.from + last.width : last.from;
   }
   close_open_blocks();
-  next_start_ = std::min(t, interval_ends_.front());
   if (next_start_ == interval_ends_.front()) interval_ends_.erase(interval_ends_.begin());
 }
 
@@ -299,10 +298,11 @@ PanelValues PanelCollocation::extrapolated_on(const PanelSystem& task) {
 std::unique_ptr<MemoryBlock> PanelCollocation::panel_over_switch(const TimeBlock& block,
                                                                  const PanelSystem& task,
                                                                  const PanelValues& followed) {
+  auto panel = panel_of(block, task, followed);
   accept_values(task, followed);
   last_switch_time_ = block.time(1.0);
   segment_ends_ = true;
-  return panel_of(block, task, followed);
+  return panel;
 }
 
 PanelSystem PanelCollocation::task_on(const OpenBlock& open) {
