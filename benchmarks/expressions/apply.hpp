@@ -73,16 +73,25 @@ inline Interval sign_of(const Interval& x) { return sign(x); }
 inline Interval smaller_of(const Interval& a, const Interval& b) { return min(a, b); }
 inline Interval larger_of(const Interval& a, const Interval& b) { return max(a, b); }
 
-// The value of an operation on its arguments; number and variable are not operations. `function`: of a table.
+// The value of an operation on its arguments. `function`: of a table.
+template <Operation operation, class Real>
+Real value_of([[maybe_unused]] const Real& a, [[maybe_unused]] const Real& b, [[maybe_unused]] const Real& c,
+              [[maybe_unused]] const SampledFunction* function) {
+  using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::floor,
+      std::log, std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
+#define FDE_OPERATION(name, arguments, value) \
+  if constexpr (operation == Operation::name) return Real(value);
+#include "fdebench/benchmarks/expressions/operations.def"
+}
+
+// The same for an operation that is known at run time only; number and variable are not operations.
 template <class Real>
 Real apply(Operation operation, const Real& a, const Real& b, const Real& c,
            const SampledFunction* function = nullptr) {
-  using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp, std::floor,
-      std::log, std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
   switch (operation) {
 #define FDE_OPERATION(name, arguments, value) \
   case Operation::name:                       \
-    return Real(value);
+    return value_of<Operation::name>(a, b, c, function);
 #include "fdebench/benchmarks/expressions/operations.def"
     case Operation::pi:
       return SpecialFunctions<Real>::pi();

@@ -15,12 +15,16 @@ namespace x86 = asmjit::x86;
 
 namespace {
 
-// The function of one argument that apply<double> calls.
+// The operation as a function of its only argument; nullptr for that of a table.
 double (*function_of(Operation operation))(double) {
   switch (operation) {
-#define FDE_OPERATION(name, arguments, value) \
-  case Operation::name:                       \
-    return [](double a) { return apply<double>(Operation::name, a, 0.0, 0.0, nullptr); };
+#define FDE_OPERATION(name, arguments, value)                                          \
+  case Operation::name:                                                                \
+    if constexpr (Operation::name == Operation::sampled) {                             \
+      return nullptr;                                                                  \
+    } else {                                                                           \
+      return [](double a) { return value_of<Operation::name>(a, 0.0, 0.0, nullptr); }; \
+    }
 #include "fdebench/benchmarks/expressions/operations.def"
     default:
       return nullptr;
